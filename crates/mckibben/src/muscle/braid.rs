@@ -1,0 +1,124 @@
+//! The braided sleeve: two families of helical strands at ±θ0 on the tube's outer surface.
+
+use super::NEUTRAL_ANGLE_DEG;
+use super::error::{MuscleError, positive};
+use super::tube::Tube;
+
+/// How stiff a strand family is, as a force per length of a cut across the strands: k = E·A/spacing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BraidStiffness {
+    /// The paper's braid: k = 467 N/mm · (D0/40 mm)^1.3, provisional (fitted together with the rubber `paper`).
+    Paper,
+    /// k of one family in N/mm.
+    NewtonPerMm(f64),
+    /// Strands that do not stretch: the limit k → ∞.
+    Inextensible,
+    /// From [`Strands`]: k = E·A/spacing, spacing = π D0 cosθ0/(N/2).
+    OfStrands,
+}
+
+/// The strands one by one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Strands {
+    /// N, both families together; even.
+    pub count: u32,
+    /// Cross-section and Young's modulus of one strand (mm², MPa), where the braid is described by them.
+    pub section: Option<(f64, f64)>,
+    /// Force at which one strand breaks, in N.
+    pub strength_n: Option<f64>,
+}
+
+/// A strand measured on a real muscle, for Belforte's formula; includes the rounded ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeasuredStrand {
+    /// Length b of one strand from terminal to terminal, in mm.
+    pub strand_length_mm: f64,
+    /// Turns n it makes around the muscle.
+    pub turns: f64,
+}
+
+/// A braid at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Braid {
+    /// Angle θ0 of the strands to the muscle's axis at rest, in degrees.
+    pub angle_deg: f64,
+    /// Stiffness of one family.
+    pub stiffness: BraidStiffness,
+    /// The single strands, where they are known.
+    pub strands: Option<Strands>,
+    /// Strand length and turns measured on the muscle, where they are known.
+    pub measured: Option<MeasuredStrand>,
+    /// Whether strands carry compression, as the paper's trusses do. Real strands buckle: default false.
+    pub compression: bool,
+}
+
+impl Braid {
+    /// The paper's braid: 28°, stiffness `paper`.
+    pub fn paper() -> Self {
+        Self {
+            angle_deg: 28.0,
+            stiffness: BraidStiffness::Paper,
+            strands: None,
+            measured: None,
+            compression: false,
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), MuscleError> {
+        if !(self.angle_deg > 0.0 && self.angle_deg < NEUTRAL_ANGLE_DEG) {
+            return Err(MuscleError::Angle { angle_deg: self.angle_deg });
+        }
+        if let BraidStiffness::NewtonPerMm(k) = self.stiffness {
+            positive("braid.stiffness", k, "N/mm")?;
+        }
+        match (&self.strands, self.stiffness) {
+            (None, BraidStiffness::OfStrands) => {
+                return Err(MuscleError::StrandsIncomplete { missing: "strands" });
+            }
+            (Some(Strands { section: None, .. }), BraidStiffness::OfStrands) => {
+                return Err(MuscleError::StrandsIncomplete { missing: "strand_area" });
+            }
+            _ => {}
+        }
+        if let Some(strands) = &self.strands {
+            if strands.count == 0 || strands.count % 2 == 1 {
+                return Err(MuscleError::StrandCount { count: f64::from(strands.count) });
+            }
+            if let Some((area, modulus)) = strands.section {
+                positive("braid.strand_area", area, "mm2")?;
+                positive("braid.strand_modulus", modulus, "MPa")?;
+            }
+            if let Some(strength) = strands.strength_n {
+                positive("braid.strand_strength", strength, "N")?;
+            }
+        }
+        if let Some(m) = &self.measured {
+            positive("braid.strand_length", m.strand_length_mm, "mm")?;
+            positive("braid.turns", m.turns, "")?;
+        }
+        Ok(())
+    }
+
+    /// θ0 in radians.
+    pub fn angle_rad(&self) -> f64 {
+        self.angle_deg.to_radians()
+    }
+
+    /// k of one family on this tube in N/mm; `None` for inextensible strands.
+    pub fn family_stiffness_n_per_mm(&self, tube: &Tube) -> Option<f64> {
+        match self.stiffness {
+            BraidStiffness::Paper => Some(467.0 * (tube.outer_diameter_mm / 40.0).powf(1.3)),
+            BraidStiffness::NewtonPerMm(k) => Some(k),
+            BraidStiffness::Inextensible => None,
+            BraidStiffness::OfStrands => self.strands.and_then(|s| {
+                let spacing = self.strand_spacing_mm(tube, s.count);
+                s.section.map(|(area, modulus)| modulus * area / spacing)
+            }),
+        }
+    }
+
+    /// Distance between neighbouring strands of one family, across them: π D0 cosθ0/(N/2), in mm.
+    pub fn strand_spacing_mm(&self, tube: &Tube, count: u32) -> f64 {
+        2.0 * std::f64::consts::PI * tube.outer_diameter_mm * self.angle_rad().cos() / f64::from(count)
+    }
+}

@@ -1,0 +1,100 @@
+//! Why parts do not make a muscle.
+
+use crate::rubber::LawError;
+use thiserror::Error;
+
+/// What is wrong with a muscle; every variant carries the value that was given.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MuscleError {
+    /// A length, area, modulus or count that must be above zero.
+    #[error("{key} is {value} {unit}; it must be above zero and finite")]
+    NotPositive {
+        /// Key as in the muscle file, such as `tube.outer_diameter`.
+        key: &'static str,
+        /// What was given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A number below zero, or not finite, where zero is the least.
+    #[error("{key} is {value} {unit}; it must not be below zero, and finite")]
+    Negative {
+        /// Key as in the muscle file.
+        key: &'static str,
+        /// What was given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// A wall that leaves no bore.
+    #[error(
+        "tube.wall_thickness is {wall_mm} mm, but the radius is {radius_mm} mm: the wall must be thinner than the radius (half of tube.outer_diameter)"
+    )]
+    WallTooThick {
+        /// Wall in mm.
+        wall_mm: f64,
+        /// Outer radius in mm.
+        radius_mm: f64,
+    },
+    /// A braid angle outside 0 < θ0 < 54.7356°.
+    #[error(
+        "braid.angle is {angle_deg} deg; a muscle that contracts needs an angle between 0 and 54.7356 deg to its axis (measured to the axis, not around it)"
+    )]
+    Angle {
+        /// Angle in degrees.
+        angle_deg: f64,
+    },
+    /// Rubber constants that make no law.
+    #[error("tube.material: {0}")]
+    Rubber(#[from] LawError),
+    /// A stiffness together with the three lines it replaces.
+    #[error(
+        "braid: give either `stiffness`, or `strands`, `strand_area` and `strand_modulus`; here stand both"
+    )]
+    StiffnessTwice,
+    /// Some but not all of the three strand lines.
+    #[error(
+        "braid: {missing} is missing; a braid described by its strands needs `strands`, `strand_area` and `strand_modulus`"
+    )]
+    StrandsIncomplete {
+        /// The missing key.
+        missing: &'static str,
+    },
+    /// Strand counts are even: half in each family.
+    #[error("braid.strands is {count}; it must be an even whole number (half of them run each way)")]
+    StrandCount {
+        /// What was given.
+        count: f64,
+    },
+    /// A strength without the number of strands that share the load.
+    #[error("braid.strand_strength needs braid.strands: the load is shared among them")]
+    StrengthWithoutCount,
+    /// A strand length measured on the muscle that cannot span it.
+    #[error(
+        "braid.strand_length is {strand_length_mm} mm, not above the muscle's length of {length_mm} mm, which it must span slantwise"
+    )]
+    StrandTooShort {
+        /// Strand length in mm.
+        strand_length_mm: f64,
+        /// Muscle length in mm.
+        length_mm: f64,
+    },
+    /// A cone factor beyond what fits into the muscle.
+    #[error(
+        "terminals.cone_factor is {value}; it must lie between 0 and {largest:.4}, or the two tips meet before the largest contraction"
+    )]
+    ConeFactor {
+        /// What was given.
+        value: f64,
+        /// (1 − ε_max)/(2 ε_max).
+        largest: f64,
+    },
+}
+
+pub(super) fn positive(key: &'static str, value: f64, unit: &'static str) -> Result<(), MuscleError> {
+    if value.is_finite() && value > 0.0 { Ok(()) } else { Err(MuscleError::NotPositive { key, value, unit }) }
+}
+
+pub(super) fn not_negative(key: &'static str, value: f64, unit: &'static str) -> Result<(), MuscleError> {
+    if value.is_finite() && value >= 0.0 { Ok(()) } else { Err(MuscleError::Negative { key, value, unit }) }
+}

@@ -1,0 +1,116 @@
+//! The muscle and its words: tube, braid, terminals, and what is derived from them.
+//!
+//! Everything is checked once, in [`Muscle::new`]; whoever holds a [`Muscle`] may rely on it.
+
+mod braid;
+mod derived;
+mod error;
+pub mod file;
+mod friction;
+mod rubber;
+mod terminals;
+mod tube;
+
+pub use braid::{Braid, BraidStiffness, MeasuredStrand, Strands};
+pub use derived::BuildSheet;
+pub use error::MuscleError;
+pub use friction::{Friction, Motion};
+pub use rubber::{Bulk, Rubber};
+pub use terminals::{EndFactor, Terminals};
+pub use tube::Tube;
+
+/// The braid angle at which a muscle neither contracts nor extends: cos²θ = 1/3, in degrees.
+pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
+
+/// A muscle whose parts have been checked against each other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Muscle {
+    tube: Tube,
+    braid: Braid,
+    terminals: Terminals,
+    friction: Option<Friction>,
+}
+
+impl Muscle {
+    /// Puts a muscle together.
+    ///
+    /// # Errors
+    /// [`MuscleError`] names the part, its value and what it must be: lengths above zero, wall below the radius,
+    /// 0 < θ0 < 54.7356°, a rubber and a braid with stiffness.
+    pub fn new(
+        tube: Tube,
+        braid: Braid,
+        terminals: Terminals,
+        friction: Option<Friction>,
+    ) -> Result<Self, MuscleError> {
+        tube.check()?;
+        braid.check()?;
+        terminals.check(&tube)?;
+        if let Some(friction) = &friction {
+            friction.check()?;
+        }
+        Ok(Self { tube, braid, terminals, friction })
+    }
+
+    /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.
+    pub fn prototype() -> Self {
+        Self {
+            tube: Tube::prototype(),
+            braid: Braid::paper(),
+            terminals: Terminals::default(),
+            friction: None,
+        }
+    }
+
+    /// The tube.
+    pub fn tube(&self) -> &Tube {
+        &self.tube
+    }
+
+    /// The braid.
+    pub fn braid(&self) -> &Braid {
+        &self.braid
+    }
+
+    /// The terminals.
+    pub fn terminals(&self) -> &Terminals {
+        &self.terminals
+    }
+
+    /// Braid friction, where it is known.
+    pub fn friction(&self) -> Option<&Friction> {
+        self.friction.as_ref()
+    }
+
+    /// The same muscle with another tube.
+    ///
+    /// # Errors
+    /// As [`Muscle::new`].
+    pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
+        Self::new(tube, self.braid.clone(), self.terminals.clone(), self.friction)
+    }
+
+    /// The same muscle with another diameter and wall.
+    ///
+    /// # Errors
+    /// As [`Muscle::new`].
+    pub fn with_section(&self, outer_diameter_mm: f64, wall_mm: f64) -> Result<Self, MuscleError> {
+        self.with_tube(Tube { outer_diameter_mm, wall_mm, ..self.tube.clone() })
+    }
+
+    /// The same muscle with another braid.
+    ///
+    /// # Errors
+    /// As [`Muscle::new`].
+    pub fn with_braid(&self, braid: Braid) -> Result<Self, MuscleError> {
+        Self::new(self.tube.clone(), braid, self.terminals.clone(), self.friction)
+    }
+
+    /// The same muscle with other terminals.
+    ///
+    /// # Errors
+    /// As [`Muscle::new`].
+    pub fn with_terminals(&self, terminals: Terminals) -> Result<Self, MuscleError> {
+        Self::new(self.tube.clone(), self.braid.clone(), terminals, self.friction)
+    }
+}

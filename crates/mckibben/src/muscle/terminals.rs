@@ -1,0 +1,71 @@
+//! The terminals: rigid plugs to which tube and braid are bonded.
+
+use super::error::{MuscleError, not_negative};
+use super::tube::Tube;
+
+/// The empirical factor of Tondu & Lopez (2000) by which the contraction is multiplied to account for the ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum EndFactor {
+    /// k, constant; 1 means no end effect.
+    Constant(f64),
+    /// k(P) = a·e^(−P) + b, P in bar as in Tondu & Lopez (2000).
+    OfPressure {
+        /// a
+        a: f64,
+        /// b
+        b: f64,
+    },
+}
+
+impl EndFactor {
+    /// k at a pressure.
+    pub fn at(&self, pressure_mpa: f64) -> f64 {
+        match *self {
+            EndFactor::Constant(k) => k,
+            EndFactor::OfPressure { a, b } => a * (-10.0 * pressure_mpa).exp() + b,
+        }
+    }
+
+    /// dk/dP in 1/MPa.
+    pub fn slope(&self, pressure_mpa: f64) -> f64 {
+        match *self {
+            EndFactor::Constant(_) => 0.0,
+            EndFactor::OfPressure { a, .. } => -10.0 * a * (-10.0 * pressure_mpa).exp(),
+        }
+    }
+}
+
+/// What is known of the terminals.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Terminals {
+    /// Length of tube and braid clamped on each plug, in mm; only lengthens the cut.
+    pub insertion_mm: f64,
+    /// Empirical end factor, where one was measured or fitted.
+    pub end_factor: Option<EndFactor>,
+    /// kc of the conical-ends model (Tondu 2012 eq. 25): tips of length kc·L0·ε.
+    pub cone_factor: Option<f64>,
+}
+
+impl Default for Terminals {
+    fn default() -> Self {
+        Self { insertion_mm: 20.0, end_factor: None, cone_factor: None }
+    }
+}
+
+impl Terminals {
+    pub(super) fn check(&self, _tube: &Tube) -> Result<(), MuscleError> {
+        not_negative("terminals.insertion", self.insertion_mm, "mm")?;
+        match self.end_factor {
+            Some(EndFactor::Constant(k)) => super::error::positive("terminals.end_factor", k, "")?,
+            Some(EndFactor::OfPressure { a, b }) => {
+                super::error::positive("terminals.end_factor at 0 MPa (a + b)", a + b, "")?;
+                super::error::positive("terminals.end_factor at high pressure (b)", b, "")?;
+            }
+            None => {}
+        }
+        match self.cone_factor {
+            Some(kc) => not_negative("terminals.cone_factor", kc, ""),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! One battery that every law must pass; a new law is accepted by adding it to [`all`].
+
+use super::*;
+
+fn all() -> Vec<Law> {
+    vec![
+        Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }),
+        Law::NeoHookean(NeoHookean { mu_mpa: 0.24 }),
+        Law::Yeoh(Yeoh { c10_mpa: 0.1789, c20_mpa: -0.001219, c30_mpa: 3.678e-5 }),
+        Law::Gent(Gent { mu_mpa: 0.24, jm: 30.0 }),
+        // Ogden 1972, Treloar's rubber in kg/cm²: 6.3/1.3, 0.012/5.0, −0.1/−2.0; here in MPa.
+        Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] }),
+    ]
+}
+
+const STATES: [[f64; 3]; 4] = [[0.8, 1.6, 0.7], [1.0, 1.0, 1.0], [0.45, 2.3, 0.9], [1.9, 0.8, 0.66]];
+
+#[test]
+fn energy_and_stress_vanish_at_rest() {
+    for law in all() {
+        let p = law.principal([1.0; 3]);
+        assert!(p.w.abs() < 1e-15, "{}", law.name());
+        for stress in
+            [law.uniaxial_stress_mpa(1.0), law.equibiaxial_stress_mpa(1.0), law.planar_stress_mpa(1.0)]
+        {
+            assert!(stress.abs() < 1e-14, "{}", law.name());
+        }
+        let b = law.biaxial(1.0, 1.0);
+        assert!(b.w.abs() + b.u.abs() + b.v.abs() < 1e-14, "{}", law.name());
+    }
+}
+
+/// Small strain: E = 3μ in uniaxial, 6μ in equibiaxial (stress 2·E/(1−ν)/2), 4μ in planar tension, ν = ½.
+#[test]
+fn small_strain_moduli_are_3_6_and_4_mu() {
+    for law in all() {
+        let (mu, h) = (law.shear_modulus_mpa(), 1e-5);
+        let slope = |f: &dyn Fn(f64) -> f64| (f(1.0 + h) - f(1.0 - h)) / (2.0 * h);
+        for (got, factor) in [
+            (slope(&|x| law.uniaxial_stress_mpa(x)), 3.0),
+            (slope(&|x| law.equibiaxial_stress_mpa(x)), 6.0),
+            (slope(&|x| law.planar_stress_mpa(x)), 4.0),
+        ] {
+            assert!((got / (factor * mu) - 1.0).abs() < 1e-7, "{}: {got} vs {}", law.name(), factor * mu);
+        }
+    }
+}
+
+#[test]
+fn principal_derivatives_are_those_of_finite_differences() {
+    for law in all() {
+        for state in STATES {
+            let p = law.principal(state);
+            for i in 0..3 {
+                let h = 1e-5;
+                let (mut up, mut down) = (state, state);
+                up[i] += h;
+                down[i] -= h;
+                let (a, b) = (law.principal(up), law.principal(down));
+                assert!(((a.w - b.w) / (2.0 * h) - p.d[i]).abs() < 1e-8, "{} d{i}", law.name());
+                for j in 0..3 {
+                    let fd = (a.d[j] - b.d[j]) / (2.0 * h);
+                    assert!((fd - p.dd[j][i]).abs() < 1e-7 * (1.0 + fd.abs()), "{} dd{j}{i}", law.name());
+                    assert!((p.dd[i][j] - p.dd[j][i]).abs() < 1e-14, "{} is not symmetric", law.name());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn biaxial_derivatives_are_those_of_finite_differences() {
+    for law in all() {
+        for (u, v) in [(1.0, 1.0), (2.5, 0.8), (4.0, 0.6), (0.7, 1.8)] {
+            let (b, h) = (law.biaxial(u, v), 1e-5);
+            let (up, um) = (law.biaxial(u + h, v), law.biaxial(u - h, v));
+            let (vp, vm) = (law.biaxial(u, v + h), law.biaxial(u, v - h));
+            let pairs = [
+                ((up.w - um.w) / (2.0 * h), b.u),
+                ((vp.w - vm.w) / (2.0 * h), b.v),
+                ((up.u - um.u) / (2.0 * h), b.uu),
+                ((up.v - um.v) / (2.0 * h), b.uv),
+                ((vp.u - vm.u) / (2.0 * h), b.uv),
+                ((vp.v - vm.v) / (2.0 * h), b.vv),
+            ];
+            for (fd, exact) in pairs {
+                assert!((fd - exact).abs() < 1e-8, "{} at {u}, {v}: {fd} vs {exact}", law.name());
+            }
+        }
+    }
+}
+
+/// The default chain through principal stretches and the short one through invariants are one function.
+#[test]
+fn biaxial_through_invariants_is_biaxial_through_principal_stretches() {
+    struct Plain<'a>(&'a Law);
+    impl RubberLaw for Plain<'_> {
+        fn name(&self) -> &'static str {
+            self.0.name()
+        }
+        fn constants(&self) -> Vec<(String, f64, &'static str)> {
+            self.0.constants()
+        }
+        fn shear_modulus_mpa(&self) -> f64 {
+            self.0.shear_modulus_mpa()
+        }
+        fn principal(&self, l: [f64; 3]) -> Principal {
+            self.0.principal(l)
+        }
+    }
+    for law in all() {
+        for (u, v) in [(2.5, 0.8), (4.0, 0.6), (0.7, 1.8)] {
+            let (a, b) = (law.biaxial(u, v), Plain(&law).biaxial(u, v));
+            for (x, y) in [(a.w, b.w), (a.u, b.u), (a.v, b.v), (a.uu, b.uu), (a.uv, b.uv), (a.vv, b.vv)] {
+                assert!((x - y).abs() < 1e-12 * (1.0 + x.abs()), "{}: {x} vs {y}", law.name());
+            }
+        }
+    }
+}
+
+/// Verification A (Rivlin; Treloar): C1 = 0.10, C2 = 0.02 MPa, λ = 2.
+#[test]
+fn rivlin_stresses_at_stretch_two() {
+    let law = MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 };
+    assert!((law.uniaxial_stress_mpa(2.0) - 0.385).abs() < 1e-14);
+    assert!((law.equibiaxial_stress_mpa(2.0) - 0.70875).abs() < 1e-14);
+    assert!((law.planar_stress_mpa(2.0) - 0.45).abs() < 1e-14);
+}
+
+/// Ogden with α = 2 is neo-Hookean, with (2, −2) Mooney–Rivlin: C10 = μ1/2, C01 = −μ2/2.
+#[test]
+fn ogden_contains_mooney_rivlin() {
+    let ogden = Ogden { terms: vec![(0.2, 2.0), (-0.04, -2.0)] };
+    let mooney = MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.02 };
+    for (u, v) in [(2.5, 0.8), (4.0, 0.6)] {
+        let (a, b) = (ogden.biaxial(u, v), mooney.biaxial(u, v));
+        assert!((a.w - b.w).abs() + (a.u - b.u).abs() + (a.vv - b.vv).abs() < 1e-13);
+    }
+}
+
+#[test]
+fn gent_locks_and_says_so() {
+    let law = Gent { mu_mpa: 0.24, jm: 2.0 };
+    assert_eq!(law.biaxial(16.0, 1.0).w, f64::INFINITY);
+    let soft = Gent { mu_mpa: 0.24, jm: 1e9 };
+    let neo = NeoHookean { mu_mpa: 0.24 };
+    assert!((soft.biaxial(4.0, 0.8).u - neo.biaxial(4.0, 0.8).u).abs() < 1e-8);
+}
+
+#[test]
+fn a_negative_c01_is_unstable_in_two_axes_and_a_positive_one_is_not() {
+    let bad = MooneyRivlin { c10_mpa: 0.2259, c01_mpa: -0.1932 };
+    let good = MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 };
+    assert!(matches!(biaxial_stability(&bad, 2.5), Stability::UnstableFrom { .. }));
+    assert_eq!(biaxial_stability(&good, 3.0), Stability::Stable);
+}
+
+#[test]
+fn constants_without_stiffness_are_refused() {
+    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: -0.2 });
+    assert!(matches!(law.validated(), Err(LawError::NotStiff { .. })));
+    assert!(matches!(Law::Gent(Gent { mu_mpa: 0.1, jm: 0.0 }).validated(), Err(LawError::Limit { .. })));
+    let law = Law::NeoHookean(NeoHookean { mu_mpa: f64::NAN });
+    assert!(matches!(law.validated(), Err(LawError::NotFinite { .. })));
+    assert!(matches!(Law::Ogden(Ogden { terms: vec![] }).validated(), Err(LawError::Terms)));
+}

@@ -1,0 +1,152 @@
+//! The closed set of laws, for data that is read at run time.
+
+use super::{Biaxial, Gent, MooneyRivlin, NeoHookean, Ogden, Principal, RubberLaw, Yeoh};
+use thiserror::Error;
+
+/// Any of the laws. Kernels are generic over [`RubberLaw`]: match once, outside the quadrature loop
+/// ([`Law::visit`]).
+#[derive(Debug, Clone, PartialEq)]
+pub enum Law {
+    /// W = C10 (I1−3) + C01 (I2−3)
+    MooneyRivlin(MooneyRivlin),
+    /// W = μ/2 (I1−3)
+    NeoHookean(NeoHookean),
+    /// W = Σ Ci0 (I1−3)^i
+    Yeoh(Yeoh),
+    /// W = Σ (μi/αi)(Σ λ^αi − 3)
+    Ogden(Ogden),
+    /// W = −μ Jm/2 ln(1 − (I1−3)/Jm)
+    Gent(Gent),
+}
+
+/// Something that is done with a law whose type is known at compile time.
+pub trait LawVisitor {
+    /// What it gives back.
+    type Output;
+    /// The work itself, compiled once for every law.
+    fn with<L: RubberLaw>(self, law: &L) -> Self::Output;
+}
+
+/// Why constants do not make a law.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum LawError {
+    /// The shear modulus at rest is not above zero.
+    #[error(
+        "the {law} constants give a shear modulus of {shear_modulus_mpa} MPa at rest; it must be above zero (c10 + c01, mu, or Σ mu·alpha)"
+    )]
+    NotStiff {
+        /// Which law.
+        law: &'static str,
+        /// Its shear modulus in MPa.
+        shear_modulus_mpa: f64,
+    },
+    /// A constant that is NaN or infinite.
+    #[error("the constant {name} of the {law} law is {value}; it must be a finite number")]
+    NotFinite {
+        /// Which law.
+        law: &'static str,
+        /// Which constant.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+    /// Gent's limit is not above zero.
+    #[error("jm of the gent law is {jm}; it must be above zero (it is the largest I1 − 3)")]
+    Limit {
+        /// Its value.
+        jm: f64,
+    },
+    /// An Ogden exponent of zero, or no terms.
+    #[error("an ogden law needs one alpha other than zero for each mu")]
+    Terms,
+}
+
+impl Law {
+    /// Names of all laws, as written in muscle files.
+    pub const NAMES: [&'static str; 5] = ["mooney-rivlin", "neo-hookean", "yeoh", "ogden", "gent"];
+
+    /// Checks the constants.
+    ///
+    /// # Errors
+    /// [`LawError`] where a constant is not finite or the rubber has no stiffness at rest.
+    pub fn validated(self) -> Result<Self, LawError> {
+        let law = self.name();
+        if let Some((name, value, _)) = self.constants().into_iter().find(|c| !c.1.is_finite()) {
+            return Err(LawError::NotFinite { law, name, value });
+        }
+        match &self {
+            Law::Gent(g) if g.jm <= 0.0 => return Err(LawError::Limit { jm: g.jm }),
+            Law::Ogden(o) if o.terms.is_empty() || o.terms.iter().any(|t| t.1 == 0.0) => {
+                return Err(LawError::Terms);
+            }
+            _ => {}
+        }
+        let mu = self.shear_modulus_mpa();
+        if mu > 0.0 { Ok(self) } else { Err(LawError::NotStiff { law, shear_modulus_mpa: mu }) }
+    }
+
+    /// Runs `visitor` with the concrete law, so that loops inside are compiled for it.
+    pub fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output {
+        match self {
+            Law::MooneyRivlin(l) => visitor.with(l),
+            Law::NeoHookean(l) => visitor.with(l),
+            Law::Yeoh(l) => visitor.with(l),
+            Law::Ogden(l) => visitor.with(l),
+            Law::Gent(l) => visitor.with(l),
+        }
+    }
+
+    /// The same law with every modulus multiplied by `factor` (limits and exponents stay).
+    pub fn scaled(&self, factor: f64) -> Law {
+        match self {
+            Law::MooneyRivlin(l) => {
+                Law::MooneyRivlin(MooneyRivlin { c10_mpa: l.c10_mpa * factor, c01_mpa: l.c01_mpa * factor })
+            }
+            Law::NeoHookean(l) => Law::NeoHookean(NeoHookean { mu_mpa: l.mu_mpa * factor }),
+            Law::Yeoh(l) => Law::Yeoh(Yeoh {
+                c10_mpa: l.c10_mpa * factor,
+                c20_mpa: l.c20_mpa * factor,
+                c30_mpa: l.c30_mpa * factor,
+            }),
+            Law::Ogden(l) => {
+                Law::Ogden(Ogden { terms: l.terms.iter().map(|&(mu, alpha)| (mu * factor, alpha)).collect() })
+            }
+            Law::Gent(l) => Law::Gent(Gent { mu_mpa: l.mu_mpa * factor, jm: l.jm }),
+        }
+    }
+
+    /// The law as a function of the invariants where it is one (all but Ogden).
+    pub fn is_invariant_law(&self) -> bool {
+        !matches!(self, Law::Ogden(_))
+    }
+}
+
+macro_rules! each {
+    ($self:ident, $l:ident => $body:expr) => {
+        match $self {
+            Law::MooneyRivlin($l) => $body,
+            Law::NeoHookean($l) => $body,
+            Law::Yeoh($l) => $body,
+            Law::Ogden($l) => $body,
+            Law::Gent($l) => $body,
+        }
+    };
+}
+
+impl RubberLaw for Law {
+    fn name(&self) -> &'static str {
+        each!(self, l => l.name())
+    }
+    fn constants(&self) -> Vec<(String, f64, &'static str)> {
+        each!(self, l => l.constants())
+    }
+    fn shear_modulus_mpa(&self) -> f64 {
+        each!(self, l => l.shear_modulus_mpa())
+    }
+    fn principal(&self, stretches: [f64; 3]) -> Principal {
+        each!(self, l => l.principal(stretches))
+    }
+    fn biaxial(&self, u: f64, v: f64) -> Biaxial {
+        each!(self, l => l.biaxial(u, v))
+    }
+}

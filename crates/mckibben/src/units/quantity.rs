@@ -1,0 +1,312 @@
+//! One number with a unit.
+
+use thiserror::Error;
+
+/// What a number measures; decides which units it may carry and what a bare number means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// Lengths, in mm.
+    Length,
+    /// Pressures and moduli, in MPa.
+    Pressure,
+    /// Angles, in degrees.
+    Angle,
+    /// Forces, in N.
+    Force,
+    /// Ratios (contraction, strain), plain; `10%` is 0.1.
+    Ratio,
+    /// Stiffness of a strand family (force per length of a cut across it), in N/mm.
+    Stiffness,
+    /// Areas, in mm².
+    Area,
+}
+
+/// A unit: its spellings and the exact fraction `num / den` that turns it into the unit used inside. Keeping
+/// the fraction makes `1.5bar` the same number as `0.15MPa`, to the last bit.
+type Unit = (&'static [&'static str], f64, f64);
+
+const LENGTHS: &[Unit] = &[
+    (&["mm"], 1.0, 1.0),
+    (&["cm"], 10.0, 1.0),
+    (&["m"], 1000.0, 1.0),
+    (&["um", "µm", "μm"], 1.0, 1000.0),
+    (&["in", "inch"], 25.4, 1.0),
+];
+const PRESSURES: &[Unit] = &[
+    (&["MPa", "N/mm2", "N/mm²"], 1.0, 1.0),
+    (&["bar"], 1.0, 10.0),
+    (&["mbar"], 1.0, 10_000.0),
+    (&["kPa"], 1.0, 1000.0),
+    (&["Pa"], 1.0, 1_000_000.0),
+    (&["GPa"], 1000.0, 1.0),
+    (&["psi"], 0.006_894_757_293_168_361, 1.0),
+];
+const ANGLES: &[Unit] = &[(&["deg", "°"], 1.0, 1.0), (&["rad"], 180.0, std::f64::consts::PI)];
+const FORCES: &[Unit] = &[
+    (&["N"], 1.0, 1.0),
+    (&["kN"], 1000.0, 1.0),
+    (&["mN"], 1.0, 1000.0),
+    (&["lbf"], 4.448_221_615_260_5, 1.0),
+    (&["kgf"], 9.806_65, 1.0),
+];
+const RATIOS: &[Unit] = &[(&["%"], 1.0, 100.0)];
+const STIFFNESSES: &[Unit] =
+    &[(&["N/mm"], 1.0, 1.0), (&["N/m"], 1.0, 1000.0), (&["kN/m"], 1.0, 1.0), (&["kN/mm"], 1000.0, 1.0)];
+const AREAS: &[Unit] = &[
+    (&["mm2", "mm²", "mm^2"], 1.0, 1.0),
+    (&["cm2", "cm²", "cm^2"], 100.0, 1.0),
+    (&["um2", "µm²", "um^2"], 1.0, 1_000_000.0),
+];
+
+impl Dimension {
+    const ALL: [Dimension; 7] = [
+        Dimension::Length,
+        Dimension::Pressure,
+        Dimension::Angle,
+        Dimension::Force,
+        Dimension::Ratio,
+        Dimension::Stiffness,
+        Dimension::Area,
+    ];
+
+    fn units(self) -> &'static [Unit] {
+        match self {
+            Dimension::Length => LENGTHS,
+            Dimension::Pressure => PRESSURES,
+            Dimension::Angle => ANGLES,
+            Dimension::Force => FORCES,
+            Dimension::Ratio => RATIOS,
+            Dimension::Stiffness => STIFFNESSES,
+            Dimension::Area => AREAS,
+        }
+    }
+
+    /// The word for it, with its article: "a length".
+    pub fn noun(self) -> &'static str {
+        match self {
+            Dimension::Length => "a length",
+            Dimension::Pressure => "a pressure",
+            Dimension::Angle => "an angle",
+            Dimension::Force => "a force",
+            Dimension::Ratio => "a ratio",
+            Dimension::Stiffness => "a strand-family stiffness",
+            Dimension::Area => "an area",
+        }
+    }
+
+    /// What a user may write, for error messages.
+    pub fn expectation(self) -> &'static str {
+        match self {
+            Dimension::Length => "a length such as 30mm, 3cm or 1.2in (a bare number is mm)",
+            Dimension::Pressure => {
+                "a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a bare number is MPa)"
+            }
+            Dimension::Angle => "an angle such as 28deg or 0.49rad (a bare number is degrees)",
+            Dimension::Force => "a force such as 700N or 0.7kN (a bare number is N)",
+            Dimension::Ratio => "a ratio such as 15% or 0.15",
+            Dimension::Stiffness => "a stiffness such as 467N/mm (a bare number is N/mm)",
+            Dimension::Area => "an area such as 0.3mm2 (a bare number is mm²)",
+        }
+    }
+
+    /// The fraction for a unit's spelling: exact first, then without regard to case where that leaves one
+    /// meaning (`mPa` and `MN` would not, and are refused).
+    pub(super) fn unit(self, name: &str) -> Option<(f64, f64)> {
+        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(|u| (u.1, u.2));
+        if let Some(found) = exact(self) {
+            return Some(found);
+        }
+        let careful = ["mPa", "MN", "mn", "Mm", "MBAR", "Mbar"];
+        if careful.contains(&name) || Dimension::ALL.into_iter().any(|d| exact(d).is_some()) {
+            return None;
+        }
+        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(|u| (u.1, u.2))
+    }
+}
+
+/// Why a text is not the quantity that was asked for.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum QuantityError {
+    /// Nothing was written.
+    #[error("nothing stands here; expected {}", .expected.expectation())]
+    Empty {
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// No number at the start.
+    #[error("\"{text}\" does not start with a number; expected {}", .expected.expectation())]
+    NotANumber {
+        /// The text as written.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// `NaN`, `inf`, or a number too large for a double.
+    #[error("\"{text}\" is not a finite number; expected {}", .expected.expectation())]
+    NotFinite {
+        /// The text as written.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// A unit of another kind of quantity, such as `30bar` for a length.
+    #[error("\"{text}\" is {}; expected {}", .found.noun(), .expected.expectation())]
+    WrongDimension {
+        /// The text as written.
+        text: String,
+        /// What the unit says it is.
+        found: Dimension,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// A unit that is not known.
+    #[error("\"{unit}\" in \"{text}\" is not a known unit; expected {}", .expected.expectation())]
+    UnknownUnit {
+        /// The text as written.
+        text: String,
+        /// The unit as written.
+        unit: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+}
+
+/// Splits `text` into its number and the unit behind it; the unit may be empty.
+pub(super) fn split(text: &str, expected: Dimension) -> Result<(f64, &str), QuantityError> {
+    let t = text.trim();
+    if t.is_empty() {
+        return Err(QuantityError::Empty { expected });
+    }
+    let lower = t.trim_start_matches(['+', '-']).to_ascii_lowercase();
+    // "infinity" and "nan" are numbers to Rust's parser, and "in" is a unit: look at the word, not the prefix.
+    if ["nan", "inf", "infinity"].iter().any(|w| lower == *w) {
+        return Err(QuantityError::NotFinite { text: t.into(), expected });
+    }
+    let bytes = t.as_bytes();
+    let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let digits = |mut i: usize| {
+        while bytes.get(i).is_some_and(u8::is_ascii_digit) {
+            i += 1;
+        }
+        i
+    };
+    end = digits(end);
+    if bytes.get(end) == Some(&b'.') && bytes.get(end + 1) != Some(&b'.') {
+        end = digits(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = digits(end + 1 + sign);
+        if exponent > end + 1 + sign {
+            end = exponent;
+        }
+    }
+    let value: f64 = t[..end].parse().map_err(|_| QuantityError::NotANumber { text: t.into(), expected })?;
+    if !value.is_finite() {
+        return Err(QuantityError::NotFinite { text: t.into(), expected });
+    }
+    Ok((value, t[end..].trim()))
+}
+
+/// The factor of a unit as a fraction, or which error it is.
+pub(super) fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64, f64), QuantityError> {
+    if unit.is_empty() {
+        return Ok((1.0, 1.0));
+    }
+    if let Some(found) = expected.unit(unit) {
+        return Ok(found);
+    }
+    match Dimension::ALL.into_iter().find(|d| d.unit(unit).is_some()) {
+        Some(found) => Err(QuantityError::WrongDimension { text: text.trim().into(), found, expected }),
+        None => Err(QuantityError::UnknownUnit { text: text.trim().into(), unit: unit.into(), expected }),
+    }
+}
+
+/// `value` in the unit used inside. Decimal prefixes shift the decimal point and nothing else: 0.7 bar is the double
+/// nearest to 0.07 MPa, not the one below it.
+pub(super) fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
+    if num == den { value } else { tidy(value * num / den, 15) }
+}
+
+/// `v` rounded to so many significant decimal digits, where that is possible without overflow.
+pub(super) fn tidy(v: f64, digits: i32) -> f64 {
+    let shift = digits - 1 - v.abs().log10().floor() as i32;
+    if v == 0.0 || !v.is_finite() || shift.abs() > 290 {
+        return v;
+    }
+    let scale = 10f64.powi(shift.abs());
+    if shift >= 0 { (v * scale).round() / scale } else { (v / scale).round() * scale }
+}
+
+/// Reads a quantity and returns it in the unit used inside (mm, MPa, degrees, N, ratio, N/mm, mm²).
+///
+/// # Errors
+/// [`QuantityError`] says what stood there and what was expected.
+///
+/// ```
+/// use mckibben::units::{Dimension, parse_quantity};
+/// assert_eq!(parse_quantity("2.5bar", Dimension::Pressure), Ok(0.25));
+/// assert_eq!(parse_quantity("15 %", Dimension::Ratio), Ok(0.15));
+/// assert!(parse_quantity("30bar", Dimension::Length).is_err());
+/// ```
+pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
+    let (value, unit) = split(text, expected)?;
+    let (num, den) = factor(unit, text, expected)?;
+    let out = convert(value, (num, den));
+    if out.is_finite() {
+        Ok(out)
+    } else {
+        Err(QuantityError::NotFinite { text: text.trim().into(), expected })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_give_the_si_values_of_their_definitions() {
+        let cases = [
+            ("36psi", Dimension::Pressure, 0.248_211_262_554_061),
+            ("250kPa", Dimension::Pressure, 0.25),
+            ("1.2in", Dimension::Length, 30.48),
+            ("0.7 kN", Dimension::Force, 700.0),
+            ("1e2N", Dimension::Force, 100.0),
+            ("0.3mm2", Dimension::Area, 0.3),
+            ("321 N/mm", Dimension::Stiffness, 321.0),
+            ("30MM", Dimension::Length, 30.0),
+            (".5", Dimension::Ratio, 0.5),
+        ];
+        for (text, dimension, value) in cases {
+            let got = parse_quantity(text, dimension).unwrap();
+            assert!((got - value).abs() <= 1e-12 * value, "{text}: {got}");
+        }
+    }
+
+    #[test]
+    fn a_unit_of_another_kind_is_named() {
+        let error = parse_quantity("30bar", Dimension::Length).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "\"30bar\" is a pressure; expected a length such as 30mm, 3cm or 1.2in (a bare number is mm)"
+        );
+    }
+
+    #[test]
+    fn bar_and_megapascal_are_the_same_bits() {
+        for (bar, mpa) in [("1.5bar", "0.15"), ("0.7bar", "0.07"), ("2.3 bar", "0.23MPa")] {
+            let (a, b) = (parse_quantity(bar, Dimension::Pressure), parse_quantity(mpa, Dimension::Pressure));
+            assert_eq!(a, b);
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_quantity_is_refused() {
+        for text in
+            ["", " ", "abc", "NaN", "inf", "-inf", "1e999", "1..2", "--3", "1,5mm", "3 mm mm", "mPa", "1mPa"]
+        {
+            assert!(parse_quantity(text, Dimension::Pressure).is_err(), "{text}");
+            assert!(parse_quantity(text, Dimension::Length).is_err(), "{text}");
+        }
+    }
+}
