@@ -230,8 +230,11 @@ pub(super) fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
 
 /// `v` rounded to so many significant decimal digits, where that is possible without overflow.
 pub(super) fn tidy(v: f64, digits: i32) -> f64 {
+    if v == 0.0 || !v.is_finite() {
+        return v;
+    }
     let shift = digits - 1 - v.abs().log10().floor() as i32;
-    if v == 0.0 || !v.is_finite() || shift.abs() > 290 {
+    if shift.abs() > 290 {
         return v;
     }
     let scale = 10f64.powi(shift.abs());
