@@ -7,6 +7,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod model;
 pub mod muscle;
 pub mod rubber;
 pub mod units;

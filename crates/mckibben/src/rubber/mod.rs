@@ -16,7 +16,7 @@ mod yeoh;
 
 pub use gent::Gent;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
-pub use law::{Law, LawError};
+pub use law::{Law, LawError, LawVisitor};
 pub use library::{RubberEntry, UnknownRubber};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;

@@ -1,0 +1,91 @@
+//! Why a model has no answer.
+
+use super::RangeViolation;
+use thiserror::Error;
+
+fn list(violations: &[RangeViolation], make: &[String]) -> String {
+    violations.iter().map(ToString::to_string).chain(make.iter().cloned()).collect::<Vec<_>>().join("; ")
+}
+
+/// Why a model has no answer at a pressure and contraction.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ModelError {
+    /// The question lies outside of what the model was made for.
+    #[error("outside the range of the {model} model: {}", list(.violations, .make))]
+    OutOfRange {
+        /// The model's name.
+        model: String,
+        /// The numbers that are outside.
+        violations: Vec<RangeViolation>,
+        /// Parts of the muscle that differ.
+        make: Vec<String>,
+    },
+    /// The model needs something that the muscle does not state.
+    #[error("the {model} model needs {missing}")]
+    Missing {
+        /// The model's name.
+        model: &'static str,
+        /// What it needs and how to give it.
+        missing: &'static str,
+    },
+    /// No geometry exists at this contraction.
+    #[error(
+        "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} (strands straight) and below {highest:.6}"
+    )]
+    Geometry {
+        /// The contraction asked for.
+        contraction: f64,
+        /// The contraction at which the strands are straight.
+        lowest: f64,
+        /// The upper end.
+        highest: f64,
+    },
+    /// Strands so soft, or a pressure so high, that no equilibrium exists.
+    #[error(
+        "no equilibrium at {pressure_mpa} MPa and contraction {contraction}: the strands would stretch past {strand_stretch:.2} times their length; lower the pressure or take a stiffer braid"
+    )]
+    Overstretched {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// Contraction ratio.
+        contraction: f64,
+        /// The strand stretch up to which was searched.
+        strand_stretch: f64,
+    },
+    /// The rubber law has no finite stress at this stretch.
+    #[error(
+        "the rubber locks at contraction {contraction}: its {law} law has no finite stress at a hoop stretch of {hoop_stretch:.3}"
+    )]
+    Locked {
+        /// Contraction ratio.
+        contraction: f64,
+        /// Hoop stretch at the bore.
+        hoop_stretch: f64,
+        /// The law's name.
+        law: &'static str,
+    },
+    /// An iteration did not converge.
+    #[error(
+        "no convergence at {pressure_mpa} MPa and contraction {contraction} after {iterations} iterations (residual {residual:.3e})"
+    )]
+    NotConverged {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// Contraction ratio.
+        contraction: f64,
+        /// Iterations done.
+        iterations: usize,
+        /// Last residual.
+        residual: f64,
+    },
+    /// A formula that is not finite here.
+    #[error("the {model} formula has no finite value at {pressure_mpa} MPa and contraction {contraction}")]
+    NotFinite {
+        /// The model's name.
+        model: String,
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// Contraction ratio.
+        contraction: f64,
+    },
+}

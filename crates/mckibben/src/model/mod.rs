@@ -1,0 +1,76 @@
+//! Force models: what answers F(P, ε) for a muscle. One model is one file.
+//!
+//! [`ForceModel`] is the hinge of the library: inverses, curves, comparison and design are written against it.
+//! A new model: one file with its equation, one line in [`ModelKind`]'s table, one row in the test battery
+//! (`tests/models.rs`).
+
+mod accuracy;
+mod error;
+mod ideal;
+mod quadrature;
+mod range;
+mod response;
+mod thick_wall;
+mod wall;
+
+pub use accuracy::{Accuracy, BlockedAt};
+pub use error::ModelError;
+pub use ideal::Ideal;
+pub use range::{ModelRange, RangeViolation};
+pub use response::Response;
+pub use thick_wall::ThickWall;
+pub use wall::{Wall, WallEnergy};
+
+use crate::muscle::Muscle;
+
+/// Whatever answers F(P, ε) for one muscle.
+///
+/// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would have to push, the
+/// force is negative; [`crate::answer`] turns that into slack. A model never answers NaN: it answers a finite force
+/// or a [`ModelError`]. Models may keep warm states inside (hence no `Sync`), but an answer does not depend on the
+/// questions before it.
+pub trait ForceModel: Send {
+    /// The word for `--model`.
+    fn name(&self) -> &str;
+
+    /// The muscle it speaks of.
+    fn muscle(&self) -> &Muscle;
+
+    /// Where the formula comes from: author, year, equation.
+    fn source(&self) -> &str;
+
+    /// The pressures and contractions for which it was made, and what of the muscle lies outside of its box.
+    fn range(&self) -> ModelRange;
+
+    /// What is known of its error.
+    fn accuracy(&self) -> Accuracy;
+
+    /// Everything it knows at a pressure in MPa and a contraction ratio; does not look at [`ForceModel::range`].
+    ///
+    /// # Errors
+    /// [`ModelError`] where there is no answer.
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError>;
+
+    /// The pull alone, in N; tension positive.
+    ///
+    /// # Errors
+    /// As [`ForceModel::response`].
+    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        Ok(self.response(pressure_mpa, contraction)?.force_n)
+    }
+
+    /// The pressure in MPa at which the pull is `force_n`, where the model has a shorter way to it than a general
+    /// root finder; `None` where it has not.
+    fn pressure_in_closed_form(&self, _force_n: f64, _contraction: f64) -> Option<Result<f64, ModelError>> {
+        None
+    }
+
+    /// The contraction at which the pull is `force_n`, likewise.
+    fn contraction_in_closed_form(
+        &self,
+        _force_n: f64,
+        _pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
+        None
+    }
+}

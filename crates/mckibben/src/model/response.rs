@@ -1,0 +1,35 @@
+//! What a model knows at one pressure and contraction.
+
+/// One point of a muscle's behaviour. What a model does not have is `None`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Response {
+    /// Gauge pressure P in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction ratio ε = ΔL/L0.
+    pub contraction: f64,
+    /// Pull F in N, tension positive; negative where the muscle would have to push.
+    pub force_n: f64,
+    /// Volume of the whole cavity between the terminals in mm³.
+    pub volume_mm3: Option<f64>,
+    /// ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    pub stiffness_n_per_mm: Option<f64>,
+    /// ∂F/∂P at fixed ε, in mm² (N/MPa).
+    pub force_per_pressure_mm2: Option<f64>,
+    /// Tension of all strands together in N.
+    pub braid_tension_n: Option<f64>,
+    /// Tension of one strand in N, where the number of strands is known.
+    pub strand_tension_n: Option<f64>,
+    /// Largest outer diameter in mm.
+    pub bulged_diameter_mm: Option<f64>,
+    /// Largest principal stretch of the rubber.
+    pub max_stretch: Option<f64>,
+}
+
+impl Response {
+    /// Fills in the tension of one strand from that of all, where the number of strands is known.
+    pub(crate) fn with_braid_tension(mut self, tension_n: f64, strands: Option<u32>) -> Self {
+        self.braid_tension_n = Some(tension_n);
+        self.strand_tension_n = strands.map(|n| tension_n / f64::from(n));
+        self
+    }
+}
