@@ -23,6 +23,11 @@ pub use wall::{Wall, WallEnergy};
 
 use crate::muscle::Muscle;
 
+/// Gauss–Legendre points and weights on [−1, 1].
+pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
+    quadrature::rule(points)
+}
+
 /// Whatever answers F(P, ε) for one muscle.
 ///
 /// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would have to push, the
@@ -57,6 +62,11 @@ pub trait ForceModel: Send {
     /// As [`ForceModel::response`].
     fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         Ok(self.response(pressure_mpa, contraction)?.force_n)
+    }
+
+    /// Sentences that belong beside every answer of this model.
+    fn notes(&self) -> Vec<String> {
+        vec![]
     }
 
     /// The pressure in MPa at which the pull is `force_n`, where the model has a shorter way to it than a general
