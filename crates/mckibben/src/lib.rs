@@ -9,6 +9,7 @@
 
 pub mod analysis;
 pub mod answer;
+pub mod compare;
 pub mod model;
 pub mod muscle;
 pub mod rubber;
