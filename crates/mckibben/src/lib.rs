@@ -10,6 +10,7 @@
 pub mod analysis;
 pub mod answer;
 pub mod compare;
+pub mod design;
 pub mod model;
 pub mod muscle;
 pub mod rubber;

@@ -1,4 +1,5 @@
 //! Validation against a measured muscle: B. Tondu, JIMSS 23 (2012) 225–253, Fig. 3, 20° muscle.
+#![allow(clippy::unwrap_used)]
 
 use mckibben::compare::{FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured};
 use mckibben::model::{ForceModel, Ideal, ThickWall};

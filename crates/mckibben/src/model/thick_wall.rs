@@ -266,7 +266,7 @@ impl ThickWall {
     /// taut root within a few steps; the general search takes over then.
     fn pressure_for(&self, force: f64, l: f64) -> Option<f64> {
         let taut = self.pantograph(l);
-        if !(l > 0.0) || self.wall.bore2(l, taut) <= 0.0 {
+        if l.is_nan() || l <= 0.0 || self.wall.bore2(l, taut) <= 0.0 {
             return None;
         }
         let Some(k) = self.k else {
