@@ -10,8 +10,10 @@
 pub mod analysis;
 pub mod answer;
 pub mod compare;
+pub mod curve;
 pub mod design;
 pub mod model;
 pub mod muscle;
 pub mod rubber;
+pub mod study;
 pub mod units;
