@@ -1,0 +1,60 @@
+//! A family of curves of one test.
+
+use super::caption;
+use crate::output::text::{Pressures, muscle_line, number, percent};
+use mckibben::curve::{Curve, Test};
+use mckibben::model::ForceModel;
+use mckibben_report::{Axis, Figure, Palette, Panel, Series};
+
+/// The axes of a test.
+pub(super) fn axes(test: Test, p: Pressures) -> (Axis, Axis) {
+    let pressure = Axis::new(format!("pressure P [{}]", p.unit())).from_zero();
+    let pull = Axis::new("pull F [N]").from_zero();
+    let contraction = Axis::new("contraction ratio ε [–]").from_zero();
+    match test {
+        Test::Isometric => (pressure, pull),
+        Test::Isotonic => (pressure, contraction),
+        Test::Isobaric => (contraction, pull),
+    }
+}
+
+/// The points of a curve in the figure's units; slack parts are left out but for the point where the line meets zero.
+pub(super) fn line(curve: &Curve, test: Test, p: Pressures) -> Vec<(f64, f64)> {
+    let points = curve.line(test).into_iter();
+    let points = points.map(|(x, y)| if test == Test::Isobaric { (x, y) } else { (p.value(x), y) });
+    let list: Vec<(f64, f64)> = points.collect();
+    if test == Test::Isotonic {
+        return list;
+    }
+    // A run of zeros is a slack muscle: keep its ends next to pulling points only.
+    let zero = |i: usize| list.get(i).is_none_or(|q| q.1 == 0.0);
+    let keep = |i: usize| !(zero(i) && zero(i + 1) && (i == 0 || zero(i - 1)));
+    (0..list.len()).map(|i| if keep(i) { list[i] } else { (list[i].0, f64::NAN) }).collect()
+}
+
+/// What is fixed along a curve, as its label.
+pub(super) fn label(test: Test, fixed: f64, p: Pressures) -> String {
+    match test {
+        Test::Isometric => format!("ε {}", percent(fixed)),
+        Test::Isotonic => format!("{} N", number(fixed, 5)),
+        Test::Isobaric => p.show(fixed),
+    }
+}
+
+/// The figure of `curve`.
+pub fn curves(model: &dyn ForceModel, test: Test, list: &[Curve], p: Pressures) -> Figure {
+    let (x, y) = axes(test, p);
+    let mut panel = Panel::new(x, y);
+    for curve in list {
+        let text = label(test, curve.fixed, p);
+        let series = Series::line(text.clone(), line(curve, test, p));
+        panel = panel.series(if list.len() <= 12 { series.end_label(text) } else { series });
+    }
+    let title = match test {
+        Test::Isometric => "Isometric curves",
+        Test::Isotonic => "Isotonic curves",
+        Test::Isobaric => "Isobaric curves",
+    };
+    let about = format!("Model {}. {}", model.name(), muscle_line(model.muscle()));
+    Figure::new(title).caption(caption(about)).palette(Palette::Sequential).panel(panel)
+}
