@@ -14,7 +14,7 @@ pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
         .filter_map(|c| {
             let lower = c.to_lowercase();
             let edits = strsim::osa_distance(&word, &lower);
-            let inside = word.len() >= 3 && (lower.contains(&word) || word.contains(&lower));
+            let inside = word.len().min(lower.len()) >= 3 && (lower.contains(&word) || word.contains(&lower));
             let close = edits <= allowed && edits < lower.chars().count();
             (close || inside).then_some((edits, c))
         })
@@ -34,5 +34,6 @@ mod tests {
         assert_eq!(nearest("Lenght", keys), Some("length"));
         assert_eq!(nearest("temperature", keys), None);
         assert_eq!(nearest("", keys), None);
+        assert_eq!(nearest("beta", ["a", "b"]), None);
     }
 }
