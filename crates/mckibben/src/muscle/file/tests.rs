@@ -225,3 +225,20 @@ fn an_unused_strand_section_is_written_as_a_comment() {
     let strands = parse_muscle(&text).unwrap().braid().strands;
     assert_eq!(strands, Some(Strands { count: 48, section: None, strength_n: None }));
 }
+
+/// A named rubber stays a name, whichever of its laws is used; one whose constants were changed does not.
+#[test]
+fn named_rubbers_are_written_by_name() {
+    let with = |rubber| {
+        let tube = Tube { rubber, ..Tube::prototype() };
+        to_toml(&Muscle::prototype().with_tube(tube).unwrap())
+    };
+    for name in ["dragon-skin-30", "dragon-skin-30:mooney-rivlin", "treloar-natural-rubber:ogden"] {
+        let text = with(library::find(name).unwrap());
+        assert!(text.contains(&format!("\nrubber = \"{name}\" ")) && !text.contains("law ="), "{text}");
+    }
+    let rubber = library::find("dragon-skin-30").unwrap();
+    let text = with(Rubber { law: rubber.law.scaled(2.0), ..rubber });
+    assert!(text.contains("[tube.material]\nname = \"dragon-skin-30\""), "{text}");
+    assert!(text.contains("mu = \"0.5732 MPa\"") && text.contains("fitted_to_stretch = 3.0"), "{text}");
+}
