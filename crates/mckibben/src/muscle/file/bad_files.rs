@@ -21,6 +21,11 @@ const BAD: &[(&str, usize, &str)] = &[
         2,
         "tube.outer_diameter = \"5 mm\": tube.wall_thickness is 3 mm, but the radius is 2.5 mm",
     ),
+    (
+        "[tube]\nwall_thickness = 16",
+        2,
+        "(half of tube.outer_diameter); tube.outer_diameter is not written, so this is its default",
+    ),
     ("[braid]\nangle = \"60 deg\"", 2, "braid.angle = \"60 deg\": is 60 deg; a muscle that contracts needs"),
     ("[braid]\nangle = 0", 2, "between 0 and 54.7356 deg"),
     ("[braid]\nstiffness = \"0 N/mm\"", 2, "braid.stiffness = \"0 N/mm\": is 0 N/mm; it must be above zero"),
@@ -182,7 +187,7 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[terminals]\nend_factor = \"1.2\"", 2, "is a text; expected a number without unit"),
     ("[friction]\ncoefficient = 61", 2, "friction.exponent is missing; friction is C·P^β"),
     // TOML itself.
-    ("[tube]\nlength = 3\nlength = 4", 3, "not valid TOML: duplicate key"),
+    ("[tube]\nlength = 3\nlength = 4", 3, "not valid TOML: duplicate key in `length = 4`"),
     ("[tube]\n[braid]\n[tube]", 3, "not valid TOML: duplicate key"),
     ("[tube]\nlength = 30 mm", 2, "(a quantity with a unit stands in quotes: \"30 mm\")"),
     ("[tube]\nlength = \"30", 2, "not valid TOML"),

@@ -36,7 +36,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Braid, FileError> {
 }
 
 fn refused(section: &Section<'_>, key: &str, error: MuscleError) -> FileError {
-    section.error(key, Problem::Muscle { error, key: section.dotted(key) })
+    section.error(key, Problem::Muscle { error, key: section.dotted(key), default: None })
 }
 
 fn stiffness(section: &Section<'_>) -> Result<Option<BraidStiffness>, FileError> {

@@ -62,12 +62,14 @@ pub enum Problem {
     },
     /// Not TOML.
     #[error(
-        "not valid TOML: {message}{}",
+        "not valid TOML: {message} in `{line}`{}",
         if *.unquoted { " (a quantity with a unit stands in quotes: \"30 mm\")" } else { "" }
     )]
     Syntax {
         /// What the parser says.
         message: String,
+        /// The line as written.
+        line: String,
         /// Whether the line looks like a quantity without quotes.
         unquoted: bool,
     },
@@ -129,13 +131,19 @@ pub enum Problem {
         alpha: usize,
     },
     /// Parts that make no muscle.
-    #[error("{}", without_key(.error, .key))]
+    #[error(
+        "{}{}",
+        without_key(.error, .key),
+        .default.map_or_else(String::new, |key| format!("; {key} is not written, so this is its default"))
+    )]
     Muscle {
         /// What the muscle says.
         #[source]
         error: MuscleError,
         /// The key it is reported under.
         key: String,
+        /// A key that has a part in it and was left out.
+        default: Option<&'static str>,
     },
 }
 

@@ -61,7 +61,7 @@ fn fitted_to_stretch(section: &Section<'_>) -> Result<Option<f64>, FileError> {
     match section.number("fitted_to_stretch")? {
         Some(value) if value <= 0.0 => {
             let error = MuscleError::NotPositive { key, value, unit: "" };
-            Err(section.error("fitted_to_stretch", Problem::Muscle { error, key: key.into() }))
+            Err(section.error("fitted_to_stretch", Problem::Muscle { error, key: key.into(), default: None }))
         }
         stretch => Ok(stretch),
     }

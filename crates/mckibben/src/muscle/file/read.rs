@@ -70,7 +70,10 @@ fn located(source: &Source<'_>, error: MuscleError) -> FileError {
     let keys = error.keys();
     let written = keys.iter().find(|k| source.has(k)).or(keys.first());
     let key = written.copied().unwrap_or("muscle").to_string();
-    source.error(&key, Problem::Muscle { error, key: key.clone() })
+    // Wall and diameter must suit each other, and either may be a default.
+    let wall = matches!(error, MuscleError::WallTooThick { .. });
+    let default = keys.iter().find(|k| wall && !source.has(k)).copied();
+    source.error(&key, Problem::Muscle { error, key: key.clone(), default })
 }
 
 fn tube(root: &Section<'_>) -> Result<Tube, FileError> {

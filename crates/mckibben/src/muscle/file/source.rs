@@ -241,12 +241,13 @@ pub(super) enum WordOr {
 fn syntax(text: &str, error: &TomlError) -> FileError {
     let message = shortened(error.message());
     let Some(span) = error.span() else {
-        return FileError::new(Problem::Syntax { message, unquoted: false });
+        return FileError::new(Problem::Syntax { message, line: String::new(), unquoted: false });
     };
     let start = text.get(..span.start).map_or(0, |t| t.rfind('\n').map_or(0, |i| i + 1));
     let line = text.get(start..).and_then(|t| t.lines().next()).unwrap_or("");
     let value = line.split_once('=').map_or("", |(_, v)| v.trim_start());
     let unquoted = value.starts_with(|c: char| c.is_ascii_digit() || c == '-')
         && value.split('#').next().is_some_and(|v| v.contains(char::is_alphabetic) && !v.contains('"'));
-    FileError::new(Problem::Syntax { message, unquoted }).at(Some(place(text, span.start)))
+    let line = shortened(line);
+    FileError::new(Problem::Syntax { message, line, unquoted }).at(Some(place(text, span.start)))
 }
