@@ -14,6 +14,7 @@ pub mod curve;
 pub mod design;
 pub mod model;
 pub mod muscle;
+mod nearest;
 pub mod rubber;
 pub mod study;
 pub mod units;
