@@ -2,9 +2,10 @@
 
 use crate::curve::{Frame, Rect};
 use crate::font::Metrics;
-use crate::labels::{self, Ended};
+use crate::labels;
 use crate::layout::{PANEL_TITLE, PER_MM, Placed};
 use crate::legend;
+use crate::line_labels::{self, Ended};
 use crate::room::Room;
 use crate::ticks::{self, Scale};
 use crate::{Axis, FigureError, Panel, palette};
@@ -77,7 +78,7 @@ fn wrapped(text: &str, room: f64, metrics: &Metrics) -> Vec<String> {
 }
 
 fn y_wanted(height: f64) -> usize {
-    ((height / 46.0).round() as usize).clamp(2, 8)
+    ((height / 40.0).round() as usize).clamp(2, 8)
 }
 
 /// The horizontal scale with as many ticks as their texts allow.
@@ -138,10 +139,9 @@ fn gutters(panel: &Panel, cell: Rect, titled: bool, metrics: &Metrics) -> Result
 /// Room for the texts of lines that end at the right edge.
 fn end_room(panel: &Panel, axes: &Axes, metrics: &Metrics) -> f64 {
     let frame = axes.frame();
-    let at_edge =
-        panel.series.iter().filter(|s| !s.end_label.trim().is_empty()).filter(|s| {
-            frame.line(&s.points).last().is_some_and(|line| labels::reaches_edge(line, &axes.plot))
-        });
+    let at_edge = panel.series.iter().filter(|s| !s.end_label.trim().is_empty()).filter(|s| {
+        frame.line(&s.points).last().is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
+    });
     at_edge.map(|s| metrics.width(s.end_label.trim(), labels::SIZE) + 9.0).fold(0.0, f64::max)
 }
 
@@ -149,12 +149,12 @@ fn end_room(panel: &Panel, axes: &Axes, metrics: &Metrics) -> f64 {
 fn room_of(panel: &Panel, axes: &Axes) -> Room {
     let frame = axes.frame();
     let mut room = Room::new(axes.plot);
-    for series in &panel.series {
+    for (i, series) in panel.series.iter().enumerate() {
         if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
-            frame.line(&series.points).iter().for_each(|line| room.add_line(line));
+            frame.line(&series.points).iter().for_each(|line| room.add_line(line, i));
         }
         if palette::has_markers(series.style) {
-            frame.markers(&series.points).into_iter().for_each(|spot| room.add_spot(spot));
+            frame.markers(&series.points).into_iter().for_each(|spot| room.add_spot(spot, i));
         }
     }
     labels::add_rings(&panel.marks, &frame, &mut room);
@@ -242,9 +242,9 @@ fn place_one<'a>(
     let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
     let ended = ended.filter_map(|(i, s)| {
         let line = axes.frame().line(&s.points).pop()?;
-        Some(Ended { text: s.end_label.trim().to_owned(), colour: s.colour.unwrap_or(i), line })
+        Some(Ended { text: s.end_label.trim().to_owned(), colour: s.colour.unwrap_or(i), series: i, line })
     });
-    labels.extend(labels::of_lines(ended.collect(), metrics, &mut room));
+    labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
     let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
     let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
     Ok(Placed { panel, axes, title, legend, labels })

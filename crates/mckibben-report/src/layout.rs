@@ -100,7 +100,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     }
     let legend = under.map(|entries| {
         let mut placed = legend::rows(&entries, metrics, MARGIN, 0.0, inner);
-        let y = bottom - placed.frame.h;
+        let y = bottom - placed.frame.h - if caption.is_empty() { 0.0 } else { 3.0 };
         placed.frame.y = y;
         placed.entries.iter_mut().for_each(|e| e.1 += y);
         // rows narrower than the paper stand in its middle

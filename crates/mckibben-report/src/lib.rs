@@ -16,12 +16,15 @@ mod html;
 mod labels;
 mod layout;
 mod legend;
+mod line_labels;
 mod palette;
 mod png;
 mod room;
 mod save;
 mod svg;
 mod text;
+mod text_chart;
+mod text_lines;
 mod ticks;
 mod xml;
 

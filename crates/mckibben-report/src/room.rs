@@ -10,7 +10,8 @@ pub(crate) struct Room {
     plot: Rect,
     columns: usize,
     rows: usize,
-    cells: Vec<bool>,
+    /// One bit for each series drawn in the cell (series 64 shares the bit of series 0).
+    cells: Vec<u64>,
     boxes: Vec<Rect>,
 }
 
@@ -18,7 +19,7 @@ impl Room {
     pub fn new(plot: Rect) -> Self {
         let columns = (plot.w / CELL).ceil().max(1.0) as usize;
         let rows = (plot.h / CELL).ceil().max(1.0) as usize;
-        Self { plot, columns, rows, cells: vec![false; columns * rows], boxes: Vec::new() }
+        Self { plot, columns, rows, cells: vec![0; columns * rows], boxes: Vec::new() }
     }
 
     /// The plot this is about.
@@ -26,26 +27,26 @@ impl Room {
         self.plot
     }
 
-    /// Notes a drawn line.
-    pub fn add_line(&mut self, line: &[Spot]) {
+    /// Notes a drawn line of a series.
+    pub fn add_line(&mut self, line: &[Spot], series: usize) {
         for pair in line.windows(2) {
             let (a, b) = (pair[0], pair[1]);
             let steps = ((b.0 - a.0).abs().max((b.1 - a.1).abs()) / (0.5 * CELL)).ceil().max(1.0);
             for i in 0..=steps as usize {
                 let t = i as f64 / steps;
-                self.add_spot((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
+                self.add_spot((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)), series);
             }
         }
         if let [only] = line {
-            self.add_spot(*only);
+            self.add_spot(*only, series);
         }
     }
 
-    /// Notes a drawn point.
-    pub fn add_spot(&mut self, (x, y): Spot) {
+    /// Notes a drawn point of a series.
+    pub fn add_spot(&mut self, (x, y): Spot, series: usize) {
         let column = ((x - self.plot.x) / CELL).floor().clamp(0.0, (self.columns - 1) as f64) as usize;
         let row = ((y - self.plot.y) / CELL).floor().clamp(0.0, (self.rows - 1) as f64) as usize;
-        self.cells[row * self.columns + column] = true;
+        self.cells[row * self.columns + column] |= 1 << (series % 64);
     }
 
     /// Notes the box of a placed text or sign.
@@ -58,12 +59,14 @@ impl Room {
         self.boxes.iter().any(|taken| taken.meets(rect))
     }
 
-    /// How many cells with something drawn lie under a rectangle.
-    pub fn drawn_under(&self, rect: &Rect) -> usize {
+    /// How many cells with something drawn lie under a rectangle, not counting series `but`.
+    pub fn drawn_under(&self, rect: &Rect, but: Option<usize>) -> usize {
+        let counted = !but.map_or(0, |series| 1_u64 << (series % 64));
         let index = |v: f64, last: usize| (v / CELL).floor().clamp(0.0, (last - 1) as f64) as usize;
         let columns =
             index(rect.x - self.plot.x, self.columns)..=index(rect.right() - self.plot.x, self.columns);
         let rows = index(rect.y - self.plot.y, self.rows)..=index(rect.bottom() - self.plot.y, self.rows);
-        rows.map(|row| columns.clone().filter(|column| self.cells[row * self.columns + column]).count()).sum()
+        let drawn = |row: usize, column: usize| self.cells[row * self.columns + column] & counted != 0;
+        rows.map(|row| columns.clone().filter(|column| drawn(row, *column)).count()).sum()
     }
 }

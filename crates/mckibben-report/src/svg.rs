@@ -329,7 +329,22 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
     }
     // a white halo keeps the text readable where it has to stand over a line
     let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
-    text(out, label.at, labels::SIZE, &colour, "start", halo, &label.text);
+    match label.turn {
+        None => text(out, label.at, labels::SIZE, &colour, "start", halo, &label.text),
+        Some((degrees, width)) => {
+            let (x, y) = (n(label.at.0), n(label.at.1));
+            let _ = writeln!(
+                out,
+                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"6\" fill=\"#ffffff\" transform=\"rotate({} {x} {y})\"/>",
+                n(label.at.0 - width / 2.0 - 2.5),
+                n(label.at.1 - 3.0),
+                n(width + 5.0),
+                n(degrees)
+            );
+            let extra = format!("{halo} transform=\"rotate({} {x} {y})\"", n(degrees));
+            text(out, label.at, labels::SIZE, &colour, "middle", &extra, &label.text);
+        }
+    }
 }
 
 fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {

@@ -1,0 +1,401 @@
+//! One panel as characters.
+
+use std::collections::BTreeSet;
+
+use ratatui_core::buffer::Buffer;
+use ratatui_core::layout::Rect as Area;
+use ratatui_core::style::{Color, Style as Look};
+use ratatui_core::symbols::Marker;
+use ratatui_core::widgets::Widget;
+use ratatui_widgets::canvas::{Canvas, Points};
+
+use crate::curve::{Frame, Rect};
+use crate::text::{columns_of, wrap};
+use crate::text_lines::{Cells, letters, set_in};
+use crate::ticks::{self, Scale};
+use crate::{Figure, FigureError, Panel, Series, Style, axes, layout, palette};
+
+/// What tells a series from the others.
+#[derive(Clone, PartialEq)]
+struct Key {
+    name: String,
+    sign: char,
+    colour: usize,
+    style: Style,
+}
+
+/// A panel on a buffer `width` columns wide and about `height` lines high.
+pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize, colour: bool) -> Buffer {
+    let mut sheet = Sheet { figure, panel, width, colour, colours: layout::colour_count(figure) };
+    // a text that finds no place on its line moves into the legend, which costs lines
+    let mut moved = BTreeSet::new();
+    for _ in 0..3 {
+        match sheet.draw(height, &moved) {
+            Ok((buffer, without_place)) if without_place.is_subset(&moved) => return buffer,
+            Ok((_, without_place)) => moved.extend(without_place),
+            Err(error) => return sheet.failed(&error),
+        }
+    }
+    moved = (0..panel.series.len()).collect();
+    match sheet.draw(height, &moved) {
+        Ok((buffer, _)) => buffer,
+        Err(error) => sheet.failed(&error),
+    }
+}
+
+struct Sheet<'a> {
+    figure: &'a Figure,
+    panel: &'a Panel,
+    width: usize,
+    colour: bool,
+    colours: usize,
+}
+
+fn number_of(series: &Series, index: usize) -> usize {
+    series.colour.unwrap_or(index)
+}
+
+fn put(buffer: &mut Buffer, x: usize, y: usize, text: &str, look: Look) {
+    let area = buffer.area;
+    if x < area.width as usize && y < area.height as usize {
+        buffer.set_stringn(x as u16, y as u16, text, area.width as usize - x, look);
+    }
+}
+
+impl Sheet<'_> {
+    fn look(&self, number: usize) -> Look {
+        if self.colour {
+            Look::new().fg(Color::Indexed(palette::terminal(self.figure.palette, number, self.colours)))
+        } else {
+            Look::new()
+        }
+    }
+
+    /// The reason why there is no chart.
+    fn failed(&mut self, error: &FigureError) -> Buffer {
+        let lines = wrap(&error.to_string(), self.width);
+        let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, lines.len() as u16));
+        for (y, line) in lines.iter().enumerate() {
+            put(&mut buffer, 0, y, line, Look::new());
+        }
+        buffer
+    }
+
+    /// The entries of the legend, and the entry of each series.
+    fn keys(&self, moved: &BTreeSet<usize>) -> (Vec<Key>, Vec<Option<usize>>) {
+        let mut keys: Vec<Key> = Vec::new();
+        let mut of_series = Vec::new();
+        for (i, series) in self.panel.series.iter().enumerate() {
+            let colour = number_of(series, i);
+            let label = series.label.trim();
+            let name = if label.is_empty() && moved.contains(&i) { series.end_label.trim() } else { label };
+            let alike = |k: &Key| k.colour == colour && k.style == series.style;
+            let known = keys.iter().position(|k| alike(k) && (name.is_empty() || k.name == name));
+            if known.is_some() || name.is_empty() {
+                of_series.push(known);
+                continue;
+            }
+            let letters = keys.iter().filter(|k| k.style != Style::Points).count();
+            let sign = if series.style == Style::Points {
+                marker(colour)
+            } else {
+                char::from(b"abcdefghijklmnopqrstuvwxyz"[letters % 26])
+            };
+            of_series.push(Some(keys.len()));
+            keys.push(Key { name: name.to_owned(), sign, colour, style: series.style });
+        }
+        (keys, of_series)
+    }
+
+    /// Legend entries as they stand in rows: sample, name.
+    fn legend_rows(&self, keys: &[Key]) -> Vec<Vec<(String, String, usize)>> {
+        let mut rows: Vec<Vec<(String, String, usize)>> = Vec::new();
+        let mut used = usize::MAX;
+        for key in keys {
+            let sample = match (key.style, self.colour) {
+                (Style::Points, _) => key.sign.to_string(),
+                (Style::LineAndPoints, true) => format!("─{}─", marker(key.colour)),
+                (_, true) => "───".to_owned(),
+                (_, false) => format!("─{}─", key.sign),
+            };
+            let name = wrap(&key.name, self.width.saturating_sub(5).max(1)).join(" ");
+            let long = columns_of(&sample) + 1 + columns_of(&name);
+            if rows.is_empty() || used + 3 + long > self.width {
+                rows.push(Vec::new());
+                used = long;
+            } else {
+                used += 3 + long;
+            }
+            if let Some(row) = rows.last_mut() {
+                row.push((sample, name, key.colour));
+            }
+        }
+        rows
+    }
+
+    /// Lines about the operating points: sign, text, values.
+    fn mark_rows(&self, signs: &[Option<char>]) -> Vec<String> {
+        let marks = self.panel.marks.iter().zip(signs);
+        let rows = marks.filter_map(|(mark, sign)| {
+            let values = format!("({}, {})", ticks::number(mark.x), ticks::number(mark.y));
+            Some(format!("{} {} {values}", (*sign)?, mark.label.trim()))
+        });
+        rows.flat_map(|row| wrap(&row, self.width)).collect()
+    }
+
+    /// Draws the panel; also tells whose end texts found no place.
+    fn draw(
+        &mut self,
+        height: usize,
+        moved: &BTreeSet<usize>,
+    ) -> Result<(Buffer, BTreeSet<usize>), FigureError> {
+        let panel = self.panel;
+        let (x_data, y_data) = axes::extents(panel);
+        let (keys, of_series) = self.keys(moved);
+        let legend = self.legend_rows(&keys);
+        let shown: Vec<usize> = (0..panel.marks.len())
+            .filter(|i| panel.marks[*i].x.is_finite() && panel.marks[*i].y.is_finite())
+            .collect();
+        let signs: Vec<Option<char>> = (0..panel.marks.len())
+            .map(|i| shown.iter().position(|s| *s == i).map(|place| mark_sign(place, shown.len())))
+            .collect();
+        let marks = self.mark_rows(&signs);
+        let title = wrap(&panel.title, self.width);
+
+        let above = title.len() + 1;
+        let below = 3 + legend.len() + marks.len();
+        let rows = height.saturating_sub(above + below).max(5);
+        let y = ticks::scale(&panel.y, y_data, (rows / 3).clamp(1, 8))?;
+        let gutter = y.labels.iter().map(|l| columns_of(l)).max().unwrap_or(0) + 1;
+        // the last tick text may stand out by half its width
+        let cols = self.width.saturating_sub(gutter + 2);
+        let x = x_scale(panel, x_data, cols.max(8))?;
+        if cols < 8 {
+            let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, 1));
+            put(&mut buffer, 0, 0, "(too narrow)", Look::new());
+            return Ok((buffer, BTreeSet::new()));
+        }
+        let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, (above + rows + below) as u16));
+        for (i, line) in title.iter().enumerate() {
+            put(&mut buffer, 0, i, line, Look::new());
+        }
+        self.axes(&mut buffer, (gutter, above), (cols, rows), &x, &y);
+
+        let plot = Rect { x: 0.0, y: 0.0, w: (2 * cols - 1) as f64, h: (4 * rows - 1) as f64 };
+        let frame = Frame { plot, x: &x, y: &y };
+        let mut cells = Cells::new(cols, rows);
+        let area = Area::new(gutter as u16, above as u16, cols as u16, rows as u16);
+        self.lines(&mut buffer, area, &frame, &mut cells);
+        let at = |col: usize, row: usize| (gutter + col, above + row);
+        self.markers(&mut buffer, &at, &frame, &mut cells);
+        for (mark, sign) in panel.marks.iter().zip(&signs) {
+            let Some(sign) = sign else { continue };
+            for spot in frame.markers(&[(mark.x, mark.y)]) {
+                let (col, row) = cells.place(spot);
+                cells.take(col, row, 1);
+                let (x, y) = at(col, row);
+                put(&mut buffer, x, y, &sign.to_string(), Look::new());
+            }
+        }
+        let without_place = self.texts_on_lines(&mut buffer, &at, &frame, &mut cells);
+        if !self.colour {
+            self.letters(&mut buffer, &at, &frame, &mut cells, (&keys, &of_series));
+        }
+        self.foot(&mut buffer, above + rows + 3, &legend, &marks);
+        Ok((buffer, without_place))
+    }
+
+    fn axes(
+        &self,
+        buffer: &mut Buffer,
+        (left, top): (usize, usize),
+        (cols, rows): (usize, usize),
+        x: &Scale,
+        y: &Scale,
+    ) {
+        let plain = Look::new();
+        let with_power = |label: &str, exponent: i32| {
+            format!("{} {}", label.trim(), ticks::power_text(exponent)).trim().to_owned()
+        };
+        put(buffer, 0, top - 1, &with_power(&self.panel.y.label, y.exponent), plain);
+        for row in 0..rows {
+            put(buffer, left - 1, top + row, "│", plain);
+        }
+        for (value, label) in y.ticks.iter().zip(&y.labels) {
+            let row = ((1.0 - y.part(*value)) * (4 * rows - 1) as f64).round().max(0.0) as usize / 4;
+            put(buffer, left - 1, top + row, "┤", plain);
+            put(buffer, (left - 1).saturating_sub(columns_of(label)), top + row, label, plain);
+        }
+        put(buffer, left - 1, top + rows, &format!("└{}", "─".repeat(cols)), plain);
+        let mut free = 0;
+        for (value, label) in x.ticks.iter().zip(&x.labels) {
+            let col = (x.part(*value) * (2 * cols - 1) as f64).round().max(0.0) as usize / 2;
+            put(buffer, left + col, top + rows, "┬", plain);
+            let long = columns_of(label);
+            let start = (left + col).saturating_sub(long / 2).min(self.width.saturating_sub(long));
+            if start >= free {
+                put(buffer, start, top + rows + 1, label, plain);
+                free = start + long + 1;
+            }
+        }
+        let label = with_power(&self.panel.x.label, x.exponent);
+        let start = (left + cols / 2).saturating_sub(columns_of(&label) / 2);
+        let start = start.min(self.width.saturating_sub(columns_of(&label)));
+        put(buffer, start, top + rows + 2, &label, plain);
+    }
+
+    fn lines(&self, buffer: &mut Buffer, area: Area, frame: &Frame<'_>, cells: &mut Cells) {
+        let mut all = Vec::new();
+        for (i, series) in self.panel.series.iter().enumerate() {
+            let number = number_of(series, i);
+            // letters tell plain lines apart: dashes would only make them harder to see
+            let style = if series.style == Style::Auto { Style::Line } else { series.style };
+            let Some(dash) = palette::dash(style, 0, self.figure.palette) else { continue };
+            let mut dots = Vec::new();
+            for line in frame.line(&series.points) {
+                crate::text_lines::dots(&line, dash, &mut dots);
+            }
+            dots.iter().for_each(|dot| cells.own(*dot, i));
+            let upward: Vec<_> = dots.iter().map(|(x, y)| (*x, frame.plot.h - y)).collect();
+            let colour = self.look(number).fg.unwrap_or(Color::Reset);
+            all.push((upward, colour));
+        }
+        Canvas::default()
+            .marker(Marker::Braille)
+            .x_bounds([0.0, frame.plot.w])
+            .y_bounds([0.0, frame.plot.h])
+            .paint(|context| {
+                for (coords, color) in &all {
+                    context.draw(&Points { coords, color: *color });
+                }
+            })
+            .render(area, buffer);
+    }
+
+    fn markers(
+        &self,
+        buffer: &mut Buffer,
+        at: &dyn Fn(usize, usize) -> (usize, usize),
+        frame: &Frame<'_>,
+        cells: &mut Cells,
+    ) {
+        for (i, series) in self.panel.series.iter().enumerate() {
+            if !palette::has_markers(series.style) {
+                continue;
+            }
+            let number = number_of(series, i);
+            for spot in frame.markers(&series.points) {
+                let (col, row) = cells.place(spot);
+                cells.take(col, row, 1);
+                let (x, y) = at(col, row);
+                put(buffer, x, y, &marker(number).to_string(), self.look(number));
+            }
+        }
+    }
+
+    /// Sets the end texts into their lines; returns whose text found no place.
+    fn texts_on_lines(
+        &self,
+        buffer: &mut Buffer,
+        at: &dyn Fn(usize, usize) -> (usize, usize),
+        frame: &Frame<'_>,
+        cells: &mut Cells,
+    ) -> BTreeSet<usize> {
+        let mut without_place = BTreeSet::new();
+        for (i, series) in self.panel.series.iter().enumerate() {
+            let text = series.end_label.trim();
+            if text.is_empty() {
+                continue;
+            }
+            let line = frame.line(&series.points).pop().unwrap_or_default();
+            match set_in(&line, i, columns_of(text), cells) {
+                Some((col, row)) => {
+                    let (x, y) = at(col, row);
+                    put(buffer, x, y, text, self.look(number_of(series, i)));
+                }
+                None if series.label.trim().is_empty() && !line.is_empty() => {
+                    without_place.insert(i);
+                }
+                None => {}
+            }
+        }
+        without_place
+    }
+
+    fn letters(
+        &self,
+        buffer: &mut Buffer,
+        at: &dyn Fn(usize, usize) -> (usize, usize),
+        frame: &Frame<'_>,
+        cells: &mut Cells,
+        (keys, of_series): (&[Key], &[Option<usize>]),
+    ) {
+        let several = keys.iter().filter(|k| k.style != Style::Points).count() > 0;
+        for (i, series) in self.panel.series.iter().enumerate() {
+            let Some(key) = of_series.get(i).copied().flatten().filter(|_| several) else { continue };
+            if series.style == Style::Points {
+                continue;
+            }
+            for line in frame.line(&series.points) {
+                for (col, row) in letters(&line, i, key, keys.len(), cells) {
+                    let (x, y) = at(col, row);
+                    put(buffer, x, y, &keys[key].sign.to_string(), Look::new());
+                }
+            }
+        }
+    }
+
+    fn foot(
+        &self,
+        buffer: &mut Buffer,
+        top: usize,
+        legend: &[Vec<(String, String, usize)>],
+        marks: &[String],
+    ) {
+        for (i, row) in legend.iter().enumerate() {
+            let mut x = 0;
+            for (sample, name, number) in row {
+                put(buffer, x, top + i, sample, self.look(*number));
+                x += columns_of(sample) + 1;
+                put(buffer, x, top + i, name, Look::new());
+                x += columns_of(name) + 3;
+            }
+        }
+        for (i, line) in marks.iter().enumerate() {
+            put(buffer, 0, top + legend.len() + i, line, Look::new());
+        }
+    }
+}
+
+/// The horizontal scale with as many ticks as their texts allow.
+fn x_scale(panel: &Panel, data: Option<(f64, f64)>, cols: usize) -> Result<Scale, FigureError> {
+    let mut wanted = (cols / 10).clamp(1, 10);
+    loop {
+        let scale = ticks::scale(&panel.x, data, wanted)?;
+        let widest = scale.labels.iter().map(|l| columns_of(l)).max().unwrap_or(0);
+        if (widest + 2) * scale.ticks.len() <= cols || wanted == 1 {
+            return Ok(scale);
+        }
+        wanted -= 1;
+    }
+}
+
+/// The sign of the markers of a colour number, as near to the drawn shape as characters are.
+fn marker(number: usize) -> char {
+    match palette::shape(number) {
+        palette::Shape::Circle => '○',
+        palette::Shape::Square => '□',
+        palette::Shape::Triangle => '△',
+        palette::Shape::Diamond => '◇',
+        palette::Shape::TriangleDown => '▽',
+        palette::Shape::Cross => '×',
+    }
+}
+
+/// The sign of an operating point: a number when there are several.
+fn mark_sign(place: usize, count: usize) -> char {
+    if count == 1 {
+        return '◎';
+    }
+    u32::try_from(place).ok().filter(|p| *p < 20).and_then(|p| char::from_u32(0x2460 + p)).unwrap_or('◎')
+}
