@@ -1,130 +1,22 @@
 //! Draws a few figures into a folder (first argument, default: the system's temporary
-//! folder) and one of them as characters, to look at.
+//! folder) and as characters, to look at.
+
+mod figures;
 
 use std::path::PathBuf;
 
-use mckibben_report::{Axis, Figure, FigureError, Mark, Palette, Panel, Series, Style};
-
-/// Pull of an ideal braid, N: pressure in Pa, braid angle at rest in degrees, radius in m.
-fn pull(pressure: f64, angle: f64, radius: f64, contraction: f64) -> f64 {
-    let (sin, cos) = angle.to_radians().sin_cos();
-    let (a, b) = (3.0 * (cos / sin).powi(2), 1.0 / (sin * sin));
-    std::f64::consts::PI * radius * radius * pressure * (a * (1.0 - contraction).powi(2) - b)
-}
-
-/// A curve from no contraction to no pull, less an elastic part so that the ends differ.
-fn isobar(pressure: f64, angle: f64, elastic: f64) -> Vec<(f64, f64)> {
-    let force = |e: f64| pull(pressure, angle, 0.01, e) - elastic * e;
-    (0..=120).map(|i| f64::from(i) * 0.003).map(|e| (e, force(e))).take_while(|p| p.1 >= 0.0).collect()
-}
-
-const CAPTION: &str = "Ideal braid with elastic bladder, muscle of 20 mm bore, braid angle 25° at rest, \
-                       active length 300 mm. mckibben 0.1.0";
-
-fn isobars(elastic: f64) -> Figure {
-    let x = Axis::new("contraction ratio ε [–]").from_zero();
-    let mut panel = Panel::new(x, Axis::new("pull F [N]").from_zero());
-    for (i, p) in [0.1, 0.2, 0.3, 0.4, 0.5].into_iter().enumerate() {
-        let label = format!("{p:.1} MPa");
-        let curve = isobar(p * 1e6, 25.0, elastic);
-        panel = panel.series(Series::line("", curve).colour(i).end_label(label));
-    }
-    let at = |p: f64, e: f64| pull(p * 1e6, 25.0, 0.01, e) - elastic * e;
-    panel = panel.mark(Mark::new(0.05, at(0.4, 0.05), "start of the stroke")).mark(Mark::new(
-        0.2,
-        at(0.4, 0.2),
-        "holds 5 kg at ε = 0.20",
-    ));
-    Figure::new("Force–contraction curves at constant pressure")
-        .caption(CAPTION)
-        .palette(Palette::Sequential)
-        .panel(panel)
-}
-
-fn models() -> Figure {
-    let x = Axis::new("contraction ratio ε [–]").from_zero();
-    let mut panel = Panel::new(x, Axis::new("pull F [N]").from_zero());
-    let curve = isobar(0.3e6, 22.0, 150.0);
-    let scaled = |k: f64, d: f64| -> Vec<_> {
-        curve.iter().map(|(e, f)| (*e, f * k - d * e)).filter(|p| p.1 >= 0.0).collect()
-    };
-    panel = panel
-        .series(Series::new("ideal braid", curve.clone()))
-        .series(Series::new("thick wall", scaled(0.93, 120.0)))
-        .series(Series::new("with friction, loading", scaled(0.86, 300.0)))
-        .series(Series::new("with friction, unloading", scaled(0.80, 320.0)));
-    let measured = curve.iter().step_by(8).enumerate().map(|(i, (e, f))| {
-        let noise = (i as f64 * 2.7).sin() * 0.02 + 0.88;
-        (*e, (f * noise - 220.0 * e).max(0.0))
-    });
-    panel = panel.series(Series::scatter("measured, 3 muscles", measured.collect::<Vec<_>>()).colour(6));
-    Figure::new("Models against measured points at 0.3 MPa").caption(CAPTION).panel(panel)
-}
-
-fn grid() -> Figure {
-    let mut figure = Figure::new("Six muscles, three models, measured points").caption(CAPTION).columns(3);
-    for (k, angle) in [18.0, 20.0, 22.0, 24.0, 26.0, 28.0].into_iter().enumerate() {
-        let curve = isobar(0.3e6, angle, 100.0);
-        let scaled = |s: f64| -> Vec<_> { curve.iter().map(|(e, f)| (*e, f * s)).collect() };
-        let points: Vec<_> =
-            curve.iter().step_by(12).map(|(e, f)| (*e, f * (0.9 + 0.03 * (e * 90.0).sin()))).collect();
-        let panel =
-            Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero())
-                .title(format!("({}) braid angle {angle}°", char::from(b'a' + k as u8)))
-                .series(Series::new("ideal", curve.clone()))
-                .series(Series::new("thick wall", scaled(0.92)))
-                .series(Series::new("with friction", scaled(0.85)))
-                .series(Series::scatter("measured", points).colour(6));
-        figure = figure.panel(panel);
-    }
-    figure
-}
-
-fn crowded() -> Figure {
-    let mut panel = Panel::new(Axis::new("time t [s]"), Axis::new("pressure difference Δp [Pa]"));
-    for k in 0..6 {
-        let phase = f64::from(k);
-        let points: Vec<_> = (0..400)
-            .map(|i| f64::from(i) * 0.025)
-            .map(|t| (t, 4e5 * (t * (1.0 + 0.1 * phase) + phase).sin()))
-            .collect();
-        let style = if k < 3 { Style::Auto } else { Style::Line };
-        panel = panel.series(Series::new(format!("channel {k}"), points).style(style));
-    }
-    Figure::new("Everything is full: the legend moves outside").caption("Synthetic sines.").panel(panel)
-}
-
-fn ends() -> Figure {
-    let mut panel =
-        Panel::new(Axis::new("cycle N [–]").range(0.0, 1e6), Axis::new("slip s [µm]").range(-2.0, 12.0));
-    for k in 0..5 {
-        let top = 3.0 + 0.9 * f64::from(k);
-        let points: Vec<_> =
-            (0..=50).map(|i| f64::from(i) * 2e4).map(|n| (n, top * (1.0 - (-n / 2e5).exp()))).collect();
-        panel = panel.series(Series::line("", points).end_label(format!("{} bar", k + 1)));
-    }
-    panel = panel.mark(Mark::new(1e6, 3.0, "at the edge")).mark(Mark::new(0.0, 0.0, "new muscle"));
-    Figure::new("Direct labels at the right edge").panel(panel)
-}
+use mckibben_report::FigureError;
 
 fn main() -> Result<(), FigureError> {
     let folder = std::env::args_os().nth(1).map_or_else(std::env::temp_dir, PathBuf::from);
-    let figures = [
-        ("isobars", isobars(400.0)),
-        ("ideal", isobars(0.0)),
-        ("models", models()),
-        ("grid", grid()),
-        ("crowded", crowded()),
-        ("ends", ends()),
-    ];
-    for (name, figure) in figures {
+    for (name, figure) in figures::all() {
         for ending in ["svg", "png", "html"] {
             let path = folder.join(format!("figure-{name}.{ending}"));
             figure.save(&path)?;
             let size = std::fs::metadata(&path).map_or(0, |m| m.len());
             println!("{} ({size} bytes)", path.display());
         }
-        println!("{}", figure.to_text(100, 30, false));
+        println!("{}", figure.to_text(100, 30, std::env::args_os().len() > 2));
     }
     Ok(())
 }

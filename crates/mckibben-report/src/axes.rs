@@ -215,6 +215,7 @@ fn place_one<'a>(
     let mut axes = axes_in(panel, cell, gutters, metrics)?;
     let mut room = room_of(panel, &axes);
     let entries = if asked.own_legends { legend::entries(panel) } else { Vec::new() };
+    let entries = legend::fitted(entries, metrics, if asked.single { cell.w } else { 0.7 * axes.plot.w });
     let mut legend = None;
     if !entries.is_empty() {
         let (inside, covered) = legend::inside(&entries, metrics, &room);

@@ -76,7 +76,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     if ![width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
         return Err(FigureError::PaperSize { width_mm, height_mm });
     }
-    let (width, height) = (width_mm * PER_MM, height_mm * PER_MM);
+    let (width, mut height) = (width_mm * PER_MM, height_mm * PER_MM);
     let inner = width - 2.0 * MARGIN;
 
     let title = metrics.wrap(&figure.title, TITLE, inner);
@@ -84,22 +84,29 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
     let caption = metrics.wrap(&figure.caption, CAPTION, inner);
     let caption_room = if caption.is_empty() { 0.0 } else { caption.len() as f64 * CAPTION_ROW + 5.0 };
     let mut bottom = height - 9.0 - caption_room;
-    let caption_y = bottom + 5.0 + CAPTION_ROW / 2.0;
-
     let common = if single { None } else { legend::shared(&figure.panels) };
     let mut own_legends = common.is_none();
     let mut under = common;
     if single {
-        // a legend too broad to stand beside the data goes below it
-        let entries = legend::entries(&figure.panels[0]);
-        let broad = legend::size(&entries, metrics).0 > 0.36 * inner;
-        if broad && !fits_inside(&figure.panels[0], top, bottom, width, metrics)? {
+        // a legend too broad or too long to stand beside the data goes below it
+        let panel = &figure.panels[0];
+        let entries = legend::entries(panel);
+        let (w, h) = legend::size(&entries, metrics);
+        let cell = Rect { x: MARGIN, y: top, w: inner, h: bottom - top };
+        if (w > 0.36 * inner || h > 0.8 * (bottom - top)) && !axes::legend_fits(panel, cell, metrics)? {
             under = Some(entries);
             own_legends = false;
         }
     }
     let legend = under.map(|entries| {
+        let entries = legend::fitted(entries, metrics, inner);
         let mut placed = legend::rows(&entries, metrics, MARGIN, 0.0, inner);
+        if figure.size_mm.is_none() {
+            // many entries make the paper longer, not the plot smaller
+            let more = (placed.frame.h - 3.0 * legend::ROW).max(0.0);
+            height += more;
+            bottom += more;
+        }
         let y = bottom - placed.frame.h - if caption.is_empty() { 0.0 } else { 3.0 };
         placed.frame.y = y;
         placed.entries.iter_mut().for_each(|e| e.1 += y);
@@ -110,6 +117,7 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
         bottom = y - 8.0;
         placed
     });
+    let caption_y = height - 9.0 - caption_room + 5.0 + CAPTION_ROW / 2.0;
 
     let (gap_x, gap_y) = (18.0, 12.0);
     let cell_w = (inner + 8.0 - gap_x * (columns - 1) as f64) / columns as f64;
@@ -127,16 +135,4 @@ pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>
 
 fn entry_end((x, _, entry): &(f64, f64, Entry), metrics: &Metrics) -> f64 {
     x + legend::SAMPLE + 6.0 + metrics.width(&entry.label, legend::SIZE)
-}
-
-/// Whether the legend of a single panel finds a free place within its plot.
-fn fits_inside(
-    panel: &Panel,
-    top: f64,
-    bottom: f64,
-    width: f64,
-    metrics: &Metrics,
-) -> Result<bool, FigureError> {
-    let cell = Rect { x: MARGIN, y: top, w: width - 2.0 * MARGIN, h: bottom - top };
-    axes::legend_fits(panel, cell, metrics)
 }

@@ -9,7 +9,8 @@ use crate::{Panel, Style};
 pub(crate) const SIZE: f64 = 10.0;
 /// Length of the line sample before a text.
 pub(crate) const SAMPLE: f64 = 26.0;
-const ROW: f64 = 14.5;
+/// Height of a row of entries.
+pub(crate) const ROW: f64 = 14.5;
 const PAD: f64 = 6.0;
 const GAP: f64 = 6.0;
 
@@ -61,6 +62,13 @@ pub(crate) fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
         .enumerate()
         .any(|(i, a)| all[..i].iter().any(|b| a.style == b.style && a.colour == b.colour));
     (with_entries > 1 && all.len() <= most + 2 && !clash).then_some(all)
+}
+
+/// The entries with texts shortened to what fits beside a sample in a width.
+pub(crate) fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<Entry> {
+    let room = width - SAMPLE - GAP - 2.0 * PAD;
+    let short = |e: Entry| Entry { label: metrics.fit(&e.label, SIZE, room), ..e };
+    entries.into_iter().map(short).collect()
 }
 
 /// Width and height of the entries one below the other.

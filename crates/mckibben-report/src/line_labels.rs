@@ -137,7 +137,13 @@ fn set_into(line: &Ended, part: f64, metrics: &Metrics, room: &Room) -> Option<P
         .map(|c| Rect { x: c.0 - HEIGHT / 2.0, y: c.1 - HEIGHT / 2.0, w: HEIGHT, h: HEIGHT })
         .collect();
     let within = room.plot().grown(-1.0);
-    let worst: f64 = boxes.iter().map(|b| cost_of(&b.grown(1.5), room, &within, Some(line.series))).sum();
+    let worst: f64 = boxes
+        .iter()
+        .map(|b| {
+            let near_text = if room.meets_box(&b.grown(5.0)) { 1000.0 } else { 0.0 };
+            near_text + cost_of(&b.grown(1.5), room, &within, Some(line.series))
+        })
+        .sum();
     let sag = (1.0 - chord / (w + 8.0)).max(0.0);
     let label = Label {
         at: middle,

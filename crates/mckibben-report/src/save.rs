@@ -17,10 +17,10 @@ impl Figure {
     /// errors of drawing.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
         let ending = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
-        let bytes = match ending.as_deref() {
-            Some("svg") => self.to_svg()?.into_bytes(),
-            Some("png") => self.to_png()?,
-            Some("html" | "htm") => self.to_html()?.into_bytes(),
+        let draw: fn(&Self) -> Result<Vec<u8>, FigureError> = match ending.as_deref() {
+            Some("svg") => |figure| figure.to_svg().map(String::into_bytes),
+            Some("png") => Self::to_png,
+            Some("html" | "htm") => |figure| figure.to_html().map(String::into_bytes),
             _ => return Err(FigureError::UnknownExtension { path: path.to_owned() }),
         };
         let folder = match path.parent() {
@@ -30,7 +30,8 @@ impl Figure {
         if !folder.is_dir() {
             return Err(FigureError::NoFolder { folder: folder.to_owned() });
         }
-        write(folder, path, &bytes).map_err(|source| FigureError::Write { path: path.to_owned(), source })
+        write(folder, path, &draw(self)?)
+            .map_err(|source| FigureError::Write { path: path.to_owned(), source })
     }
 }
 

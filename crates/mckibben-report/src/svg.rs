@@ -51,11 +51,10 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
     let _ = write!(
         out,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
-         font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n<title>{}</title>\n\
+         font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n\
          <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n",
         n(page.width / PER_MM),
         n(page.height / PER_MM),
-        escape(&figure.title),
         escape(&figure.title),
     );
     for (i, line) in page.title.iter().enumerate() {

@@ -72,12 +72,15 @@ pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
         let mut line = String::new();
         for word in paragraph.split_whitespace() {
             let word: String = word.chars().filter(|c| !c.is_control()).collect();
+            if word.is_empty() {
+                continue;
+            }
             if !line.is_empty() && columns_of(&line) + 1 + columns_of(&word) <= width {
                 line.push(' ');
             } else if !line.is_empty() {
                 lines.push(std::mem::take(&mut line));
             }
-            for c in word.chars() {
+            for c in word.chars().filter(|c| columns_of(&c.to_string()) <= width) {
                 line.push(c);
                 if columns_of(&line) > width {
                     line.pop();
@@ -120,8 +123,8 @@ impl Line {
             let columns = columns_of(symbol).max(1);
             self.column += columns;
             x += columns as u16;
-            if matches!(symbol, " " | "" | "\u{2800}") {
-                self.blanks += 1;
+            if symbol == "\u{2800}" || symbol.trim().is_empty() {
+                self.blanks += columns;
                 continue;
             }
             let wanted = match cell.fg {

@@ -165,7 +165,8 @@ impl Sheet<'_> {
         let above = title.len() + 1;
         let below = 3 + legend.len() + marks.len();
         let rows = height.saturating_sub(above + below).max(5);
-        let y = ticks::scale(&panel.y, y_data, (rows / 3).clamp(1, 8))?;
+        let y = ticks::scale(&panel.y, y_data, (rows / 4).clamp(1, 8))?;
+        let rows = even(rows, &y, 5);
         let gutter = y.labels.iter().map(|l| columns_of(l)).max().unwrap_or(0) + 1;
         // the last tick text may stand out by half its width
         let cols = self.width.saturating_sub(gutter + 2);
@@ -175,13 +176,15 @@ impl Sheet<'_> {
             put(&mut buffer, 0, 0, "(too narrow)", Look::new());
             return Ok((buffer, BTreeSet::new()));
         }
+        let cols = even(cols, &x, 8);
         let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, (above + rows + below) as u16));
         for (i, line) in title.iter().enumerate() {
             put(&mut buffer, 0, i, line, Look::new());
         }
         self.axes(&mut buffer, (gutter, above), (cols, rows), &x, &y);
 
-        let plot = Rect { x: 0.0, y: 0.0, w: (2 * cols - 1) as f64, h: (4 * rows - 1) as f64 };
+        // the ends of the axes lie in the middle of the outer cells
+        let plot = Rect { x: 0.5, y: 1.5, w: (2 * cols - 2) as f64, h: (4 * rows - 4) as f64 };
         let frame = Frame { plot, x: &x, y: &y };
         let mut cells = Cells::new(cols, rows);
         let area = Area::new(gutter as u16, above as u16, cols as u16, rows as u16);
@@ -222,14 +225,14 @@ impl Sheet<'_> {
             put(buffer, left - 1, top + row, "│", plain);
         }
         for (value, label) in y.ticks.iter().zip(&y.labels) {
-            let row = ((1.0 - y.part(*value)) * (4 * rows - 1) as f64).round().max(0.0) as usize / 4;
+            let row = ((1.0 - y.part(*value)) * (rows - 1) as f64).round().max(0.0) as usize;
             put(buffer, left - 1, top + row, "┤", plain);
             put(buffer, (left - 1).saturating_sub(columns_of(label)), top + row, label, plain);
         }
         put(buffer, left - 1, top + rows, &format!("└{}", "─".repeat(cols)), plain);
         let mut free = 0;
         for (value, label) in x.ticks.iter().zip(&x.labels) {
-            let col = (x.part(*value) * (2 * cols - 1) as f64).round().max(0.0) as usize / 2;
+            let col = (x.part(*value) * (cols - 1) as f64).round().max(0.0) as usize;
             put(buffer, left + col, top + rows, "┬", plain);
             let long = columns_of(label);
             let start = (left + col).saturating_sub(long / 2).min(self.width.saturating_sub(long));
@@ -245,25 +248,29 @@ impl Sheet<'_> {
     }
 
     fn lines(&self, buffer: &mut Buffer, area: Area, frame: &Frame<'_>, cells: &mut Cells) {
+        let (right, top) = (f64::from(2 * area.width - 1), f64::from(4 * area.height - 1));
         let mut all = Vec::new();
         for (i, series) in self.panel.series.iter().enumerate() {
             let number = number_of(series, i);
             // letters tell plain lines apart: dashes would only make them harder to see
             let style = if series.style == Style::Auto { Style::Line } else { series.style };
             let Some(dash) = palette::dash(style, 0, self.figure.palette) else { continue };
-            let mut dots = Vec::new();
+            let mut dots = BTreeSet::new();
             for line in frame.line(&series.points) {
-                crate::text_lines::dots(&line, dash, &mut dots);
+                crate::text_lines::dots(&line, dash, |(x, y)| {
+                    dots.insert((x.round() as u16, y.round() as u16));
+                });
             }
-            dots.iter().for_each(|dot| cells.own(*dot, i));
-            let upward: Vec<_> = dots.iter().map(|(x, y)| (*x, frame.plot.h - y)).collect();
+            let dots = dots.iter().map(|(x, y)| (f64::from(*x), f64::from(*y)));
+            dots.clone().for_each(|dot| cells.own(dot, i));
+            let upward: Vec<_> = dots.map(|(x, y)| (x, top - y)).collect();
             let colour = self.look(number).fg.unwrap_or(Color::Reset);
             all.push((upward, colour));
         }
         Canvas::default()
             .marker(Marker::Braille)
-            .x_bounds([0.0, frame.plot.w])
-            .y_bounds([0.0, frame.plot.h])
+            .x_bounds([0.0, right])
+            .y_bounds([0.0, top])
             .paint(|context| {
                 for (coords, color) in &all {
                     context.draw(&Points { coords, color: *color });
@@ -378,6 +385,18 @@ fn x_scale(panel: &Panel, data: Option<(f64, f64)>, cols: usize) -> Result<Scale
         }
         wanted -= 1;
     }
+}
+
+/// The largest number of cells not above `cells` with as many cells between all ticks; the
+/// number as it is if that would cost more than a fifth or the ticks do not reach the ends.
+fn even(cells: usize, scale: &Scale, least: usize) -> usize {
+    let parts = scale.ticks.len().saturating_sub(1);
+    let ends = scale.ticks.first().zip(scale.ticks.last());
+    if parts == 0 || !ends.is_some_and(|(a, b)| scale.part(*a) < 1e-6 && scale.part(*b) > 1.0 - 1e-6) {
+        return cells;
+    }
+    let fitting = cells.saturating_sub(1) / parts * parts + 1;
+    if fitting >= least && 5 * fitting >= 4 * cells { fitting } else { cells }
 }
 
 /// The sign of the markers of a colour number, as near to the drawn shape as characters are.

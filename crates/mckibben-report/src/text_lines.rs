@@ -2,6 +2,9 @@
 
 use crate::curve::Spot;
 
+/// Cells of a line that are looked at for texts.
+const LONGEST: usize = 50_000;
+
 /// What the cells of a plot hold. A cell is two dots wide and four dots high.
 pub(crate) struct Cells {
     cols: usize,
@@ -47,8 +50,8 @@ impl Cells {
     }
 }
 
-/// Adds the dots of a line in steps of half a dot; dashes are in dots.
-pub(crate) fn dots(line: &[Spot], dash: &[f64], dots: &mut Vec<Spot>) {
+/// Hands out the dots of a line in steps of half a dot; dashes are in dots.
+pub(crate) fn dots(line: &[Spot], dash: &[f64], mut give: impl FnMut(Spot)) {
     let period: f64 = dash.iter().sum();
     let drawn = |way: f64| {
         let mut left = if period > 0.0 { way % period } else { return true };
@@ -61,7 +64,7 @@ pub(crate) fn dots(line: &[Spot], dash: &[f64], dots: &mut Vec<Spot>) {
         true
     };
     if let [only] = line {
-        dots.push(*only);
+        give(*only);
     }
     let mut way = 0.0;
     for pair in line.windows(2) {
@@ -71,7 +74,7 @@ pub(crate) fn dots(line: &[Spot], dash: &[f64], dots: &mut Vec<Spot>) {
         for i in 0..=steps as usize {
             let t = i as f64 / steps;
             if drawn(way + t * length) {
-                dots.push((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
+                give((a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
             }
         }
         way += length;
@@ -80,10 +83,13 @@ pub(crate) fn dots(line: &[Spot], dash: &[f64], dots: &mut Vec<Spot>) {
 
 /// The cells a line runs through, in its order.
 fn path(line: &[Spot], cells: &Cells) -> Vec<(usize, usize)> {
-    let mut all = Vec::new();
-    dots(line, &[], &mut all);
-    let mut path: Vec<_> = all.into_iter().map(|dot| cells.place(dot)).collect();
-    path.dedup();
+    let mut path = Vec::new();
+    dots(line, &[], |dot| {
+        let cell = cells.place(dot);
+        if path.len() < LONGEST && path.last() != Some(&cell) {
+            path.push(cell);
+        }
+    });
     path
 }
 
@@ -91,13 +97,18 @@ fn path(line: &[Spot], cells: &Cells) -> Vec<(usize, usize)> {
 /// line; takes the cells.
 pub(crate) fn set_in(line: &[Spot], series: usize, long: usize, cells: &mut Cells) -> Option<(usize, usize)> {
     let path = path(line, cells);
-    for (col, row) in path.iter().rev() {
-        // just right of the line first, then over it; one cell of air on both sides
-        for start in [col + 1, col.saturating_sub(long / 2)] {
-            let from = start.saturating_sub(1);
-            if cells.free(from, *row, long + (start - from) + 1, series) {
-                cells.take(start, *row, long);
-                return Some((start, *row));
+    // lines above and below make the text ambiguous: first with air there, then without
+    for air in [1, 0] {
+        for (col, row) in path.iter().rev() {
+            // over the line, or just right of it where it is steep
+            for start in [col.saturating_sub(long / 2), col + 1] {
+                let from = start.saturating_sub(1);
+                let count = long + (start - from) + 1;
+                let rows = row.saturating_sub(air)..=(row + air).min(cells.rows - 1);
+                if rows.clone().all(|r| cells.free(from, r, count, series)) {
+                    cells.take(start, *row, long);
+                    return Some((start, *row));
+                }
             }
         }
     }
