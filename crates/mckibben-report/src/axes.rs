@@ -154,7 +154,7 @@ fn room_of(panel: &Panel, axes: &Axes) -> Room {
             frame.line(&series.points).iter().for_each(|line| room.add_line(line, i));
         }
         if palette::has_markers(series.style) {
-            frame.markers(&series.points).into_iter().for_each(|spot| room.add_spot(spot, i));
+            frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot, i));
         }
     }
     labels::add_rings(&panel.marks, &frame, &mut room);
@@ -186,38 +186,79 @@ pub(crate) fn place<'a>(
         own.right = own.right.max(end_room(panel, &axes, metrics));
         all.push(own);
     }
+    let below = legends_below(panels, columns, cell, asked, &all, metrics)?;
+    for (own, room) in all.iter_mut().zip(&below) {
+        own.bottom += room;
+    }
     let mut placed = Vec::with_capacity(panels.len());
     for (i, panel) in panels.iter().enumerate() {
-        let mut gutters = all[i];
-        for (j, other) in all.iter().enumerate() {
-            if j % columns == i % columns {
-                gutters.left = gutters.left.max(other.left);
-                gutters.right = gutters.right.max(other.right);
-            }
-            if row_of(j) == row_of(i) {
-                gutters.top = gutters.top.max(other.top);
-                gutters.bottom = gutters.bottom.max(other.bottom);
-            }
-        }
-        placed.push(place_one(panel, i, cell(i), gutters, asked, metrics)?);
+        placed.push(place_one(panel, i, cell(i), (aligned(&all, columns, i), below[i]), asked, metrics)?);
     }
     Ok(placed)
+}
+
+/// Room for legends below the panels of a grid: none if all find a free place inside,
+/// otherwise for every panel, since some inside and some outside look like a mistake.
+fn legends_below(
+    panels: &[Panel],
+    columns: usize,
+    cell: &dyn Fn(usize) -> Rect,
+    asked: &Asked<'_>,
+    all: &[Gutters],
+    metrics: &Metrics,
+) -> Result<Vec<f64>, FigureError> {
+    let mut below = vec![0.0; panels.len()];
+    if !asked.own_legends || asked.single {
+        return Ok(below);
+    }
+    let mut covers = false;
+    for (i, panel) in panels.iter().enumerate() {
+        let axes = axes_in(panel, cell(i), aligned(all, columns, i), metrics)?;
+        let entries = legend::fitted(legend::entries(panel), metrics, 0.8 * axes.plot.w);
+        if !entries.is_empty() {
+            covers |= legend::inside(&entries, metrics, &room_of(panel, &axes)).1 > 0;
+            below[i] = legend::rows(&entries, metrics, 0.0, 0.0, axes.plot.w).frame.h + 4.0;
+        }
+    }
+    if !covers {
+        below.fill(0.0);
+    }
+    Ok(below)
+}
+
+/// The gutters of a panel so that its plot lines up with those of its column and row.
+fn aligned(all: &[Gutters], columns: usize, i: usize) -> Gutters {
+    let mut gutters = all[i];
+    for (j, other) in all.iter().enumerate() {
+        if j % columns == i % columns {
+            gutters.left = gutters.left.max(other.left);
+            gutters.right = gutters.right.max(other.right);
+        }
+        if j / columns == i / columns {
+            gutters.top = gutters.top.max(other.top);
+            gutters.bottom = gutters.bottom.max(other.bottom);
+        }
+    }
+    gutters
 }
 
 fn place_one<'a>(
     panel: &'a Panel,
     index: usize,
     cell: Rect,
-    mut gutters: Gutters,
+    (mut gutters, below): (Gutters, f64),
     asked: &Asked<'_>,
     metrics: &Metrics,
 ) -> Result<Placed<'a>, FigureError> {
     let mut axes = axes_in(panel, cell, gutters, metrics)?;
     let mut room = room_of(panel, &axes);
     let entries = if asked.own_legends { legend::entries(panel) } else { Vec::new() };
-    let entries = legend::fitted(entries, metrics, if asked.single { cell.w } else { 0.7 * axes.plot.w });
+    let entries = legend::fitted(entries, metrics, if asked.single { cell.w } else { 0.8 * axes.plot.w });
     let mut legend = None;
-    if !entries.is_empty() {
+    if below > 0.0 {
+        let (x, y) = (axes.plot.x, cell.bottom() - below + 4.0);
+        legend = Some(legend::rows(&entries, metrics, x, y, axes.plot.w));
+    } else if !entries.is_empty() {
         let (inside, covered) = legend::inside(&entries, metrics, &room);
         if covered == 0 || !asked.single {
             room.add_box(inside.frame);

@@ -12,6 +12,13 @@ pub(crate) const RING: f64 = 5.2;
 /// Height kept for them.
 pub(crate) const HEIGHT: f64 = 11.0;
 
+/// Directions tried for the text of a mark, degrees, the best liked first.
+const DIRECTIONS: [f64; 14] =
+    [30.0, -30.0, 150.0, -150.0, 0.0, 180.0, 90.0, -90.0, 60.0, -60.0, 120.0, -120.0, 15.0, -15.0];
+
+/// Distances tried between ring and text.
+const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
+
 /// A placed text.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Label {
@@ -57,44 +64,41 @@ pub(crate) fn of_marks(marks: &[Mark], frame: &Frame<'_>, metrics: &Metrics, roo
     let within = frame.plot.grown(-2.0);
     let mut labels = Vec::new();
     for mark in marks {
-        let Some(spot) = frame.spot((mark.x, mark.y)).filter(|s| frame.plot.grown(0.01).has(*s)) else {
-            continue;
-        };
+        let spot = frame.spot((mark.x, mark.y)).filter(|s| frame.plot.grown(0.01).has(*s));
         let text = metrics.fit(mark.label.trim(), SIZE, within.w);
-        if text.is_empty() {
-            continue;
-        }
+        let Some(spot) = spot.filter(|_| !text.is_empty()) else { continue };
         let w = metrics.width(&text, SIZE);
-        let mut best: Option<(f64, Spot, f64)> = None;
-        for (ring, distance) in [RING + 3.0, RING + 12.0, RING + 24.0, RING + 40.0].into_iter().enumerate() {
-            for (turn, angle) in [30.0, -30.0, 150.0, -150.0, 0.0, 180.0, 90.0, -90.0, 60.0, -60.0, 120.0]
-                .into_iter()
-                .enumerate()
-            {
-                let (up, across) = f64::to_radians(angle).sin_cos();
-                // the near edge of the text lies at the distance in this direction
-                let middle = (
-                    spot.0
-                        + across * distance
-                        + across.signum() * (across.abs() > 0.01) as u8 as f64 * w / 2.0,
-                    spot.1 - up * (distance + HEIGHT / 2.0 - 2.0),
-                );
-                let at = (middle.0 - w / 2.0, middle.1);
-                let cost =
-                    cost_of(&around(at, w), room, &within, None) + 5.0 * ring as f64 + 0.4 * turn as f64;
-                if best.is_none_or(|(least, ..)| cost < least) {
-                    best = Some((cost, at, distance));
-                }
-            }
-        }
-        let Some((_, at, distance)) = best else { continue };
-        let at = inside(at, w, &within);
+        let at = inside(best_place(spot, w, room, &within), w, &within);
         let rect = around(at, w);
         room.add_box(rect);
-        let leader = (distance > RING + 4.0).then(|| leader(spot, &rect)).flatten();
-        labels.push(Label { at, text, turn: None, colour: None, leader });
+        labels.push(Label { at, text, turn: None, colour: None, leader: leader(spot, &rect) });
     }
     labels
+}
+
+/// Left end of the text of a mark where least speaks against it.
+fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
+    let mut best = (f64::INFINITY, spot);
+    for (ring, gap) in GAPS.into_iter().enumerate() {
+        let distance = RING + gap;
+        for (turn, angle) in DIRECTIONS.into_iter().enumerate() {
+            let (up, across) = f64::to_radians(angle).sin_cos();
+            // the text begins or ends at this distance; straight above and below it is centred
+            let half = if across.abs() > 0.01 { across.signum() * w / 2.0 } else { 0.0 };
+            let middle = (spot.0 + across * distance + half, spot.1 - up * (distance + HEIGHT / 2.0 - 2.0));
+            let at = (middle.0 - w / 2.0, middle.1);
+            let rect = around(at, w);
+            let crossed = leader(spot, &rect).is_some_and(|(_, end)| room.crosses_box(spot, end));
+            let cost = cost_of(&rect, room, within, None)
+                + 5.0 * ring as f64
+                + 0.4 * turn as f64
+                + if crossed { 100.0 } else { 0.0 };
+            if cost < best.0 {
+                best = (cost, at);
+            }
+        }
+    }
+    best.1
 }
 
 /// Moves a text into the allowed rectangle.
@@ -109,7 +113,7 @@ fn leader(spot: Spot, rect: &Rect) -> Option<(Spot, Spot)> {
     let near = (spot.0.clamp(rect.x - 1.0, rect.right() + 1.0), spot.1.clamp(rect.y, rect.bottom()));
     let (dx, dy) = (near.0 - spot.0, near.1 - spot.1);
     let length = dx.hypot(dy);
-    (length > RING + 2.0).then(|| {
+    (length > RING + 5.5).then(|| {
         let part = RING / length;
         ((spot.0 + part * dx, spot.1 + part * dy), near)
     })

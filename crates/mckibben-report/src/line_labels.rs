@@ -55,17 +55,8 @@ pub(crate) fn of_lines(lines: Vec<Ended>, metrics: &Metrics, room: &mut Room) ->
 fn beside_plot(mut lines: Vec<Ended>, plot: &Rect) -> Vec<Label> {
     let end = |l: &Ended| l.line.last().map_or(plot.y, |s| s.1);
     lines.sort_by(|a, b| end(a).total_cmp(&end(b)));
-    let mut heights: Vec<f64> = lines.iter().map(end).collect();
-    // push down what is too close, then up again what left the plot
-    let step = HEIGHT + 0.5;
-    for i in 1..heights.len() {
-        heights[i] = heights[i].max(heights[i - 1] + step);
-    }
-    let mut limit = plot.bottom();
-    for height in heights.iter_mut().rev() {
-        *height = height.min(limit);
-        limit = *height - step;
-    }
+    let wanted: Vec<f64> = lines.iter().map(end).collect();
+    let heights = spread(&wanted, HEIGHT + 1.5, plot.y, plot.bottom());
     let text_x = plot.right() + 8.0;
     let place = |(line, y): (&Ended, f64)| {
         let from = (plot.right() + 1.0, end(line));
@@ -73,6 +64,29 @@ fn beside_plot(mut lines: Vec<Ended>, plot: &Rect) -> Vec<Label> {
         Label { at: (text_x, y), turn: None, text: line.text.clone(), colour: Some(line.colour), leader }
     };
     lines.iter().zip(heights).map(place).collect()
+}
+
+/// Moves rising values apart to at least `step`, each group about its middle, within limits
+/// if they fit.
+fn spread(wanted: &[f64], step: f64, low: f64, high: f64) -> Vec<f64> {
+    // groups of (sum of first places, count) that touch are merged until none touch
+    let mut groups: Vec<(f64, usize)> = Vec::new();
+    let top = |group: &(f64, usize)| {
+        let first = group.0 / group.1 as f64;
+        first.min(high - (group.1 - 1) as f64 * step).max(low)
+    };
+    for value in wanted {
+        groups.push((*value, 1));
+        while let [.., a, b] = groups.as_slice() {
+            if top(a) + a.1 as f64 * step <= top(b) {
+                break;
+            }
+            let both = (a.0 + b.0 - a.1 as f64 * step * b.1 as f64, a.1 + b.1);
+            groups.truncate(groups.len() - 2);
+            groups.push(both);
+        }
+    }
+    groups.iter().flat_map(|g| (0..g.1).map(move |k| top(g) + k as f64 * step)).collect()
 }
 
 /// A text set into its line.

@@ -49,6 +49,15 @@ impl Room {
         self.cells[row * self.columns + column] |= 1 << (series % 64);
     }
 
+    /// Notes a drawn marker of a series.
+    pub fn add_marker(&mut self, (x, y): Spot, series: usize) {
+        for across in [-CELL, 0.0, CELL] {
+            for down in [-CELL, 0.0, CELL] {
+                self.add_spot((x + across, y + down), series);
+            }
+        }
+    }
+
     /// Notes the box of a placed text or sign.
     pub fn add_box(&mut self, taken: Rect) {
         self.boxes.push(taken);
@@ -57,6 +66,14 @@ impl Room {
     /// Whether a rectangle meets a box noted before.
     pub fn meets_box(&self, rect: &Rect) -> bool {
         self.boxes.iter().any(|taken| taken.meets(rect))
+    }
+
+    /// Whether the way from `a` to `b` runs through a noted box that does not hold `a`.
+    pub fn crosses_box(&self, a: Spot, b: Spot) -> bool {
+        let way =
+            (1..=24).map(|i| f64::from(i) / 24.0).map(|t| (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1)));
+        let others: Vec<_> = self.boxes.iter().filter(|taken| !taken.has(a)).collect();
+        way.into_iter().any(|spot| others.iter().any(|taken| taken.has(spot)))
     }
 
     /// How many cells with something drawn lie under a rectangle, not counting series `but`.

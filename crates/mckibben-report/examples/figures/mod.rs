@@ -109,6 +109,38 @@ pub fn ends() -> Figure {
     Figure::new("Direct labels at the right edge").panel(panel)
 }
 
+/// Panels that need legends of their own, below them.
+pub fn own_legends() -> Figure {
+    let mut figure = Figure::new("Four panels with legends of their own").caption("Synthetic sines.");
+    for k in 0..4 {
+        let mut panel = Panel::new(Axis::new("pressure p [Pa]"), Axis::new("pull F [N]"));
+        panel.title = format!("({}) size {k}", char::from(b'a' + k));
+        for i in 0..3 {
+            let wave = |t: u8| {
+                50.0 * f64::from(i + k) + 30.0 * f64::from(k) * (f64::from(t) / 6.0 + f64::from(i)).sin()
+            };
+            let points: Vec<_> = (0..40).map(|t| (f64::from(t) * 1e4, wave(t))).collect();
+            let style = if i == 2 { Style::LineAndPoints } else { Style::Auto };
+            panel = panel.series(Series::new(format!("variant {k}.{i}"), points).style(style));
+        }
+        figure = figure.panel(panel.mark(Mark::new(2e5, 60.0, "a point")));
+    }
+    figure
+}
+
+/// Markers, and operating points that crowd.
+pub fn markers() -> Figure {
+    let mut panel = Panel::new(Axis::new("x [m]"), Axis::new("y [N]"));
+    for i in 0..9 {
+        let points: Vec<_> = (0..12).map(f64::from).map(|t| (t, f64::from(i) + 0.02 * t * t)).collect();
+        panel = panel.series(Series::scatter(format!("kind {i}"), points));
+    }
+    for (i, at) in [0.0, 0.3, 5.0, 5.2, 5.4, 11.0].into_iter().enumerate() {
+        panel = panel.mark(Mark::new(at, at, format!("operating point {i}")));
+    }
+    Figure::new("Markers").panel(panel)
+}
+
 /// All of them, named.
 pub fn all() -> Vec<(&'static str, Figure)> {
     vec![
@@ -118,5 +150,7 @@ pub fn all() -> Vec<(&'static str, Figure)> {
         ("grid", grid()),
         ("crowded", crowded()),
         ("ends", ends()),
+        ("own", own_legends()),
+        ("markers", markers()),
     ]
 }

@@ -38,28 +38,51 @@ fn one(series: Vec<Series>) -> Figure {
     Figure::new("t").panel(panel)
 }
 
+/// Every text lies on the paper, and none covers another.
+fn check_texts(name: &str, figure: &Figure) {
+    let tree = parse(&figure.to_svg().unwrap());
+    let mut found = Vec::new();
+    texts(tree.root(), &mut found);
+    let (w, h) = (tree.size().width(), tree.size().height());
+    for (words, b, _) in &found {
+        let within = b.left() >= 1.0 && b.top() >= 1.0 && b.right() <= w - 1.0 && b.bottom() <= h - 1.0;
+        assert!(within, "{name}: \"{words}\" leaves the paper: {b:?}");
+    }
+    // boxes of turned texts are larger than the texts, so only upright ones can be told
+    let upright: Vec<_> = found.iter().filter(|t| t.2).collect();
+    assert!(upright.len() > 5, "{name}");
+    for (i, (a, ra, _)) in upright.iter().enumerate() {
+        for (b, rb, _) in &upright[..i] {
+            let meet = ra.left() < rb.right() && rb.left() < ra.right();
+            let meet = meet && ra.top() < rb.bottom() && rb.top() < ra.bottom();
+            assert!(!meet, "{name}: \"{a}\" covers \"{b}\"");
+        }
+    }
+}
+
 #[test]
 fn no_text_is_cut_off_and_none_covers_another() {
     for (name, figure) in figures::all() {
-        let tree = parse(&figure.to_svg().unwrap());
-        let mut found = Vec::new();
-        texts(tree.root(), &mut found);
-        assert!(found.len() > 10, "{name}");
-        let (w, h) = (tree.size().width(), tree.size().height());
-        for (words, b, _) in &found {
-            let within = b.left() >= 1.0 && b.top() >= 1.0 && b.right() <= w - 1.0 && b.bottom() <= h - 1.0;
-            assert!(within, "{name}: \"{words}\" leaves the paper: {b:?}");
-        }
-        // boxes of turned texts are larger than the texts, so only upright ones can be told
-        let upright: Vec<_> = found.iter().filter(|t| t.2).collect();
-        for (i, (a, ra, _)) in upright.iter().enumerate() {
-            for (b, rb, _) in &upright[..i] {
-                let meet = ra.left() < rb.right() && rb.left() < ra.right();
-                let meet = meet && ra.top() < rb.bottom() && rb.top() < ra.bottom();
-                assert!(!meet, "{name}: \"{a}\" covers \"{b}\"");
-            }
-        }
+        check_texts(name, &figure);
     }
+}
+
+#[test]
+fn texts_of_neighbouring_marks_stay_apart() {
+    let mut figure = one(vec![Series::line("a line", vec![(0.0, 0.0), (1.0, 1.0)])]);
+    for (i, at) in [0.0, 0.02, 0.03, 0.5, 0.51, 0.52, 0.97, 0.98, 1.0].into_iter().enumerate() {
+        figure.panels[0].marks.push(Mark::new(at, at, format!("operating point {i}")));
+    }
+    check_texts("marks", &figure);
+}
+
+#[test]
+fn texts_of_lines_that_end_together_stay_apart() {
+    let series = (0..12).map(|i| {
+        let end = 1.0 + 0.001 * f64::from(i);
+        Series::line("", vec![(0.0, 0.0), (1.0, end)]).end_label(format!("variant {i}"))
+    });
+    check_texts("ends", &one(series.collect()));
 }
 
 #[test]
