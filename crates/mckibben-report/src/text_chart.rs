@@ -15,6 +15,9 @@ use crate::text_lines::{Cells, letters, set_in};
 use crate::ticks::{self, Scale};
 use crate::{Figure, FigureError, Panel, Series, Style, axes, layout, palette};
 
+/// The terminal's own colour, also over a cell that had another.
+const PLAIN: Look = Look::new().fg(Color::Reset);
+
 /// What tells a series from the others.
 #[derive(Clone, PartialEq)]
 struct Key {
@@ -67,7 +70,7 @@ impl Sheet<'_> {
         if self.colour {
             Look::new().fg(Color::Indexed(palette::terminal(self.figure.palette, number, self.colours)))
         } else {
-            Look::new()
+            PLAIN
         }
     }
 
@@ -76,7 +79,7 @@ impl Sheet<'_> {
         let lines = wrap(&error.to_string(), self.width);
         let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, lines.len() as u16));
         for (y, line) in lines.iter().enumerate() {
-            put(&mut buffer, 0, y, line, Look::new());
+            put(&mut buffer, 0, y, line, PLAIN);
         }
         buffer
     }
@@ -173,13 +176,13 @@ impl Sheet<'_> {
         let x = x_scale(panel, x_data, cols.max(8))?;
         if cols < 8 {
             let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, 1));
-            put(&mut buffer, 0, 0, "(too narrow)", Look::new());
+            put(&mut buffer, 0, 0, "(too narrow)", PLAIN);
             return Ok((buffer, BTreeSet::new()));
         }
         let cols = even(cols, &x, 8);
         let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, (above + rows + below) as u16));
         for (i, line) in title.iter().enumerate() {
-            put(&mut buffer, 0, i, line, Look::new());
+            put(&mut buffer, 0, i, line, PLAIN);
         }
         self.axes(&mut buffer, (gutter, above), (cols, rows), &x, &y);
 
@@ -197,7 +200,7 @@ impl Sheet<'_> {
                 let (col, row) = cells.place(spot);
                 cells.take(col, row, 1);
                 let (x, y) = at(col, row);
-                put(&mut buffer, x, y, &sign.to_string(), Look::new());
+                put(&mut buffer, x, y, &sign.to_string(), PLAIN);
             }
         }
         let without_place = self.texts_on_lines(&mut buffer, &at, &frame, &mut cells);
@@ -216,35 +219,34 @@ impl Sheet<'_> {
         x: &Scale,
         y: &Scale,
     ) {
-        let plain = Look::new();
         let with_power = |label: &str, exponent: i32| {
             format!("{} {}", label.trim(), ticks::power_text(exponent)).trim().to_owned()
         };
-        put(buffer, 0, top - 1, &with_power(&self.panel.y.label, y.exponent), plain);
+        put(buffer, 0, top - 1, &with_power(&self.panel.y.label, y.exponent), PLAIN);
         for row in 0..rows {
-            put(buffer, left - 1, top + row, "│", plain);
+            put(buffer, left - 1, top + row, "│", PLAIN);
         }
         for (value, label) in y.ticks.iter().zip(&y.labels) {
             let row = ((1.0 - y.part(*value)) * (rows - 1) as f64).round().max(0.0) as usize;
-            put(buffer, left - 1, top + row, "┤", plain);
-            put(buffer, (left - 1).saturating_sub(columns_of(label)), top + row, label, plain);
+            put(buffer, left - 1, top + row, "┤", PLAIN);
+            put(buffer, (left - 1).saturating_sub(columns_of(label)), top + row, label, PLAIN);
         }
-        put(buffer, left - 1, top + rows, &format!("└{}", "─".repeat(cols)), plain);
+        put(buffer, left - 1, top + rows, &format!("└{}", "─".repeat(cols)), PLAIN);
         let mut free = 0;
         for (value, label) in x.ticks.iter().zip(&x.labels) {
             let col = (x.part(*value) * (cols - 1) as f64).round().max(0.0) as usize;
-            put(buffer, left + col, top + rows, "┬", plain);
+            put(buffer, left + col, top + rows, "┬", PLAIN);
             let long = columns_of(label);
             let start = (left + col).saturating_sub(long / 2).min(self.width.saturating_sub(long));
             if start >= free {
-                put(buffer, start, top + rows + 1, label, plain);
+                put(buffer, start, top + rows + 1, label, PLAIN);
                 free = start + long + 1;
             }
         }
         let label = with_power(&self.panel.x.label, x.exponent);
         let start = (left + cols / 2).saturating_sub(columns_of(&label) / 2);
         let start = start.min(self.width.saturating_sub(columns_of(&label)));
-        put(buffer, start, top + rows + 2, &label, plain);
+        put(buffer, start, top + rows + 2, &label, PLAIN);
     }
 
     fn lines(&self, buffer: &mut Buffer, area: Area, frame: &Frame<'_>, cells: &mut Cells) {
@@ -346,7 +348,7 @@ impl Sheet<'_> {
             for line in frame.line(&series.points) {
                 for (col, row) in letters(&line, i, key, keys.len(), cells) {
                     let (x, y) = at(col, row);
-                    put(buffer, x, y, &keys[key].sign.to_string(), Look::new());
+                    put(buffer, x, y, &keys[key].sign.to_string(), PLAIN);
                 }
             }
         }
@@ -364,12 +366,12 @@ impl Sheet<'_> {
             for (sample, name, number) in row {
                 put(buffer, x, top + i, sample, self.look(*number));
                 x += columns_of(sample) + 1;
-                put(buffer, x, top + i, name, Look::new());
+                put(buffer, x, top + i, name, PLAIN);
                 x += columns_of(name) + 3;
             }
         }
         for (i, line) in marks.iter().enumerate() {
-            put(buffer, 0, top + legend.len() + i, line, Look::new());
+            put(buffer, 0, top + legend.len() + i, line, PLAIN);
         }
     }
 }

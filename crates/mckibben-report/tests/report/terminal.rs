@@ -155,3 +155,11 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn an_operating_point_keeps_its_own_colour() {
+    let text = figures::isobars(400.0).to_text(100, 30, true);
+    let line = text.lines().find(|l| l.contains('①') && l.contains('│')).unwrap();
+    let before = line.split('①').next().unwrap();
+    assert!(before.rfind("\u{1b}[0m").unwrap() > before.rfind("\u{1b}[38").unwrap(), "{line:?}");
+}
