@@ -11,21 +11,13 @@ use ratatui_widgets::canvas::{Canvas, Points};
 
 use crate::curve::{Frame, Rect};
 use crate::text::{columns_of, wrap};
+use crate::text_legend::{Key, mark_sign, marker};
 use crate::text_lines::{Cells, letters, set_in};
 use crate::ticks::{self, Scale};
 use crate::{Figure, FigureError, Panel, Series, Style, axes, layout, palette};
 
 /// The terminal's own colour, also over a cell that had another.
-const PLAIN: Look = Look::new().fg(Color::Reset);
-
-/// What tells a series from the others.
-#[derive(Clone, PartialEq)]
-struct Key {
-    name: String,
-    sign: char,
-    colour: usize,
-    style: Style,
-}
+pub(crate) const PLAIN: Look = Look::new().fg(Color::Reset);
 
 /// A panel on a buffer `width` columns wide and about `height` lines high.
 pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize, colour: bool) -> Buffer {
@@ -46,19 +38,22 @@ pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize,
     }
 }
 
-struct Sheet<'a> {
+/// A panel with what its chart needs to know of the figure and the terminal.
+pub(crate) struct Sheet<'a> {
     figure: &'a Figure,
-    panel: &'a Panel,
-    width: usize,
-    colour: bool,
+    pub panel: &'a Panel,
+    pub width: usize,
+    pub colour: bool,
     colours: usize,
 }
 
-fn number_of(series: &Series, index: usize) -> usize {
+/// The colour number of a series.
+pub(crate) fn number_of(series: &Series, index: usize) -> usize {
     series.colour.unwrap_or(index)
 }
 
-fn put(buffer: &mut Buffer, x: usize, y: usize, text: &str, look: Look) {
+/// Writes a text as far as the buffer reaches.
+pub(crate) fn put(buffer: &mut Buffer, x: usize, y: usize, text: &str, look: Look) {
     let area = buffer.area;
     if x < area.width as usize && y < area.height as usize {
         buffer.set_stringn(x as u16, y as u16, text, area.width as usize - x, look);
@@ -66,7 +61,8 @@ fn put(buffer: &mut Buffer, x: usize, y: usize, text: &str, look: Look) {
 }
 
 impl Sheet<'_> {
-    fn look(&self, number: usize) -> Look {
+    /// How what belongs to a series looks.
+    pub fn look(&self, number: usize) -> Look {
         if self.colour {
             Look::new().fg(Color::Indexed(palette::terminal(self.figure.palette, number, self.colours)))
         } else {
@@ -82,68 +78,6 @@ impl Sheet<'_> {
             put(&mut buffer, 0, y, line, PLAIN);
         }
         buffer
-    }
-
-    /// The entries of the legend, and the entry of each series.
-    fn keys(&self, moved: &BTreeSet<usize>) -> (Vec<Key>, Vec<Option<usize>>) {
-        let mut keys: Vec<Key> = Vec::new();
-        let mut of_series = Vec::new();
-        for (i, series) in self.panel.series.iter().enumerate() {
-            let colour = number_of(series, i);
-            let label = series.label.trim();
-            let name = if label.is_empty() && moved.contains(&i) { series.end_label.trim() } else { label };
-            let alike = |k: &Key| k.colour == colour && k.style == series.style;
-            let known = keys.iter().position(|k| alike(k) && (name.is_empty() || k.name == name));
-            if known.is_some() || name.is_empty() {
-                of_series.push(known);
-                continue;
-            }
-            let letters = keys.iter().filter(|k| k.style != Style::Points).count();
-            let sign = if series.style == Style::Points {
-                marker(colour)
-            } else {
-                char::from(b"abcdefghijklmnopqrstuvwxyz"[letters % 26])
-            };
-            of_series.push(Some(keys.len()));
-            keys.push(Key { name: name.to_owned(), sign, colour, style: series.style });
-        }
-        (keys, of_series)
-    }
-
-    /// Legend entries as they stand in rows: sample, name.
-    fn legend_rows(&self, keys: &[Key]) -> Vec<Vec<(String, String, usize)>> {
-        let mut rows: Vec<Vec<(String, String, usize)>> = Vec::new();
-        let mut used = usize::MAX;
-        for key in keys {
-            let sample = match (key.style, self.colour) {
-                (Style::Points, _) => key.sign.to_string(),
-                (Style::LineAndPoints, true) => format!("─{}─", marker(key.colour)),
-                (_, true) => "───".to_owned(),
-                (_, false) => format!("─{}─", key.sign),
-            };
-            let name = wrap(&key.name, self.width.saturating_sub(5).max(1)).join(" ");
-            let long = columns_of(&sample) + 1 + columns_of(&name);
-            if rows.is_empty() || used + 3 + long > self.width {
-                rows.push(Vec::new());
-                used = long;
-            } else {
-                used += 3 + long;
-            }
-            if let Some(row) = rows.last_mut() {
-                row.push((sample, name, key.colour));
-            }
-        }
-        rows
-    }
-
-    /// Lines about the operating points: sign, text, values.
-    fn mark_rows(&self, signs: &[Option<char>]) -> Vec<String> {
-        let marks = self.panel.marks.iter().zip(signs);
-        let rows = marks.filter_map(|(mark, sign)| {
-            let values = format!("({}, {})", ticks::number(mark.x), ticks::number(mark.y));
-            Some(format!("{} {} {values}", (*sign)?, mark.label.trim()))
-        });
-        rows.flat_map(|row| wrap(&row, self.width)).collect()
     }
 
     /// Draws the panel; also tells whose end texts found no place.
@@ -353,27 +287,6 @@ impl Sheet<'_> {
             }
         }
     }
-
-    fn foot(
-        &self,
-        buffer: &mut Buffer,
-        top: usize,
-        legend: &[Vec<(String, String, usize)>],
-        marks: &[String],
-    ) {
-        for (i, row) in legend.iter().enumerate() {
-            let mut x = 0;
-            for (sample, name, number) in row {
-                put(buffer, x, top + i, sample, self.look(*number));
-                x += columns_of(sample) + 1;
-                put(buffer, x, top + i, name, PLAIN);
-                x += columns_of(name) + 3;
-            }
-        }
-        for (i, line) in marks.iter().enumerate() {
-            put(buffer, 0, top + legend.len() + i, line, PLAIN);
-        }
-    }
 }
 
 /// The horizontal scale with as many ticks as their texts allow.
@@ -399,24 +312,4 @@ fn even(cells: usize, scale: &Scale, least: usize) -> usize {
     }
     let fitting = cells.saturating_sub(1) / parts * parts + 1;
     if fitting >= least && 5 * fitting >= 4 * cells { fitting } else { cells }
-}
-
-/// The sign of the markers of a colour number, as near to the drawn shape as characters are.
-fn marker(number: usize) -> char {
-    match palette::shape(number) {
-        palette::Shape::Circle => '○',
-        palette::Shape::Square => '□',
-        palette::Shape::Triangle => '△',
-        palette::Shape::Diamond => '◇',
-        palette::Shape::TriangleDown => '▽',
-        palette::Shape::Cross => '×',
-    }
-}
-
-/// The sign of an operating point: a number when there are several.
-fn mark_sign(place: usize, count: usize) -> char {
-    if count == 1 {
-        return '◎';
-    }
-    u32::try_from(place).ok().filter(|p| *p < 20).and_then(|p| char::from_u32(0x2460 + p)).unwrap_or('◎')
 }

@@ -163,3 +163,16 @@ fn an_operating_point_keeps_its_own_colour() {
     let before = line.split('①').next().unwrap();
     assert!(before.rfind("\u{1b}[0m").unwrap() > before.rfind("\u{1b}[38").unwrap(), "{line:?}");
 }
+
+#[test]
+fn many_marks_and_series_do_not_flood_the_terminal() {
+    let mut panel = Panel::new(Axis::new("x"), Axis::new("y"));
+    for i in 0..2000 {
+        panel = panel
+            .mark(Mark::new(f64::from(i), 1.0, format!("m{i}")))
+            .series(Series::new(format!("a rather long name {i}"), vec![(0.0, 0.0), (1.0, f64::from(i))]));
+    }
+    let text = Figure::new("t").panel(panel).to_text(80, 24, false);
+    assert!(text.lines().count() < 110);
+    assert!(text.contains("… and 1961 lines more"));
+}
