@@ -88,14 +88,19 @@ fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
             let middle = (spot.0 + across * distance + half, spot.1 - up * (distance + HEIGHT / 2.0 - 2.0));
             let at = (middle.0 - w / 2.0, middle.1);
             let rect = around(at, w);
+            let cost = cost_of(&rect, room, within, None) + 5.0 * ring as f64 + 0.4 * turn as f64;
+            if cost >= best.0 {
+                continue;
+            }
             let crossed = leader(spot, &rect).is_some_and(|(_, end)| room.crosses_box(spot, end));
-            let cost = cost_of(&rect, room, within, None)
-                + 5.0 * ring as f64
-                + 0.4 * turn as f64
-                + if crossed { 100.0 } else { 0.0 };
+            let cost = cost + if crossed { 100.0 } else { 0.0 };
             if cost < best.0 {
                 best = (cost, at);
             }
+        }
+        // farther away everything costs more than what is found
+        if best.0 <= 5.0 * (ring + 1) as f64 {
+            break;
         }
     }
     best.1

@@ -253,6 +253,20 @@ fn many_and_long_entries_stay_on_the_paper() {
     }
 }
 
+#[test]
+fn a_thousand_marks_and_lines_are_drawn_in_seconds() {
+    let start = std::time::Instant::now();
+    let line =
+        |i: u32| Series::line("", vec![(0.0, 0.0), (0.9, f64::from(i))]).end_label(format!("line {i}"));
+    let mut figure = one((0..200).map(line).collect());
+    for i in 0..1000 {
+        let (x, y) = (f64::from(i % 37) / 37.0, f64::from(i % 91) * 2.0);
+        figure.panels[0].marks.push(Mark::new(x, y, format!("mark {i}")));
+    }
+    parse(&figure.to_svg().unwrap());
+    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
     #[test]
