@@ -62,71 +62,53 @@ impl BatchPath {
     }
 }
 
-/// Numbers worked on together: two of the widest vectors.
-const LANES: usize = 16;
-type Lanes = [f64; LANES];
-
+/// a·b + c. Plain functions and loops, no closures: they have to end up inside of the functions that carry the target
+/// features, or the fused multiply-add becomes a call.
 #[inline(always)]
-fn mul_add<const FUSED: bool>(a: &Lanes, b: &Lanes, c: &Lanes) -> Lanes {
-    std::array::from_fn(|i| if FUSED { a[i].mul_add(b[i], c[i]) } else { a[i] * b[i] + c[i] })
+fn mul_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
+    if FUSED { a.mul_add(b, c) } else { a * b + c }
 }
 
 #[inline(always)]
-fn horner<const FUSED: bool>(x: &Lanes, [c2, c1, c0]: [f64; 3]) -> Lanes {
-    let inner = if c2 == 0.0 { [c1; LANES] } else { mul_add::<FUSED>(&[c2; LANES], x, &[c1; LANES]) };
-    mul_add::<FUSED>(&inner, x, &[c0; LANES])
+fn horner<const FUSED: bool>(x: f64, c: &[f64; 3]) -> f64 {
+    mul_add::<FUSED>(mul_add::<FUSED>(c[0], x, c[1]), x, c[2])
 }
 
 /// m P + q for one of a, b, c.
 #[inline(always)]
-fn line<const FUSED: bool>(x: &[[f64; 3]; 6], d: &Lanes, s: &Lanes, p: &Lanes) -> Lanes {
-    let [x1, x2, x3, x4, x5, x6] = [0, 1, 2, 3, 4, 5].map(|k| horner::<FUSED>(d, x[k]));
-    let m = mul_add::<FUSED>(&mul_add::<FUSED>(&x1, s, &x2), s, &x3);
-    let q = mul_add::<FUSED>(&mul_add::<FUSED>(&x4, s, &x5), s, &x6);
-    mul_add::<FUSED>(&m, p, &q)
-}
-
-#[inline(always)]
-fn eleven<const FUSED: bool>(k: &Coefficients, p: &Lanes, e: &Lanes, s: &Lanes, d: &Lanes) -> Lanes {
-    let a = line::<FUSED>(&k.a, d, s, p);
-    let b = line::<FUSED>(&k.b, d, s, p);
-    let c = line::<FUSED>(&k.c, d, s, p);
-    mul_add::<FUSED>(&mul_add::<FUSED>(&a, e, &b), e, &c)
-}
-
-#[inline(always)]
-fn of_section<const FUSED: bool>(k: &Section, p: &Lanes, e: &Lanes) -> Lanes {
-    let at = |(m, q): (f64, f64)| mul_add::<FUSED>(&[m; LANES], p, &[q; LANES]);
-    let (a, b, c) = (at(k.a), at(k.b), at(k.c));
-    mul_add::<FUSED>(&mul_add::<FUSED>(&a, e, &b), e, &c)
-}
-
-/// Runs `f` over all chunks of the inputs; the rest is padded with the first numbers of a chunk of zeros.
-#[inline(always)]
-fn over<const N: usize>(inputs: [&[f64]; N], out: &mut [f64], f: impl Fn(&[Lanes; N]) -> Lanes) {
-    let chunks = inputs.map(|x| x.as_chunks::<LANES>());
-    let (whole, rest) = out.as_chunks_mut::<LANES>();
-    for (i, to) in whole.iter_mut().enumerate() {
-        *to = f(&chunks.map(|(whole, _)| whole[i]));
-    }
-    if !rest.is_empty() {
-        let mut last = [[0.0; LANES]; N];
-        for (to, (_, from)) in last.iter_mut().zip(&chunks) {
-            to[..from.len()].copy_from_slice(from);
-        }
-        let n = rest.len();
-        rest.copy_from_slice(&f(&last)[..n]);
-    }
+fn line<const FUSED: bool>(x: &[[f64; 3]; 6], d: f64, s: f64, p: f64) -> f64 {
+    let (x1, x2, x3) = (horner::<FUSED>(d, &x[0]), horner::<FUSED>(d, &x[1]), horner::<FUSED>(d, &x[2]));
+    let (x4, x5, x6) = (horner::<FUSED>(d, &x[3]), horner::<FUSED>(d, &x[4]), horner::<FUSED>(d, &x[5]));
+    mul_add::<FUSED>(horner::<FUSED>(s, &[x1, x2, x3]), p, horner::<FUSED>(s, &[x4, x5, x6]))
 }
 
 #[inline(always)]
 fn all<const FUSED: bool>(k: &Coefficients, inputs: [&[f64]; 4], out: &mut [f64]) {
-    over(inputs, out, |[p, e, s, d]| eleven::<FUSED>(k, p, e, s, d));
+    let [p, e, s, d] = inputs;
+    let n = out.len();
+    let (p, e, s, d) = (&p[..n], &e[..n], &s[..n], &d[..n]);
+    // A copy, so that the coefficients cannot change under the loop.
+    let k = *k;
+    for i in 0..n {
+        let a = line::<FUSED>(&k.a, d[i], s[i], p[i]);
+        let b = line::<FUSED>(&k.b, d[i], s[i], p[i]);
+        let c = line::<FUSED>(&k.c, d[i], s[i], p[i]);
+        out[i] = horner::<FUSED>(e[i], &[a, b, c]);
+    }
 }
 
 #[inline(always)]
 fn one<const FUSED: bool>(k: &Section, inputs: [&[f64]; 2], out: &mut [f64]) {
-    over(inputs, out, |[p, e]| of_section::<FUSED>(k, p, e));
+    let [p, e] = inputs;
+    let n = out.len();
+    let (p, e) = (&p[..n], &e[..n]);
+    let k = *k;
+    for i in 0..n {
+        let a = mul_add::<FUSED>(k.a.0, p[i], k.a.1);
+        let b = mul_add::<FUSED>(k.b.0, p[i], k.b.1);
+        let c = mul_add::<FUSED>(k.c.0, p[i], k.c.1);
+        out[i] = horner::<FUSED>(e[i], &[a, b, c]);
+    }
 }
 
 #[cfg(target_arch = "x86_64")]
