@@ -233,16 +233,35 @@ pub enum ObjectiveWord {
 #[derive(Debug, Args)]
 pub struct DesignArgs {
     /// Pull wanted
-    #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true, help_heading = "Specification")]
+    #[arg(
+        short = 'F',
+        long,
+        value_name = "FORCE",
+        allow_hyphen_values = true,
+        help_heading = "Specification"
+    )]
     pub force: Option<String>,
     /// Contraction ratio at which it is wanted
-    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Specification")]
+    #[arg(
+        short = 'e',
+        long,
+        value_name = "RATIO",
+        allow_hyphen_values = true,
+        help_heading = "Specification"
+    )]
     pub contraction: Option<String>,
     /// Several operating points: 700N@15%,1200N@5%
     #[arg(long, value_name = "F@E,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction"], help_heading = "Specification")]
     pub at: Option<String>,
     /// Pressure of the supply
-    #[arg(short = 'p', long, value_name = "PRESSURE", allow_hyphen_values = true, alias = "pressure", help_heading = "Specification")]
+    #[arg(
+        short = 'p',
+        long,
+        value_name = "PRESSURE",
+        allow_hyphen_values = true,
+        alias = "pressure",
+        help_heading = "Specification"
+    )]
     pub max_pressure: Option<String>,
     /// Stroke in mm: with --contraction it sets the length, with --length the contraction
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Specification")]
@@ -263,16 +282,34 @@ pub struct DesignArgs {
     #[arg(long, value_name = "FILE", help_heading = "Search space")]
     pub muscle: Option<PathBuf>,
     /// Outer diameters at rest: a value, list, range or stepped range [30..50 with paper, else 5..80]
-    #[arg(short = 'D', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Search space")]
+    #[arg(
+        short = 'D',
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        help_heading = "Search space"
+    )]
     pub outer_diameter: Option<String>,
     /// Walls [1..5 with paper, else 0.5..10]
-    #[arg(short = 's', long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Search space")]
+    #[arg(
+        short = 's',
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        help_heading = "Search space"
+    )]
     pub wall: Option<String>,
     /// Braid angles [28deg]
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Search space")]
     pub angle: Option<String>,
     /// Sleeves as sold: length of strand per turn; the diameter then sets the angle
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true, conflicts_with = "angle", help_heading = "Search space")]
+    #[arg(
+        long,
+        value_name = "LIST",
+        allow_hyphen_values = true,
+        conflicts_with = "angle",
+        help_heading = "Search space"
+    )]
     pub strand_length_per_turn: Option<String>,
     /// Rubbers, by name [paper]
     #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Search space")]
@@ -281,7 +318,13 @@ pub struct DesignArgs {
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "Search space")]
     pub stiffness: Option<String>,
     /// Length between the terminals at rest [285mm]
-    #[arg(short = 'L', long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Search space")]
+    #[arg(
+        short = 'L',
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        help_heading = "Search space"
+    )]
     pub length: Option<String>,
     /// Spread of the winner's pull for ± tolerances: wall=0.1mm,diameter=0.2mm,pressure=0.1bar
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
@@ -315,7 +358,9 @@ pub struct DesignArgs {
 #[derive(Debug, Subcommand)]
 pub enum MuscleCommand {
     /// Show a muscle: what was understood, derived quantities, build sheet
-    #[command(after_help = "Examples:\n  mckibben muscle show examples/prototype.toml\n  mckibben muscle show -D 40 -s 2 --rubber dragon-skin-30")]
+    #[command(
+        after_help = "Examples:\n  mckibben muscle show examples/prototype.toml\n  mckibben muscle show -D 40 -s 2 --rubber dragon-skin-30"
+    )]
     Show(Box<MuscleShowArgs>),
 }
 

@@ -127,19 +127,27 @@ impl From<AnalysisError> for Failure {
     fn from(error: AnalysisError) -> Self {
         let message = error.to_string();
         let mut nearest = Map::new();
+        let mut hint = String::new();
         match error {
             AnalysisError::Model(error) => return error.into(),
             AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. } => {
                 nearest.insert("force_n".into(), json!(nearest_force_n));
                 nearest.insert("pressure_mpa".into(), json!(nearest_pressure_mpa));
             }
-            AnalysisError::NoContraction { nearest_force_n, nearest_contraction, .. } => {
+            AnalysisError::NoContraction {
+                ref model, force_n, nearest_force_n, nearest_contraction, ..
+            } => {
+                if nearest_force_n > force_n {
+                    hint = format!(
+                        "it still pulls where the range of {model} ends; thick-wall has no such limit"
+                    );
+                }
                 nearest.insert("force_n".into(), json!(nearest_force_n));
                 nearest.insert("contraction".into(), json!(nearest_contraction));
             }
             AnalysisError::Unknown { .. } => {}
         }
-        let mut failure = Self::new(NO_ANSWER, "no_answer", message, "");
+        let mut failure = Self::new(NO_ANSWER, "no_answer", message, hint);
         if !nearest.is_empty() {
             failure.details.insert("nearest".into(), Value::Object(nearest));
         }

@@ -16,9 +16,8 @@ pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
 
 /// A quantity that must be there.
 pub fn required(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<f64, Failure> {
-    let missing = || {
-        Failure::input("usage", format!("{flag} is missing; expected {}", dimension.expectation()), "")
-    };
+    let missing =
+        || Failure::input("usage", format!("{flag} is missing; expected {}", dimension.expectation()), "");
     quantity(flag, text, dimension)?.ok_or_else(missing)
 }
 
@@ -98,7 +97,13 @@ pub fn with_flags(base: &Muscle, flags: &MuscleFlags) -> Result<Muscle, Failure>
             braid.measured = Some(MeasuredStrand { strand_length_mm, turns });
         }
         (None, None) => {}
-        _ => return Err(Failure::input("usage", "--strand-length and --turns belong together: give both", "")),
+        _ => {
+            return Err(Failure::input(
+                "usage",
+                "--strand-length and --turns belong together: give both",
+                "",
+            ));
+        }
     }
     Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?)
 }
@@ -119,7 +124,8 @@ pub fn kind(name: Option<&str>, muscle: &Muscle, pressure_mpa: (f64, f64)) -> Re
 
 /// A model's name.
 pub fn parse_kind(name: &str) -> Result<ModelKind, Failure> {
-    name.parse::<ModelKind>().map_err(|e| Failure::input("model", e.to_string(), "`mckibben models` describes them"))
+    name.parse::<ModelKind>()
+        .map_err(|e| Failure::input("model", e.to_string(), "`mckibben models` describes them"))
 }
 
 /// The model of a muscle with the hysteresis branch that was asked for.
@@ -150,7 +156,11 @@ pub fn motion(flags: &AskFlags, muscle: &Muscle) -> Result<Motion, Failure> {
     };
     if muscle.friction().is_none() {
         let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
-        return Err(Failure::input("missing_input", "--motion needs the braid's friction, which this muscle does not state", hint));
+        return Err(Failure::input(
+            "missing_input",
+            "--motion needs the braid's friction, which this muscle does not state",
+            hint,
+        ));
     }
     Ok(motion)
 }

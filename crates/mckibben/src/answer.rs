@@ -1,6 +1,6 @@
 //! An answer as a user gets it: range, slack, dead pressure, ± and warnings around a model's bare response.
 
-use crate::analysis::{AnalysisError, contraction_at, pressure_at, start_pressure_mpa};
+use crate::analysis::{AnalysisError, contraction_at, free_contraction, pressure_at, start_pressure_mpa};
 use crate::model::{BlockedAt, ForceModel, ModelError, Response};
 
 /// How questions are answered.
@@ -21,6 +21,10 @@ pub struct Answer {
     pub response: Response,
     /// The muscle would have to push and lies slack instead.
     pub slack: bool,
+    /// The model's own force in N, negative where the muscle would have to push.
+    pub two_sided_force_n: f64,
+    /// Where the muscle is slack: its free contraction at this pressure.
+    pub free_contraction: Option<f64>,
     /// P′ at this contraction in MPa, where there is one.
     pub start_pressure_mpa: Option<f64>,
     /// 95 % half-width of the force in N, where the model's error is known.
@@ -58,6 +62,9 @@ pub fn force<M: ForceModel + ?Sized>(
 ) -> Result<Answer, ModelError> {
     let mut answer = point(model, pressure_mpa, contraction, options)?;
     answer.start_pressure_mpa = start_pressure_mpa(model, contraction, options.extrapolate).ok();
+    if answer.slack {
+        answer.free_contraction = free_contraction(model, pressure_mpa, options.extrapolate).ok();
+    }
     Ok(answer)
 }
 
@@ -78,9 +85,11 @@ pub fn point<M: ForceModel + ?Sized>(
     if numbers.iter().flatten().any(|v| !v.is_finite()) {
         return Err(ModelError::NotFinite { model: model.name().into(), pressure_mpa, contraction });
     }
-    let slack = response.force_n < 0.0 && !options.two_sided;
+    let two_sided_force_n = response.force_n;
+    let slack = two_sided_force_n < 0.0 && !options.two_sided;
     if slack {
-        response.force_n = 0.0;
+        // A slack muscle hangs at its free contraction: what the model knows of the pushing one does not apply.
+        response = Response { pressure_mpa, contraction, ..Response::default() };
     }
     warnings.extend(stretch_warning(model, &response));
     Ok(Answer {
@@ -88,6 +97,8 @@ pub fn point<M: ForceModel + ?Sized>(
         uncertainty_n: uncertainty_n(model, pressure_mpa),
         response,
         slack,
+        two_sided_force_n,
+        free_contraction: None,
         start_pressure_mpa: None,
         warnings,
     })

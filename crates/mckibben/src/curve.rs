@@ -86,20 +86,55 @@ fn point<M: ForceModel + ?Sized>(model: &M, test: Test, fixed: f64, x: f64, opti
 }
 
 impl Curve {
-    /// (P, F), (P, ε) or (ε, F) of the answered points, to be drawn; NaN where there is no answer, so that a line
-    /// breaks there.
+    /// (P, F), (P, ε) or (ε, F) of the answered points, to be drawn.
+    ///
+    /// A line breaks (NaN) where there is no answer. Where the muscle becomes slack the line ends on zero, at the place
+    /// that a straight line between the two neighbours gives.
     pub fn line(&self, test: Test) -> Vec<(f64, f64)> {
-        self.points
-            .iter()
-            .map(|p| {
-                let answered = p.answer.as_ref().ok();
-                let value = |of: fn(&Answer) -> f64| answered.map_or(f64::NAN, of);
-                match test {
-                    Test::Isometric => (p.pressure_mpa, value(|a| a.response.force_n)),
-                    Test::Isobaric => (p.contraction.unwrap_or(f64::NAN), value(|a| a.response.force_n)),
-                    Test::Isotonic => (p.pressure_mpa, value(|a| a.response.contraction)),
-                }
-            })
-            .collect()
+        let mut out: Vec<(f64, f64)> = Vec::with_capacity(self.points.len() + 2);
+        let mut before: Option<(f64, f64)> = None;
+        for p in &self.points {
+            let x = if test == Test::Isobaric { p.contraction.unwrap_or(f64::NAN) } else { p.pressure_mpa };
+            let Ok(a) = &p.answer else {
+                out.push((x, f64::NAN));
+                before = None;
+                continue;
+            };
+            if test == Test::Isotonic {
+                out.push((x, a.response.contraction));
+                continue;
+            }
+            let y = if a.slack { a.two_sided_force_n } else { a.response.force_n };
+            if let Some((x0, y0)) = before
+                && (a.slack || y0 < 0.0)
+                && (y0 < 0.0) != (y < 0.0)
+            {
+                out.push((x0 + (x - x0) * y0 / (y0 - y), 0.0));
+            }
+            out.push((x, if a.slack { f64::NAN } else { y }));
+            before = Some((x, y));
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{ForceModel, ThickWall};
+    use crate::muscle::Muscle;
+
+    /// The drawn line of a slack muscle starts on zero between the two pressures around P′.
+    #[test]
+    fn a_line_starts_on_zero_at_the_dead_pressure() {
+        let model = ThickWall::new(&Muscle::prototype());
+        let pressures: Vec<f64> = (0..=250).map(|i| f64::from(i) / 1000.0).collect();
+        let family = curves(&model, Test::Isometric, &[0.15], &pressures, Options::default());
+        let line = family[0].line(Test::Isometric);
+        let start = line.iter().find(|p| p.1 == 0.0).unwrap().0;
+        let dead = crate::analysis::start_pressure_mpa(&model, 0.15, false).unwrap();
+        assert!((start - dead).abs() < 1e-5, "{start} {dead}");
+        assert!(model.force_n(start, 0.15).unwrap().abs() < 0.05);
+        assert!(line.iter().all(|p| p.1.is_nan() || p.1 >= 0.0));
     }
 }

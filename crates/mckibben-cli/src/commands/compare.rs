@@ -55,7 +55,9 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
         Format::Json => {
             let reference = if measured.is_some() { "measured" } else { rows[0].model.name() };
             let points = measured.as_ref().map_or(pressures.len() * contractions.len(), Vec::len);
-            json::print(&json!({ "reference": reference, "points": points, "muscle": json::muscle(&muscle), "models": list }))
+            json::print(
+                &json!({ "reference": reference, "points": points, "muscle": json::muscle(&muscle), "models": list }),
+            )
         }
         Format::Csv => csv::rows(&list)?,
         Format::Text => as_text(args, &rows, &muscle, measured.as_deref()),
@@ -89,7 +91,11 @@ fn read(path: &Path) -> Result<Vec<MeasuredPoint>, Failure> {
     read_measured(file).map_err(|e| Failure::measured(path, &e))
 }
 
-fn chosen_branch(points: Vec<MeasuredPoint>, word: BranchWord, path: &Path) -> Result<Vec<MeasuredPoint>, Failure> {
+fn chosen_branch(
+    points: Vec<MeasuredPoint>,
+    word: BranchWord,
+    path: &Path,
+) -> Result<Vec<MeasuredPoint>, Failure> {
     let wanted = match word {
         BranchWord::Mean => return Ok(mean_of_branches(&points)),
         BranchWord::Contraction => Branch::Contraction,
@@ -98,7 +104,11 @@ fn chosen_branch(points: Vec<MeasuredPoint>, word: BranchWord, path: &Path) -> R
     let list: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == Some(wanted)).collect();
     if list.is_empty() {
         let message = format!("{} has no points of that branch", path.display());
-        return Err(Failure::input("data", message, "its column `branch` must say contraction or elongation"));
+        return Err(Failure::input(
+            "data",
+            message,
+            "its column `branch` must say contraction or elongation",
+        ));
     }
     Ok(list)
 }
@@ -115,8 +125,20 @@ fn grid(args: &CompareArgs, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f
             Ok((pressures, (0..=100).map(|i| low + (high - low) * f64::from(i) / 100.0).collect()))
         }
         None => Ok((
-            resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?,
-            resolve::points("--contraction", args.contraction.as_deref(), Dimension::Ratio, "0..0.2:0.01", 20)?,
+            resolve::points(
+                "--pressure",
+                args.pressure.as_deref(),
+                Dimension::Pressure,
+                "0.05..0.25:0.05",
+                5,
+            )?,
+            resolve::points(
+                "--contraction",
+                args.contraction.as_deref(),
+                Dimension::Ratio,
+                "0..0.2:0.01",
+                20,
+            )?,
         )),
     }
 }
@@ -164,7 +186,11 @@ fn parameters(words: &[String]) -> Result<Vec<FitParameter>, Failure> {
         .iter()
         .map(|word| {
             FitParameter::NAMES.iter().find(|n| n.0 == word.trim()).map(|n| n.1).ok_or_else(|| {
-                Failure::input("usage", format!("--fit: \"{word}\" cannot be fitted"), format!("one of {}", known.join(", ")))
+                Failure::input(
+                    "usage",
+                    format!("--fit: \"{word}\" cannot be fitted"),
+                    format!("one of {}", known.join(", ")),
+                )
             })
         })
         .collect()
@@ -223,7 +249,8 @@ fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&
     match (measured, &args.data) {
         (Some(points), Some(path)) => {
             let largest = points.iter().map(|m| m.force_n).fold(0.0, f64::max);
-            let which = if args.branch == BranchWord::Mean { " (mean of the branches where both stand)" } else { "" };
+            let which =
+                if args.branch == BranchWord::Mean { " (mean of the branches where both stand)" } else { "" };
             out.push_str(&format!(
                 "against {} points of {}{which}, largest {} N\n\n",
                 points.len(),
@@ -236,7 +263,13 @@ fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&
     let header = ["model", "rms [N]", "largest [N]", "mean [N]", "points"];
     let table_rows = rows.iter().map(|row| {
         let c = &row.comparison;
-        vec![c.model.clone(), number(c.rms_n, 3), number(c.max_n, 3), number(c.mean_n, 3), c.points.to_string()]
+        vec![
+            c.model.clone(),
+            number(c.rms_n, 3),
+            number(c.max_n, 3),
+            number(c.mean_n, 3),
+            c.points.to_string(),
+        ]
     });
     out.push_str(&table(&header, table_rows.collect()));
     out.push_str("\nmean: above zero where the model promises too much\n");
@@ -257,7 +290,11 @@ fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&
         }
         if let Some((n, cause)) = &row.comparison.unanswered {
             let share = *n as f64 / (n + row.comparison.points) as f64;
-            out.push_str(&format!("{}: {n} points ({}) not answered: {cause}\n", row.comparison.model, percent(share)));
+            out.push_str(&format!(
+                "{}: {n} points ({}) not answered: {cause}\n",
+                row.comparison.model,
+                percent(share)
+            ));
         }
     }
     out

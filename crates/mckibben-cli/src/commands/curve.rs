@@ -1,7 +1,7 @@
 //! `curve isometric|isotonic|isobaric`.
 
 use crate::cli::{CurveArgs, TestWord};
-use crate::failure::{NO_ANSWER, NOT_CONVERGED, Failure, WRONG_INPUT};
+use crate::failure::{Failure, NO_ANSWER, NOT_CONVERGED, WRONG_INPUT};
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
 use crate::output::text::{Pressures, muscle_line, number, percent, table};
@@ -93,7 +93,10 @@ fn warn(list: &[Curve]) {
         }
     }
     if seen.len() > 5 {
-        eprintln!("warning: and {} more like these (--format json shows them with their points)", seen.len() - 5);
+        eprintln!(
+            "warning: and {} more like these (--format json shows them with their points)",
+            seen.len() - 5
+        );
     }
     let failed = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().err());
     let failed: Vec<_> = failed.collect();

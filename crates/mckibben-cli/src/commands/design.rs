@@ -9,7 +9,8 @@ use crate::output::{csv, emit, json, save};
 use crate::resolve;
 use mckibben::answer::Options;
 use mckibben::design::{
-    BraidChoice, Candidate, Limits, Objective, OperatingPoint, Outcome, Spec, Spread, Tolerances, design, spread,
+    BraidChoice, Candidate, Limits, Objective, OperatingPoint, Outcome, Spec, Spread, Tolerances, design,
+    spread,
 };
 use mckibben::model::{ForceModel, ModelKind};
 use mckibben::muscle::{Motion, Muscle, Tube, file};
@@ -52,7 +53,9 @@ pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
     }
     let text = match args.format {
         Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads, p)),
-        Format::Csv => csv::rows(&outcome.candidates.iter().map(present::candidate_json).collect::<Vec<_>>())?,
+        Format::Csv => {
+            csv::rows(&outcome.candidates.iter().map(present::candidate_json).collect::<Vec<_>>())?
+        }
         Format::Text => {
             let mut text = present::as_text(&spec, kind, &outcome, &spreads, p);
             if !drawn.is_empty() && !args.no_chart {
@@ -91,7 +94,8 @@ fn picture(spec: &Spec, drawn: &Drawn<'_>, p: Pressures) -> mckibben_report::Fig
 
 fn specification(args: &DesignArgs) -> Result<(Spec, ModelKind), Failure> {
     let points = points(args)?;
-    let max_pressure_mpa = resolve::required("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?;
+    let max_pressure_mpa =
+        resolve::required("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?;
     let base = base(args)?;
     let (base, points) = stroke(args, base, points)?;
     let range = |flag, text: &Option<String>, dimension| resolve::values(flag, text.as_deref(), dimension);
@@ -108,7 +112,8 @@ fn specification(args: &DesignArgs) -> Result<(Spec, ModelKind), Failure> {
         (None, Some(angle)) => BraidChoice::Angle(angle),
         (None, None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
     };
-    let rubbers = args.rubber.iter().map(|name| resolve::rubber(name.trim())).collect::<Result<Vec<_>, _>>()?;
+    let rubbers =
+        args.rubber.iter().map(|name| resolve::rubber(name.trim())).collect::<Result<Vec<_>, _>>()?;
     let mut spec = Spec {
         points,
         max_pressure_mpa,
@@ -175,11 +180,16 @@ fn points(args: &DesignArgs) -> Result<Vec<OperatingPoint>, Failure> {
 
 fn at(text: &str) -> Result<OperatingPoint, Failure> {
     let Some((force, contraction)) = text.split_once('@') else {
-        let message = format!("--at: \"{text}\" is no operating point; expected a pull at a contraction such as 700N@15%");
+        let message = format!(
+            "--at: \"{text}\" is no operating point; expected a pull at a contraction such as 700N@15%"
+        );
         return Err(Failure::input("quantity", message, ""));
     };
     let read = |text, dimension| parse_quantity(text, dimension).map_err(|e| Failure::flag("--at", &e));
-    Ok(OperatingPoint { force_n: read(force, Dimension::Force)?, contraction: read(contraction, Dimension::Ratio)? })
+    Ok(OperatingPoint {
+        force_n: read(force, Dimension::Force)?,
+        contraction: read(contraction, Dimension::Ratio)?,
+    })
 }
 
 /// The muscle around the search: file, flags and defaults. Diameter and wall are searched, so a file's are not checked
@@ -204,7 +214,11 @@ fn stroke(
         return Ok((base, points));
     };
     if stroke <= 0.0 {
-        return Err(Failure::input("specification", format!("--stroke is {stroke} mm; it must be above zero"), ""));
+        return Err(Failure::input(
+            "specification",
+            format!("--stroke is {stroke} mm; it must be above zero"),
+            "",
+        ));
     }
     let open = points.iter().any(|q| q.contraction.is_nan());
     if open {
@@ -217,7 +231,9 @@ fn stroke(
     if args.length.is_some() {
         let have = largest * base.length_mm();
         if have + 1e-9 < stroke {
-            let message = format!("--stroke {stroke} mm is more than the {have:.2} mm that the largest contraction makes of --length");
+            let message = format!(
+                "--stroke {stroke} mm is more than the {have:.2} mm that the largest contraction makes of --length"
+            );
             return Err(Failure::input("specification", message, "leave out --length or --contraction"));
         }
         return Ok((base, points));
@@ -244,7 +260,9 @@ fn tolerances(text: &str) -> Result<Tolerances, Failure> {
     let mut out = Tolerances::default();
     for part in text.split(',') {
         let wrong = || {
-            let message = format!("--tolerance: \"{part}\" is no tolerance; expected wall=0.1mm, diameter=0.2mm or pressure=0.1bar");
+            let message = format!(
+                "--tolerance: \"{part}\" is no tolerance; expected wall=0.1mm, diameter=0.2mm or pressure=0.1bar"
+            );
             Failure::input("quantity", message, "")
         };
         let (name, value) = part.split_once('=').ok_or_else(wrong)?;

@@ -58,7 +58,7 @@ fn as_json(m: &Muscle) -> Value {
             "strands": sheet.strands,
             "rubber_volume_mm3": sheet.rubber_volume_mm3,
         },
-        "warnings": library::warnings(&m.tube().rubber),
+        "warnings": library::warnings(&m.tube().rubber).iter().map(ToString::to_string).collect::<Vec<_>>(),
     });
     if let (Some(out), Value::Object(more)) = (out.as_object_mut(), more) {
         out.extend(more);

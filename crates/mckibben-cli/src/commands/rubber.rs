@@ -47,7 +47,12 @@ fn list_text(entries: &[RubberEntry]) -> Result<String, Failure> {
     for entry in entries {
         let mu = resolve::rubber(&entry.name)?.law.shear_modulus_mpa();
         let breaks = or_dash(entry.max_strain, |s| format!("{} %", (100.0 * s).round()));
-        out.push_str(&format!("  {:<width$}   {:>7}   {breaks:>9}   {}\n", entry.name, number(mu, 3), entry.title));
+        out.push_str(&format!(
+            "  {:<width$}   {:>7}   {breaks:>9}   {}\n",
+            entry.name,
+            number(mu, 3),
+            entry.title
+        ));
     }
     out.push_str("\nμ: shear modulus of the fit that is taken when no law is named. `mckibben rubber show NAME` tells more.\n");
     Ok(out)

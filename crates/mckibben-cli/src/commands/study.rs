@@ -20,7 +20,8 @@ pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
     let study = thickness(&base, options, |m| resolve::build(kind, m, motion))?;
     let p = Pressures(args.output.units.unwrap_or(PressureUnit::Mpa));
     if let Some(path) = &args.plot.plot {
-        let about = format!("D0 30 mm, L0 285 mm, θ0 {}°, rubber {}", base.braid().angle_deg, rubber_name(&base));
+        let about =
+            format!("D0 30 mm, L0 285 mm, θ0 {}°, rubber {}", base.braid().angle_deg, rubber_name(&base));
         figure::study(&study, &about, p).save(path)?;
     }
     let text = match args.output.format {
@@ -66,7 +67,8 @@ fn as_text(study: &Study, p: Pressures) -> String {
         let panels: Vec<&StudyPanel> = study.panels.iter().filter(|q| q.test == test).collect();
         let unit = if test == Test::Isometric { "ΔL [mm]" } else { "F [N]" };
         out.push_str(&format!("\n{title} at {}, {} tests\n", p.show(0.25), test.name()));
-        let labels = panels.first().map_or_else(Vec::new, |q| q.curves.iter().map(|c| c.label.as_str()).collect());
+        let labels =
+            panels.first().map_or_else(Vec::new, |q| q.curves.iter().map(|c| c.label.as_str()).collect());
         let header: Vec<&str> = std::iter::once(unit).chain(labels).collect();
         let rows = panels.iter().map(|panel| {
             let last = panel.curves.iter().map(|c| match c.curve.points.last().map(|q| &q.answer) {

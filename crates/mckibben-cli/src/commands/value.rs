@@ -73,7 +73,14 @@ fn text(model: &dyn ForceModel, a: &Answer, p: Pressures) -> String {
         ("muscle", muscle_line(model.muscle())),
         ("model", format!("{} ({})", a.model, model.source())),
         ("pressure", p.show(r.pressure_mpa)),
-        ("contraction", format!("{}  ({} mm)", percent(r.contraction), number(r.contraction * model.muscle().length_mm(), 4))),
+        (
+            "contraction",
+            format!(
+                "{}  ({} mm)",
+                percent(r.contraction),
+                number(r.contraction * model.muscle().length_mm(), 4)
+            ),
+        ),
         ("pull", pull),
     ];
     let mut add = |name, value: Option<f64>, unit: &str, digits| {
@@ -82,16 +89,21 @@ fn text(model: &dyn ForceModel, a: &Answer, p: Pressures) -> String {
         }
     };
     add("stiffness", r.stiffness_n_per_mm, "N/mm", 4);
-    add("pull per pressure", r.force_per_pressure_mm2.map(|v| v / p.value(1.0)), &format!("N/{}", p.unit()), 4);
+    add(
+        "pull per pressure",
+        r.force_per_pressure_mm2.map(|v| v / p.value(1.0)),
+        &format!("N/{}", p.unit()),
+        4,
+    );
     add("starts to pull at", a.start_pressure_mpa.map(|v| p.value(v)), p.unit(), 4);
+    add("free contraction", a.free_contraction.map(|v| 100.0 * v), "%", 4);
     add("bulged diameter", r.bulged_diameter_mm, "mm", 4);
     add("volume", r.volume_mm3.map(|v| v * 1e-3), "cm³", 4);
     add("tension of one strand", r.strand_tension_n, "N", 4);
     add("tension of all strands", r.braid_tension_n, "N", 4);
     add("largest stretch of the rubber", r.max_stretch, "", 3);
-    if let Some(u) = a.uncertainty_n {
-        let share = model.accuracy();
-        list.push(("the ± is", format!("95 %, {} N: {}", number(u, 2), share.basis)));
+    if a.uncertainty_n.is_some() {
+        list.push(("the ± is", format!("a 95 % half-width; {}", model.accuracy().basis)));
     }
     pairs(&list)
 }

@@ -19,9 +19,12 @@ pub fn compare(
     about: &str,
     p: Pressures,
 ) -> Figure {
-    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
+    let mut panel =
+        Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
     for (number, model) in models.iter().enumerate() {
-        for (i, curve) in curves(model.as_ref(), Test::Isobaric, pressures, contractions, options).iter().enumerate() {
+        for (i, curve) in
+            curves(model.as_ref(), Test::Isobaric, pressures, contractions, options).iter().enumerate()
+        {
             let label = if i == 0 { model.name() } else { "" };
             let style = [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][number % 4];
             let mut series = Series::new(label, line(curve, Test::Isobaric, p)).colour(number).style(style);

@@ -18,18 +18,10 @@ pub(super) fn axes(test: Test, p: Pressures) -> (Axis, Axis) {
     }
 }
 
-/// The points of a curve in the figure's units; slack parts are left out but for the point where the line meets zero.
+/// The points of a curve in the figure's units.
 pub(super) fn line(curve: &Curve, test: Test, p: Pressures) -> Vec<(f64, f64)> {
     let points = curve.line(test).into_iter();
-    let points = points.map(|(x, y)| if test == Test::Isobaric { (x, y) } else { (p.value(x), y) });
-    let list: Vec<(f64, f64)> = points.collect();
-    if test == Test::Isotonic {
-        return list;
-    }
-    // A run of zeros is a slack muscle: keep its ends next to pulling points only.
-    let zero = |i: usize| list.get(i).is_none_or(|q| q.1 == 0.0);
-    let keep = |i: usize| !(zero(i) && zero(i + 1) && (i == 0 || zero(i - 1)));
-    (0..list.len()).map(|i| if keep(i) { list[i] } else { (list[i].0, f64::NAN) }).collect()
+    points.map(|(x, y)| if test == Test::Isobaric { (x, y) } else { (p.value(x), y) }).collect()
 }
 
 /// What is fixed along a curve, as its label.
@@ -47,8 +39,12 @@ pub fn curves(model: &dyn ForceModel, test: Test, list: &[Curve], p: Pressures) 
     let mut panel = Panel::new(x, y);
     for curve in list {
         let text = label(test, curve.fixed, p);
-        let series = Series::line(text.clone(), line(curve, test, p));
-        panel = panel.series(if list.len() <= 12 { series.end_label(text) } else { series });
+        let points = line(curve, test, p);
+        panel = panel.series(if list.len() <= 12 {
+            Series::line("", points).end_label(text)
+        } else {
+            Series::line(text, points)
+        });
     }
     let title = match test {
         Test::Isometric => "Isometric curves",

@@ -17,7 +17,8 @@ pub fn design(
     options: Options,
     p: Pressures,
 ) -> Figure {
-    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
+    let mut panel =
+        Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
     let asked = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
@@ -41,5 +42,7 @@ pub fn design(
         panel = panel.mark(Mark::new(w.contraction, w.force_n, label));
     }
     let model = models.first().map_or("", |m| m.1.name());
-    Figure::new("Candidates: pull over contraction").caption(caption(format!("Model {model}; lengths in mm"))).panel(panel)
+    Figure::new("Candidates: pull over contraction")
+        .caption(caption(format!("Model {model}; lengths in mm")))
+        .panel(panel)
 }

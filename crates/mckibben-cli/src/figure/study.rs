@@ -25,7 +25,8 @@ pub fn study(study: &Study, about: &str, p: Pressures) -> Figure {
             };
             // (1) and (4) are one formula: one legend entry for both.
             let label = curve.label.replace("(1)", "ideal").replace("(4)", "ideal");
-            drawn = drawn.series(Series::new(label, line(&curve.curve, panel.test, p)).colour(number).style(style));
+            drawn = drawn
+                .series(Series::new(label, line(&curve.curve, panel.test, p)).colour(number).style(style));
         }
         figure = figure.panel(drawn);
     }

@@ -44,6 +44,7 @@ fn answer_fields(a: &Answer) -> Map<String, Value> {
     put(&mut map, "force_n", Some(a.response.force_n));
     map.insert("slack".into(), json!(a.slack));
     put(&mut map, "start_pressure_mpa", a.start_pressure_mpa);
+    put(&mut map, "free_contraction", a.free_contraction);
     put_response(&mut map, &a.response);
     put(&mut map, "uncertainty_n", a.uncertainty_n);
     map

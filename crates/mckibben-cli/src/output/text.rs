@@ -53,6 +53,12 @@ pub fn percent(ratio: f64) -> String {
 
 /// A table without borders: a header, aligned columns (numbers to the right).
 pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
+    let numeric = |i: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(i));
+        let number = |c: &String| c.starts_with(|ch: char| ch.is_ascii_digit() || "–-+. ".contains(ch));
+        cells.clone().all(|c| c.is_empty() || number(c) || c == "slack" || c == "unknown" || c == "→")
+    };
+    let numeric: Vec<bool> = (0..header.len()).map(numeric).collect();
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(header.iter().copied());
     for row in rows {
@@ -60,7 +66,7 @@ pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
     }
     let last = header.len().saturating_sub(1);
     for (i, column) in table.column_iter_mut().enumerate() {
-        column.set_cell_alignment(CellAlignment::Right);
+        column.set_cell_alignment(if numeric[i] { CellAlignment::Right } else { CellAlignment::Left });
         column.set_padding((0, if i == last { 0 } else { 2 }));
     }
     let text: Vec<String> = table.lines().map(|l| l.trim_end().to_owned()).collect();

@@ -2,7 +2,7 @@
 
 use super::candidate::screen;
 use super::reason::Reason;
-use super::spec::{Build, OperatingPoint, Spec};
+use super::spec::{Build, Limits, OperatingPoint, Spec};
 use crate::analysis::{contraction_at, pressure_at};
 use crate::model::ThickWall;
 use crate::muscle::Muscle;
@@ -17,20 +17,10 @@ pub enum Relaxation {
         /// The model had to be asked outside of its range.
         extrapolated: bool,
     },
-    /// Accept this pull at the point.
-    Force {
-        /// The point that was wanted.
-        point: OperatingPoint,
-        /// Pull in N that the closest muscle has there.
-        available_n: f64,
-    },
-    /// Accept this contraction at the pull.
-    Contraction {
-        /// The point that was wanted.
-        point: OperatingPoint,
-        /// The contraction that the closest muscle reaches with that pull.
-        contraction: f64,
-    },
+    /// Accept these pulls at the points that fall short.
+    Force(Vec<OperatingPoint>),
+    /// Accept these contractions at the points that fall short.
+    Contraction(Vec<OperatingPoint>),
     /// Take a tube of this diameter (with the same wall).
     OuterDiameter {
         /// Outer diameter in mm.
@@ -55,46 +45,88 @@ pub enum Relaxation {
     },
 }
 
-/// What would make `muscle` fit, one limit at a time.
+/// What would make `muscle` fit, one limit at a time. Each is tried: only what really makes it fit is returned.
 pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Vec<Relaxation> {
-    let mut out = vec![];
-    let Ok(model) = build(muscle) else { return out };
+    let Ok(model) = build(muscle) else { return vec![] };
     let model = model.as_ref();
-    let short: Vec<(OperatingPoint, f64)> = spec
-        .points
-        .iter()
-        .filter_map(|&p| Some((p, model.force_n(spec.max_pressure_mpa, p.contraction).ok()?)))
-        .filter(|(p, f)| *f < p.force_n)
-        .collect();
-    if !short.is_empty() {
-        let needed: Option<Vec<f64>> =
-            short.iter().map(|(p, _)| pressure_at(model, p.force_n, p.contraction, true).ok()).collect();
-        if let Some(needed) = needed {
-            let pressure_mpa = needed.into_iter().fold(0.0, f64::max);
-            let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
-            out.push(Relaxation::Pressure { pressure_mpa, extrapolated });
-        }
-        for &(point, available_n) in &short {
-            if available_n > 0.0 {
-                out.push(Relaxation::Force { point, available_n });
-            }
-            if let Ok(contraction) =
-                contraction_at(model, point.force_n, spec.max_pressure_mpa, spec.extrapolate)
-            {
-                out.push(Relaxation::Contraction { point, contraction });
-            }
-        }
+    let pull = |p: &OperatingPoint| model.force_n(spec.max_pressure_mpa, p.contraction).unwrap_or(f64::NAN);
+    let short: Vec<bool> = spec.points.iter().map(|p| pull(p) < p.force_n).collect();
+    let mut out = vec![];
+    if short.contains(&true) {
+        out.extend(pressure(spec, build, muscle));
+        out.extend(
+            points(spec, build, muscle, &short, |p| {
+                (pull(p) > 0.0).then(|| OperatingPoint { force_n: pull(p), ..*p })
+            })
+            .map(Relaxation::Force),
+        );
+        out.extend(
+            points(spec, build, muscle, &short, |p| {
+                let contraction =
+                    contraction_at(model, p.force_n, spec.max_pressure_mpa, spec.extrapolate).ok()?;
+                Some(OperatingPoint { contraction, ..*p })
+            })
+            .map(Relaxation::Contraction),
+        );
         out.extend(wider(spec, build, muscle));
     }
-    if let Err(reason) = screen(spec, build, muscle) {
-        match reason {
-            Reason::Bulge { diameter_mm, .. } => out.push(Relaxation::BulgedDiameter { diameter_mm }),
-            Reason::Stretch { stretch, .. } => out.push(Relaxation::Stretch { stretch }),
-            Reason::Burst { margin, .. } => out.push(Relaxation::BurstMargin { margin }),
-            _ => {}
+    match screen(spec, build, muscle) {
+        Err(Reason::Bulge { diameter_mm, .. }) => {
+            out.extend(
+                limit(spec, build, muscle, |l| l.bulged_diameter_mm = Some(diameter_mm))
+                    .then_some(Relaxation::BulgedDiameter { diameter_mm }),
+            );
         }
+        Err(Reason::Stretch { stretch, .. }) => {
+            out.extend(
+                limit(spec, build, muscle, |l| l.stretch = Some(stretch))
+                    .then_some(Relaxation::Stretch { stretch }),
+            );
+        }
+        Err(Reason::Burst { margin, .. }) => {
+            out.extend(
+                limit(spec, build, muscle, |l| l.burst_margin = Some(margin))
+                    .then_some(Relaxation::BurstMargin { margin }),
+            );
+        }
+        _ => {}
     }
     out
+}
+
+/// The pressure that all points need.
+fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
+    let model = build(muscle).ok()?;
+    let needs = spec.points.iter().map(|p| pressure_at(model.as_ref(), p.force_n, p.contraction, true));
+    let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
+    let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
+    let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };
+    screen(&relaxed, build, muscle).is_ok().then_some(Relaxation::Pressure { pressure_mpa, extrapolated })
+}
+
+/// Other operating points in place of those that fall short.
+fn points(
+    spec: &Spec,
+    build: &Build<'_>,
+    muscle: &Muscle,
+    short: &[bool],
+    instead: impl Fn(&OperatingPoint) -> Option<OperatingPoint>,
+) -> Option<Vec<OperatingPoint>> {
+    let each = spec.points.iter().zip(short);
+    let list: Vec<OperatingPoint> =
+        each.map(|(p, &short)| if short { instead(p) } else { Some(*p) }).collect::<Option<_>>()?;
+    // The last bit of an inverse must not decide.
+    let eased = list.iter().map(|p| OperatingPoint { force_n: p.force_n * (1.0 - 1e-9), ..*p }).collect();
+    let relaxed = Spec { points: eased, ..spec.clone() };
+    screen(&relaxed, build, muscle).ok()?;
+    Some(list.into_iter().zip(short).filter(|(_, short)| **short).map(|(p, _)| p).collect())
+}
+
+/// Whether another limit alone makes the muscle fit.
+fn limit(spec: &Spec, build: &Build<'_>, muscle: &Muscle, ease: impl Fn(&mut Limits)) -> bool {
+    let mut relaxed = spec.clone();
+    ease(&mut relaxed.limits);
+    screen(&relaxed, build, muscle).is_ok()
 }
 
 /// The smallest diameter beyond the bound that fits, by the design's model or, outside of its range, by thick-wall.

@@ -16,7 +16,8 @@ use rayon::prelude::*;
 const HALVINGS: usize = 24;
 const WALL_HALVINGS: usize = 14;
 const ANGLE_HALVINGS: usize = 6;
-const SAMPLES: usize = 24;
+const SAMPLES: usize = 30;
+const WALL_SAMPLES: usize = 12;
 const ANGLE_SAMPLES: usize = 12;
 
 /// What a design found.
@@ -169,7 +170,19 @@ impl Search<'_> {
                     self.try_one(Pick { choice, d0: *high, s }, &mut harvest);
                     return harvest;
                 }
-                minimise(low, *high, SAMPLES, |d0| self.try_one(Pick { choice, d0, s }, &mut harvest));
+                let samples = nice_steps(low, *high, SAMPLES);
+                let values: Vec<f64> =
+                    samples.iter().map(|&d0| self.try_one(Pick { choice, d0, s }, &mut harvest)).collect();
+                if let Some(i) = smallest(&values) {
+                    // Misses this close to the edge would tell nothing: only the samples are reported.
+                    let mut close = Harvest::default();
+                    let (left, right) = around(&samples, i);
+                    refine(left, samples[i], right, values[i], HALVINGS, |d0| {
+                        self.try_one(Pick { choice, d0, s }, &mut close)
+                    });
+                    close.misses.clear();
+                    harvest.add(close, self.spec.top);
+                }
                 if let Some(&(score, pick)) = harvest.fits.first() {
                     harvest.fits = vec![self.buildable(score, pick)];
                 }
@@ -198,12 +211,12 @@ impl Search<'_> {
     fn sheet(&self, choice: Choice) -> Harvest {
         let walls = match &self.spec.wall_mm {
             Values::List(list) => list.clone(),
-            Values::Interval(low, high) => nice_steps(*low, *high),
+            Values::Interval(low, high) => nice_steps(*low, *high, WALL_SAMPLES),
         };
         let lines: Vec<Harvest> = walls.par_iter().map(|&s| self.line(choice, s)).collect();
         let extra = match &self.spec.wall_mm {
             Values::Interval(low, high) => best_index(&lines).and_then(|i| {
-                let (left, right) = (walls[i.saturating_sub(1)], walls[(i + 1).min(walls.len() - 1)]);
+                let (left, right) = around(&walls, i);
                 let value = lines[i].best();
                 let at = refine(left, walls[i], right, value, WALL_HALVINGS, |s| self.line(choice, s).best());
                 let at = (at * 100.0).round() / 100.0;
@@ -230,7 +243,7 @@ impl Search<'_> {
                 let sheets: Vec<Harvest> =
                     angles.iter().map(|&angle| sheet(AngleRule::Fixed(angle))).collect();
                 let extra = best_index(&sheets).map(|i| {
-                    let (left, right) = (angles[i.saturating_sub(1)], angles[(i + 1).min(angles.len() - 1)]);
+                    let (left, right) = around(&angles, i);
                     let value = sheets[i].best();
                     let at = refine(left, angles[i], right, value, ANGLE_HALVINGS, |angle| {
                         sheet(AngleRule::Fixed(angle)).best()
@@ -283,30 +296,32 @@ pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
 }
 
 fn best_index(parts: &[Harvest]) -> Option<usize> {
-    let finite = (0..parts.len()).filter(|&i| parts[i].best().is_finite());
-    finite.reduce(|a, b| if parts[b].best() < parts[a].best() { b } else { a })
+    smallest(&parts.iter().map(Harvest::best).collect::<Vec<_>>())
 }
 
-/// Walls at round steps within bounds, both ends in.
-fn nice_steps(low: f64, high: f64) -> Vec<f64> {
-    let step =
-        [0.25, 0.5, 1.0, 2.0, 5.0].into_iter().find(|step| (high - low) / step <= 12.0).unwrap_or(10.0);
+/// Round values within bounds, both ends in, in at most about `most` steps.
+fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
+    let wide = (high - low) / most as f64;
+    let steps = [0.25, 0.5, 1.0, 2.0, 5.0, 10.0];
+    let step = steps.into_iter().find(|&step| step >= wide).unwrap_or(wide);
     let mut list = vec![low];
     let first = (low / step).floor() as i64 + 1;
-    list.extend((first..).map(|i| i as f64 * step).take_while(|v| *v < high - 1e-9).take(1000));
+    list.extend((first..).map(|i| i as f64 * step).take_while(|v| *v < high - 1e-9).take(most + 2));
     if high > low {
         list.push(high);
     }
     list
 }
 
-/// Smallest value on [low, high] of a function that may be +∞: samples, then halving towards the best.
-fn minimise(low: f64, high: f64, samples: usize, mut f: impl FnMut(f64) -> f64) -> Option<f64> {
-    let at = |i: usize| low + (high - low) * i as f64 / samples as f64;
-    let values: Vec<f64> = (0..=samples).map(|i| f(at(i))).collect();
-    let best = (0..=samples).filter(|&i| values[i].is_finite());
-    let i = best.reduce(|a, b| if values[b] < values[a] { b } else { a })?;
-    Some(refine(at(i.saturating_sub(1)), at(i), at((i + 1).min(samples)), values[i], HALVINGS, f))
+/// Index of the smallest finite value.
+fn smallest(values: &[f64]) -> Option<usize> {
+    let finite = (0..values.len()).filter(|&i| values[i].is_finite());
+    finite.reduce(|a, b| if values[b] < values[a] { b } else { a })
+}
+
+/// The neighbours of a sample (itself at the ends).
+fn around(samples: &[f64], i: usize) -> (f64, f64) {
+    (samples[i.saturating_sub(1)], samples[(i + 1).min(samples.len() - 1)])
 }
 
 /// Halves the two sides of `left < middle < right` towards the best point found.
@@ -346,19 +361,27 @@ fn refine(
 mod tests {
     use super::*;
 
-    #[test]
-    fn halving_finds_an_edge_and_a_minimum() {
-        let edge = minimise(0.0, 10.0, 10, |x| if x < 3.7 { f64::INFINITY } else { x }).unwrap();
-        assert!((edge - 3.7).abs() < 1e-6, "{edge}");
-        let valley = minimise(0.0, 10.0, 10, |x| (x - 6.3).powi(2)).unwrap();
-        assert!((valley - 6.3).abs() < 1e-5, "{valley}");
-        assert_eq!(minimise(0.0, 1.0, 4, |_| f64::INFINITY), None);
+    fn minimise(low: f64, high: f64, f: impl Fn(f64) -> f64) -> Option<f64> {
+        let samples = nice_steps(low, high, 10);
+        let values: Vec<f64> = samples.iter().map(|&x| f(x)).collect();
+        let i = smallest(&values)?;
+        let (left, right) = around(&samples, i);
+        Some(refine(left, samples[i], right, values[i], HALVINGS, f))
     }
 
     #[test]
-    fn walls_come_at_round_steps_with_both_ends() {
-        assert_eq!(nice_steps(1.0, 3.0), [1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0]);
-        assert_eq!(nice_steps(0.7, 5.0), [0.7, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0]);
-        assert_eq!(nice_steps(2.0, 2.0), [2.0]);
+    fn halving_finds_an_edge_and_a_minimum() {
+        let edge = minimise(0.0, 10.0, |x| if x < 3.7 { f64::INFINITY } else { x }).unwrap();
+        assert!((edge - 3.7).abs() < 1e-6, "{edge}");
+        let valley = minimise(0.0, 10.0, |x| (x - 6.3).powi(2)).unwrap();
+        assert!((valley - 6.3).abs() < 1e-5, "{valley}");
+        assert_eq!(minimise(0.0, 1.0, |_| f64::INFINITY), None);
+    }
+
+    #[test]
+    fn samples_come_at_round_steps_with_both_ends() {
+        assert_eq!(nice_steps(1.0, 3.0, 12), [1.0, 1.25, 1.5, 1.75, 2.0, 2.25, 2.5, 2.75, 3.0]);
+        assert_eq!(nice_steps(0.7, 5.0, 12), [0.7, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0]);
+        assert_eq!(nice_steps(2.0, 2.0, 12), [2.0]);
     }
 }

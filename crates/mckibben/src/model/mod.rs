@@ -101,11 +101,6 @@ pub trait ForceModel: Send {
         Ok(self.response(pressure_mpa, contraction)?.force_n)
     }
 
-    /// Sentences that belong beside every answer of this model.
-    fn notes(&self) -> Vec<String> {
-        vec![]
-    }
-
     /// The pressure in MPa at which the pull is `force_n`, where the model has a shorter way to it than a general
     /// root finder; `None` where it has not.
     fn pressure_in_closed_form(&self, _force_n: f64, _contraction: f64) -> Option<Result<f64, ModelError>> {

@@ -2,7 +2,7 @@
 
 use crate::output::json as shapes;
 use crate::output::text::{Pressures, number, or_dash, percent, plus_minus, rubber_name, table};
-use mckibben::design::{Candidate, Outcome, Rejected, Relaxation, Spec, Spread};
+use mckibben::design::{Candidate, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread};
 use mckibben::model::ModelKind;
 use serde_json::{Map, Value, json};
 
@@ -60,12 +60,8 @@ fn relaxation_json(r: &Relaxation) -> Value {
         Relaxation::Pressure { pressure_mpa, extrapolated } => {
             json!({ "relax": "max_pressure", "pressure_mpa": pressure_mpa, "extrapolated": extrapolated })
         }
-        Relaxation::Force { point, available_n } => {
-            json!({ "relax": "force", "force_n": available_n, "contraction": point.contraction })
-        }
-        Relaxation::Contraction { point, contraction } => {
-            json!({ "relax": "contraction", "contraction": contraction, "force_n": point.force_n })
-        }
+        Relaxation::Force(points) => json!({ "relax": "force", "points": points_json(points) }),
+        Relaxation::Contraction(points) => json!({ "relax": "contraction", "points": points_json(points) }),
         Relaxation::OuterDiameter { outer_diameter_mm, model } => {
             json!({ "relax": "outer_diameter", "outer_diameter_mm": outer_diameter_mm, "model": model })
         }
@@ -75,6 +71,10 @@ fn relaxation_json(r: &Relaxation) -> Value {
         Relaxation::Stretch { stretch } => json!({ "relax": "max_stretch", "max_stretch": stretch }),
         Relaxation::BurstMargin { margin } => json!({ "relax": "min_burst_margin", "burst_margin": margin }),
     }
+}
+
+fn points_json(points: &[OperatingPoint]) -> Vec<Value> {
+    points.iter().map(|q| json!({ "force_n": q.force_n, "contraction": q.contraction })).collect()
 }
 
 /// The whole design.
@@ -161,8 +161,19 @@ fn candidates(outcome: &Outcome, p: Pressures) -> String {
     let burst = list.iter().any(|c| c.burst_pressure_mpa.is_some());
     let burst_title = format!("bursts [{unit}]");
     let mut header = vec![
-        "", "D0 [mm]", "s [mm]", "θ0 [°]", &needs, "to spare", "F blocked [N]", "ε free", "bulges to [mm]",
-        "stiffness [N/mm]", "air [nl]", if strands { "strand [N]" } else { "braid [N]" }, "±",
+        "",
+        "D0 [mm]",
+        "s [mm]",
+        "θ0 [°]",
+        &needs,
+        "to spare",
+        "F blocked [N]",
+        "ε free",
+        "bulges to [mm]",
+        "stiffness [N/mm]",
+        "air [nl]",
+        if strands { "strand [N]" } else { "braid [N]" },
+        "±",
     ];
     if burst {
         header.push(&burst_title);
@@ -205,7 +216,8 @@ fn candidates(outcome: &Outcome, p: Pressures) -> String {
         })
         .collect();
     let mut out = table(&header, rows);
-    let braid = if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
+    let braid =
+        if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
     out.push_str(&format!(
         "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{braid}. ±: 95 % of the model's error in the pull.\n"
     ));
@@ -250,11 +262,18 @@ fn nothing_fits(closest: &mckibben::design::Closest, p: Pressures) -> String {
                 let far = if *extrapolated { " (extrapolated: outside of the model's range)" } else { "" };
                 format!("a maximum pressure of {}{far}", p.show(*pressure_mpa))
             }
-            Relaxation::Force { point, available_n } => {
-                format!("{} N wanted at {}", available_n.floor(), percent(point.contraction))
+            Relaxation::Force(points) => {
+                let each = |q: &OperatingPoint| {
+                    format!("{} N wanted at {}", q.force_n.floor(), percent(q.contraction))
+                };
+                points.iter().map(each).collect::<Vec<_>>().join(" and ")
             }
-            Relaxation::Contraction { point, contraction } => {
-                format!("{} N wanted at a contraction of {}", number(point.force_n, 5), percent((contraction * 1e4).floor() / 1e4))
+            Relaxation::Contraction(points) => {
+                let floor = |v: f64| percent((v * 1e4).floor() / 1e4);
+                let each = |q: &OperatingPoint| {
+                    format!("{} N wanted at a contraction of {}", number(q.force_n, 5), floor(q.contraction))
+                };
+                points.iter().map(each).collect::<Vec<_>>().join(" and ")
             }
             Relaxation::OuterDiameter { outer_diameter_mm, model } => {
                 format!("an outer diameter of {} mm (by the {model} model)", number(*outer_diameter_mm, 5))
