@@ -55,6 +55,9 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
                 Err(error) => panic!("{} {p} {e}: {error}", model.name()),
             }
         }
+        if model.name() != "thick-wall" {
+            assert!(model.response(f64::NAN, 0.1).is_err(), "{}", model.name());
+        }
         for (p, e) in [(0.2, f64::NAN), (0.2, 0.999), (0.2, 1.0), (0.2, -0.5), (0.2, 5.0), (1e3, 0.1)] {
             if let Ok(force) = model.force_n(p, e) {
                 assert!(force.is_finite(), "{} {p} {e}: {force}", model.name());

@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 ///
 /// k stands for whatever makes a real muscle shorten less than the ideal one: rounded ends, but also the rubber. On the
 /// 20° muscle of Tondu (2012) the best constant is 1.29 over 1–5 bar; fitted pressure by pressure it falls from 1.60 to
-/// 1.24, which is why the authors made it a function of P.
+/// 1.24, as the form k(P) has it.
 #[derive(Debug, Clone)]
 pub struct TonduLopez {
     ideal: Ideal,
