@@ -55,6 +55,9 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
                 Err(error) => panic!("{} {p} {e}: {error}", model.name()),
             }
         }
+        if model.name() != "thick-wall" {
+            assert!(model.response(f64::NAN, 0.1).is_err(), "{}", model.name());
+        }
         for (p, e) in [(0.2, f64::NAN), (0.2, 0.999), (0.2, 1.0), (0.2, -0.5), (0.2, 5.0), (1e3, 0.1)] {
             if let Ok(force) = model.force_n(p, e) {
                 assert!(force.is_finite(), "{} {p} {e}: {force}", model.name());
@@ -231,6 +234,82 @@ fn paper_and_thick_wall_speak_of_the_same_muscle() {
         let off = thick.force_n(0.25, 0.0).unwrap() / blocked - 1.0;
         assert!(off.abs() < 0.10, "D0 {d0}, s {s}: {off}");
     }
+}
+
+/// Columns of a file of measured data, as text.
+fn measured(text: &'static str) -> Vec<csv::StringRecord> {
+    csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_reader(text.as_bytes())
+        .records()
+        .map(Result::unwrap)
+        .collect()
+}
+
+/// Validation: the Festo presets against other specimens of the same sizes (Martens & Boblan 2017), points that pull.
+#[test]
+fn festo_presets_against_measured_maps() {
+    let ten = include_str!("../../../data/martens_boblan_2017/DMSP-10-250_force_map.csv");
+    let twenty = include_str!("../../../data/martens_boblan_2017/DMSP-20-300_force_map.csv");
+    for (kind, text, length_mm, expected) in [
+        (ModelKind::FestoDmsp10, ten, 250.0, 73.4),
+        (ModelKind::FestoHunt10, ten, 250.0, 16.8),
+        (ModelKind::FestoDmsp20, twenty, 300.0, 98.4),
+    ] {
+        let m = Muscle::prototype().with_tube(Tube { length_mm, ..Tube::prototype() }).unwrap();
+        let model = kind.build(&m).unwrap();
+        let (mut sum, mut n) = (0.0, 0);
+        for row in measured(text) {
+            let number = |i: usize| row[i].parse::<f64>().unwrap();
+            let (p, e) = (1e-6 * number(0), number(2));
+            if &row[5] == "0" && model.range().violations(p, e).is_empty() {
+                sum += (model.force_n(p, e).unwrap() - number(4)).powi(2);
+                n += 1;
+            }
+        }
+        let rms = (sum / f64::from(n)).sqrt();
+        assert!((rms - expected).abs() < 0.1, "{kind}: rms {rms} N over {n} points");
+    }
+}
+
+/// Value at `x` on straight lines between points sorted by their first number.
+fn between(points: &[(f64, f64)], x: f64) -> f64 {
+    let pair = points.windows(2).find(|w| w[0].0 < w[1].0 && x <= w[1].0 + 1e-12).unwrap();
+    pair[0].1 + (pair[1].1 - pair[0].1) * (x - pair[0].0) / (pair[1].0 - pair[0].0)
+}
+
+/// Validation: on the mean of both branches measured on the 20° muscle of Tondu (2012), the best constant end factor is
+/// 1.29. (Over all points read from the figure, which are denser on the upper branch, it is 1.278.)
+#[test]
+fn tondu_lopez_on_the_muscle_of_tondu_2012() {
+    let rows = measured(include_str!("../../../data/tondu2012/static_force_20deg.csv"));
+    let mut points = vec![];
+    for kpa in ["100", "200", "300", "400", "500"] {
+        let [down, up] = ["contraction", "elongation"].map(|branch| {
+            let on = rows.iter().filter(|row| &row[1] == kpa && &row[2] == branch);
+            let mut curve: Vec<(f64, f64)> =
+                on.map(|row| (row[3].parse().unwrap(), row[4].parse().unwrap())).collect();
+            curve.sort_by(|a, b| a.0.total_cmp(&b.0));
+            curve
+        });
+        let low = down[0].0.max(up[0].0);
+        let high = down[down.len() - 1].0.min(up[up.len() - 1].0);
+        for i in 0..=40 {
+            let e = low + (high - low) * f64::from(i) / 40.0;
+            points.push((1e-3 * kpa.parse::<f64>().unwrap(), e, 0.5 * (between(&down, e) + between(&up, e))));
+        }
+    }
+    let rms = |k: f64| {
+        let terminals = Terminals { end_factor: Some(EndFactor::Constant(k)), ..Terminals::default() };
+        let m = rigid(14.0, 20.0, 300.0, 0.49, soft()).with_terminals(terminals).unwrap();
+        let model = ModelKind::TonduLopez.build(&m).unwrap();
+        let sum: f64 = points.iter().map(|&(p, e, f)| (model.force_n(p, e).unwrap() - f).powi(2)).sum();
+        (sum / points.len() as f64).sqrt()
+    };
+    let steps = (1000..1600).map(|k| 0.001 * f64::from(k));
+    let best = steps.min_by(|a, b| rms(*a).total_cmp(&rms(*b))).unwrap();
+    assert!((best - 1.29).abs() < 0.0051, "{best}");
+    assert!(rms(best) < 0.5 * rms(1.0), "{} {}", rms(best), rms(1.0));
 }
 
 proptest! {

@@ -76,7 +76,7 @@ impl ForceModel for Belforte {
         // π D²/4 = (b² − L²)/(4π n²); axial balance of a cut: F + P π D²/4 = (sum of tensions) · L/b.
         let area = (b * b - l * l) / self.n2;
         let tension = p * (per_pressure + area) * b / l;
-        Ok(Response {
+        Response {
             pressure_mpa,
             contraction,
             force_n: p * per_pressure,
@@ -86,7 +86,8 @@ impl ForceModel for Belforte {
             bulged_diameter_mm: Some(2.0 * (area / PI).sqrt()),
             ..Response::default()
         }
-        .with_braid_tension(tension, self.muscle.braid().strands.map(|s| s.count)))
+        .with_braid_tension(tension, self.muscle.braid().strands.map(|s| s.count))
+        .finite(self.name())
     }
 
     fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {

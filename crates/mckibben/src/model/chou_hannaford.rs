@@ -74,7 +74,7 @@ impl ForceModel for ChouHannaford {
     fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
         let pull = self.pull(contraction)?;
         let length = self.muscle.length_mm();
-        Ok(Response {
+        Response {
             pressure_mpa,
             contraction,
             force_n: pressure_mpa * pull.f,
@@ -83,7 +83,8 @@ impl ForceModel for ChouHannaford {
             force_per_pressure_mm2: Some(pull.f),
             bulged_diameter_mm: Some(pull.diameter),
             ..Response::default()
-        })
+        }
+        .finite(self.name())
     }
 
     fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {

@@ -105,7 +105,7 @@ impl ForceModel for ConicalEnds {
 
     fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
         let (pull, pull_l, f) = self.pull(contraction)?;
-        Ok(Response {
+        Response {
             pressure_mpa,
             contraction,
             force_n: pressure_mpa * pull,
@@ -114,7 +114,8 @@ impl ForceModel for ConicalEnds {
             force_per_pressure_mm2: Some(pull),
             bulged_diameter_mm: Some(2.0 * f * self.braid.r0),
             ..Response::default()
-        })
+        }
+        .finite(self.name())
     }
 
     fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {

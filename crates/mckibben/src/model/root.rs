@@ -39,7 +39,10 @@ mod tests {
 
     #[test]
     fn steep_and_flat_functions_are_solved() {
-        let tan = rising_root(-1.5, 1.5707963, 0.0, |x| (x.tan() - 1e6, 1.0 + x.tan().powi(2))).unwrap();
+        let tan = rising_root(-1.5, std::f64::consts::FRAC_PI_2 - 1e-8, 0.0, |x| {
+            (x.tan() - 1e6, 1.0 + x.tan().powi(2))
+        })
+        .unwrap();
         assert!((tan - 1e6f64.atan()).abs() < 1e-15);
         let cube = rising_root(-1.0, 3.0, 2.9, |x| (x * x * x, 3.0 * x * x)).unwrap();
         assert!(cube.abs() < 1e-5);

@@ -93,7 +93,7 @@ impl ForceModel for RoundedEnds {
 
     fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
         let (b, slope) = self.balance(contraction)?;
-        Ok(Response {
+        Response {
             pressure_mpa,
             contraction,
             force_n: pressure_mpa * b.f,
@@ -102,7 +102,8 @@ impl ForceModel for RoundedEnds {
             bulged_diameter_mm: Some(b.diameter),
             ..Response::default()
         }
-        .with_braid_tension(pressure_mpa * b.tension, self.muscle.braid().strands.map(|s| s.count)))
+        .with_braid_tension(pressure_mpa * b.tension, self.muscle.braid().strands.map(|s| s.count))
+        .finite(self.name())
     }
 
     fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
