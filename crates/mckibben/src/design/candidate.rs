@@ -68,11 +68,25 @@ impl Candidate {
     }
 }
 
+/// A muscle that does not fit: the bound it misses by most, and how far it is off in all.
+#[derive(Debug, Clone)]
+pub(super) struct Miss {
+    pub(super) reason: Reason,
+    /// Sum over the bounds that are missed of (shortfall − 1).
+    pub(super) distance: f64,
+}
+
+impl From<Reason> for Miss {
+    fn from(reason: Reason) -> Self {
+        Self { distance: reason.shortfall() - 1.0, reason }
+    }
+}
+
 /// Whether a muscle fits, with no more work than that takes: its score (smaller is better), or the bound it misses by most.
-pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<f64, Reason> {
+pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<f64, Miss> {
     let model = build(muscle).map_err(Reason::Model)?;
     let mut margin = f64::INFINITY;
-    let mut worst: Option<Reason> = None;
+    let mut worst: Option<Miss> = None;
     for &point in &spec.points {
         if !spec.extrapolate {
             model
@@ -94,7 +108,7 @@ pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<
     match worst {
         // Too weak; the other bounds are looked at as well, at full pressure, to name the one that is missed by most.
         Some(_) if bounded => needed.resize(spec.points.len(), spec.max_pressure_mpa),
-        Some(reason) => return Err(reason),
+        Some(miss) => return Err(miss),
         None if bounded || spec.objective != Objective::Margin => {
             for point in &spec.points {
                 needed.push(need(spec, model.as_ref(), point)?);
@@ -133,7 +147,7 @@ pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<
         }
     }
     match worst {
-        Some(reason) => Err(reason),
+        Some(miss) => Err(miss),
         None => Ok(match spec.objective {
             Objective::Diameter => muscle.outer_diameter_mm() + 1e-6 * highest / spec.max_pressure_mpa,
             Objective::Pressure => highest,
@@ -143,9 +157,16 @@ pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<
     }
 }
 
-fn keep_worst(worst: &mut Option<Reason>, reason: Reason) {
-    if worst.as_ref().is_none_or(|w| reason.shortfall() > w.shortfall()) {
-        *worst = Some(reason);
+fn keep_worst(worst: &mut Option<Miss>, reason: Reason) {
+    let shortfall = reason.shortfall();
+    match worst {
+        None => *worst = Some(reason.into()),
+        Some(miss) => {
+            miss.distance += shortfall - 1.0;
+            if shortfall > miss.reason.shortfall() {
+                miss.reason = reason;
+            }
+        }
     }
 }
 

@@ -70,7 +70,7 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
         );
         out.extend(wider(spec, build, muscle));
     }
-    match screen(spec, build, muscle) {
+    match screen(spec, build, muscle).map_err(|miss| miss.reason) {
         Err(Reason::Bulge { diameter_mm, .. }) => {
             out.extend(
                 limit(spec, build, muscle, |l| l.bulged_diameter_mm = Some(diameter_mm))

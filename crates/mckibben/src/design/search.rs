@@ -4,7 +4,7 @@
 //! over the angle. Each axis is either a list (every value is tried) or an interval: sampled, then refined around its best
 //! sample by halving towards it, which also finds the edge of the feasible region (an infeasible muscle scores +∞).
 
-use super::candidate::{Candidate, candidate, screen};
+use super::candidate::{Candidate, Miss, candidate, screen};
 use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
 use super::spec::{BraidChoice, Build, Spec, SpecError};
@@ -75,7 +75,7 @@ struct Search<'a> {
 #[derive(Default)]
 struct Harvest {
     fits: Vec<(f64, Pick)>,
-    misses: Vec<(Pick, Reason)>,
+    misses: Vec<(Pick, Miss)>,
     invalid: Option<MuscleError>,
     looked_at: usize,
     fitted: usize,
@@ -94,11 +94,10 @@ impl Harvest {
         }
     }
 
-    fn keep_miss(&mut self, pick: Pick, reason: Reason, most: usize) {
-        let shortfall = reason.shortfall();
-        let at = self.misses.partition_point(|m| m.1.shortfall() <= shortfall);
+    fn keep_miss(&mut self, pick: Pick, miss: Miss, most: usize) {
+        let at = self.misses.partition_point(|m| m.1.distance <= miss.distance);
         if at < most {
-            self.misses.insert(at, (pick, reason));
+            self.misses.insert(at, (pick, miss));
             self.misses.truncate(most);
         }
     }
@@ -107,7 +106,7 @@ impl Harvest {
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
         other.fits.into_iter().for_each(|(score, pick)| self.keep_fit(score, pick, most));
-        other.misses.into_iter().for_each(|(pick, reason)| self.keep_miss(pick, reason, most));
+        other.misses.into_iter().for_each(|(pick, miss)| self.keep_miss(pick, miss, most));
         self.invalid = self.invalid.take().or(other.invalid);
     }
 }
@@ -147,8 +146,8 @@ impl Search<'_> {
                 harvest.keep_fit(score, pick, self.spec.top);
                 score
             }
-            Err(reason) => {
-                harvest.keep_miss(pick, reason, self.spec.top);
+            Err(miss) => {
+                harvest.keep_miss(pick, miss, self.spec.top);
                 f64::INFINITY
             }
         }
@@ -285,7 +284,7 @@ pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
     muscles.dedup();
     let candidates: Vec<Candidate> = muscles.iter().filter_map(|m| candidate(spec, build, m).ok()).collect();
     let misses: Vec<(Muscle, Reason)> =
-        harvest.misses.into_iter().filter_map(|(pick, reason)| Some((picked(pick)?, reason))).collect();
+        harvest.misses.into_iter().filter_map(|(pick, miss)| Some((picked(pick)?, miss.reason))).collect();
     let closest = misses.first().filter(|_| candidates.is_empty()).map(|(muscle, reason)| Closest {
         rejected: Rejected::of(muscle, reason.clone()),
         muscle: muscle.clone(),
