@@ -366,7 +366,9 @@ proptest! {
         let measured = Some(MeasuredStrand { strand_length_mm: m.strand_length_mm(), turns: m.turns() });
         let braid = Braid { measured, ..m.braid().clone() };
         let end_factor = Some(EndFactor::Constant(1.2));
-        let terminals = Terminals { cone_factor: Some(kc), end_factor, ..Terminals::default() };
+        let end = m.max_ideal_contraction();
+        let cone_factor = Some(kc * (1.0 - end) / (2.0 * end));
+        let terminals = Terminals { cone_factor, end_factor, ..Terminals::default() };
         let m = m.with_braid(braid).and_then(|m| m.with_terminals(terminals)).unwrap();
         for kind in ModelKind::ALL {
             let Ok(model) = kind.build(&m) else { continue };

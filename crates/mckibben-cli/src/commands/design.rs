@@ -45,14 +45,14 @@ pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
     if let (Some(path), Some(winner)) = (&args.output, outcome.candidates.first()) {
         save(path, file::to_toml(&winner.muscle).as_bytes())?;
     }
-    let drawn = drawn(&spec, &outcome, kind)?;
+    let drawn = drawn(&outcome, kind)?;
     if let Some(path) = &args.plot.plot
         && !drawn.is_empty()
     {
         picture(&spec, &drawn, p).save(path)?;
     }
     let text = match args.format {
-        Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads, p)),
+        Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads)),
         Format::Csv => {
             csv::rows(&outcome.candidates.iter().map(present::candidate_json).collect::<Vec<_>>())?
         }
@@ -81,8 +81,7 @@ fn colour() -> bool {
 
 type Drawn<'a> = Vec<(&'a Candidate, Box<dyn ForceModel>)>;
 
-fn drawn<'a>(spec: &Spec, outcome: &'a Outcome, kind: ModelKind) -> Result<Drawn<'a>, Failure> {
-    let _ = spec;
+fn drawn<'a>(outcome: &'a Outcome, kind: ModelKind) -> Result<Drawn<'a>, Failure> {
     let some = outcome.candidates.iter().take(DRAWN);
     Ok(some.map(|c| Ok((c, kind.build(&c.muscle)?))).collect::<Result<_, mckibben::model::ModelError>>()?)
 }

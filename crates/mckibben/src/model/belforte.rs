@@ -26,17 +26,13 @@ impl Belforte {
     /// Belforte's model of a muscle whose strands have been measured.
     ///
     /// # Errors
-    /// [`ModelError::Missing`] without a measured strand; [`ModelError::Geometry`] where it is too short to span the
-    /// muscle.
+    /// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let measured = muscle.braid().measured.ok_or(ModelError::Missing {
             model: "belforte",
-            missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
+            missing: "a strand measured on the muscle: --strand-length and --turns, or `strand_length` and `turns` under [braid] in the muscle file",
         })?;
         let b = measured.strand_length_mm;
-        if b <= muscle.length_mm() {
-            return Err(no_shape(0.0, b / muscle.length_mm()));
-        }
         Ok(Self { muscle: muscle.clone(), b, n2: 4.0 * PI * measured.turns * measured.turns })
     }
 }
@@ -107,7 +103,7 @@ impl ForceModel for Belforte {
 mod tests {
     use super::*;
     use crate::model::Ideal;
-    use crate::muscle::{Braid, MeasuredStrand};
+    use crate::muscle::{Braid, MeasuredStrand, MuscleError};
 
     fn with_strand(strand_length_mm: f64, turns: f64) -> Muscle {
         let measured = Some(MeasuredStrand { strand_length_mm, turns });
@@ -136,7 +132,9 @@ mod tests {
     #[test]
     fn what_was_not_measured_is_asked_for_and_short_strands_are_refused() {
         assert!(matches!(Belforte::new(&Muscle::prototype()), Err(ModelError::Missing { .. })));
-        assert!(matches!(Belforte::new(&with_strand(284.0, 1.6)), Err(ModelError::Geometry { .. })));
+        let measured = Some(MeasuredStrand { strand_length_mm: 284.0, turns: 1.6 });
+        let refused = Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() });
+        assert!(matches!(refused, Err(MuscleError::StrandTooShort { .. })));
         let model = Belforte::new(&with_strand(330.0, 1.6)).unwrap();
         assert!(matches!(model.response(0.1, -0.2), Err(ModelError::Geometry { .. })));
         assert!(matches!(model.response(0.1, f64::NAN), Err(ModelError::Geometry { .. })));

@@ -13,7 +13,7 @@
 //! formula but pulls π (r² − r0²) P more.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, RangeViolation, Response};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -29,23 +29,13 @@ impl ConicalEnds {
     /// The model of a muscle whose cone factor kc is known.
     ///
     /// # Errors
-    /// [`ModelError::Missing`] without a cone factor; [`ModelError::OutOfRange`] where the tips would meet before the
-    /// largest contraction, kc > (1 − ε_max)/(2 ε_max).
+    /// [`ModelError::Missing`] without a cone factor. Tips that would meet before the largest contraction,
+    /// kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
             model: "conical-ends",
-            missing: "a cone factor: `cone_factor = 0.4` under [terminals] in the muscle file",
+            missing: "a cone factor: --cone-factor 0.4, or `cone_factor = 0.4` under [terminals] in the muscle file",
         })?;
-        let e_max = muscle.max_ideal_contraction();
-        let high = (1.0 - e_max) / (2.0 * e_max);
-        if kc > high {
-            let violation = RangeViolation { quantity: "cone_factor", value: kc, low: 0.0, high, unit: "" };
-            return Err(ModelError::OutOfRange {
-                model: "conical-ends".into(),
-                violations: vec![violation],
-                make: vec![],
-            });
-        }
         Ok(Self { braid: Pantograph::of(muscle), muscle: muscle.clone(), kc })
     }
 
@@ -130,7 +120,7 @@ impl ForceModel for ConicalEnds {
 mod tests {
     use super::*;
     use crate::model::Ideal;
-    use crate::muscle::Terminals;
+    use crate::muscle::{MuscleError, Terminals};
 
     fn model(cone_factor: Option<f64>) -> Result<ConicalEnds, ModelError> {
         let terminals = Terminals { cone_factor, ..Terminals::default() };
@@ -173,6 +163,8 @@ mod tests {
         let e_max = Muscle::prototype().max_ideal_contraction();
         let largest = (1.0 - e_max) / (2.0 * e_max);
         assert!(model(Some(largest)).is_ok());
-        assert!(matches!(model(Some(largest + 1e-6)), Err(ModelError::OutOfRange { .. })));
+        let terminals = Terminals { cone_factor: Some(largest + 1e-6), ..Terminals::default() };
+        let refused = Muscle::prototype().with_terminals(terminals);
+        assert!(matches!(refused, Err(MuscleError::ConeFactor { .. })));
     }
 }

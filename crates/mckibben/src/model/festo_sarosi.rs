@@ -156,7 +156,7 @@ mod tests {
     #[test]
     fn blocked_forces_at_6_bar() {
         let m = Muscle::prototype();
-        // (6a + b) + 6e + f by hand; the catalogue names 630 N and 1500 N as the largest forces.
+        // (6a + b) + 6e + f by hand.
         let ten = FestoSarosi::dmsp_10(&m).force_n(0.6, 0.0).unwrap();
         let twenty = FestoSarosi::dmsp_20_200(&m).force_n(0.6, 0.0).unwrap();
         assert!((ten - 595.2357192).abs() < 1e-6, "{ten}");

@@ -78,9 +78,8 @@ fn points_json(points: &[OperatingPoint]) -> Vec<Value> {
 }
 
 /// The whole design.
-pub fn as_json(spec: &Spec, kind: ModelKind, outcome: &Outcome, spreads: &[Spread], p: Pressures) -> Value {
+pub fn as_json(spec: &Spec, kind: ModelKind, outcome: &Outcome, spreads: &[Spread]) -> Value {
     let p_mpa = Pressures(crate::flags::PressureUnit::Mpa);
-    let _ = p;
     let mut out = json!({
         "model": kind.name(),
         "max_pressure_mpa": spec.max_pressure_mpa,
@@ -221,10 +220,25 @@ fn candidates(outcome: &Outcome, p: Pressures) -> String {
     out.push_str(&format!(
         "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{braid}. ±: 95 % of the model's error in the pull.\n"
     ));
+    out.push_str(&list.first().map_or_else(String::new, doubt));
     if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
     out
+}
+
+/// Where the model's error is larger than what is to spare, how to ask for a muscle that is sure to pull enough.
+fn doubt(best: &Candidate) -> String {
+    let tight = best.points.iter().find_map(|q| {
+        let error = q.uncertainty_n?;
+        (q.available_n - q.wanted.force_n < error).then_some((q.wanted.force_n, error))
+    });
+    tight.map_or_else(String::new, |(force, error)| {
+        let (ask, force, error) = ((force + error).ceil(), number(force, 5), number(error, 2));
+        format!(
+            "The first has less to spare than the ± of {error} N: to be sure of {force} N, ask for {ask} N.\n"
+        )
+    })
 }
 
 fn spread_text(spreads: &[Spread], p: Pressures) -> String {
