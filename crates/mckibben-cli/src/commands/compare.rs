@@ -47,7 +47,10 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
             .map(|(row, &kind)| resolve::build(kind, row.model.muscle(), motion))
             .collect::<Result<_, _>>()?;
         let points = measured.as_deref().unwrap_or(&[]);
-        let about = muscle_line(&muscle);
+        let fits = rows
+            .iter()
+            .filter_map(|r| Some(format!(". {} fitted: {}", r.comparison.model, fit_text(r.fit.as_ref()?))));
+        let about = format!("{}{}", muscle_line(&muscle), fits.collect::<String>());
         figure::compare(&models, points, &pressures, &contractions, options, &about, p).save(path)?;
     }
     let list: Vec<Value> = rows.iter().map(as_json).collect();
@@ -275,16 +278,7 @@ fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&
     out.push_str("\nmean: above zero where the model promises too much\n");
     for row in rows {
         if let Some(fit) = &row.fit {
-            let values: Vec<String> = fit
-                .values
-                .iter()
-                .map(|(parameter, value)| match parameter {
-                    FitParameter::Modulus => format!("modulus × {}", number(*value, 4)),
-                    FitParameter::EndFactor => format!("end factor {}", number(*value, 4)),
-                    FitParameter::Stiffness => format!("stiffness {} N/mm", number(*value, 4)),
-                })
-                .collect();
-            out.push_str(&format!("{}: fitted {}\n", row.comparison.model, values.join(", ")));
+            out.push_str(&format!("{}: fitted {}\n", row.comparison.model, fit_text(fit)));
         } else if !args.fit.is_empty() {
             out.push_str(&format!("{}: nothing of --fit to fit, taken as it is\n", row.comparison.model));
         }
@@ -298,4 +292,13 @@ fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&
         }
     }
     out
+}
+
+fn fit_text(fit: &Fit) -> String {
+    let one = |(parameter, value): &(FitParameter, f64)| match parameter {
+        FitParameter::Modulus => format!("modulus × {}", number(*value, 4)),
+        FitParameter::EndFactor => format!("end factor {}", number(*value, 4)),
+        FitParameter::Stiffness => format!("stiffness {} N/mm", number(*value, 4)),
+    };
+    fit.values.iter().map(one).collect::<Vec<_>>().join(", ")
 }
