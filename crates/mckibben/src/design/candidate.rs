@@ -84,6 +84,17 @@ impl From<Reason> for Miss {
 
 /// Whether a muscle fits, with no more work than that takes: its score (smaller is better), or the bound it misses by most.
 pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<f64, Miss> {
+    screen_below(spec, build, muscle, f64::INFINITY)
+}
+
+/// As [`screen`], for a search that has better scores than `enough` already: once it is plain that the muscle fits and
+/// scores worse, nothing more is computed and the score is a lower bound.
+pub(super) fn screen_below(
+    spec: &Spec,
+    build: &Build<'_>,
+    muscle: &Muscle,
+    enough: f64,
+) -> Result<f64, Miss> {
     let model = build(muscle).map_err(Reason::Model)?;
     let mut margin = f64::INFINITY;
     let mut worst: Option<Miss> = None;
@@ -109,6 +120,9 @@ pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<
         // Too weak; the other bounds are looked at as well, at full pressure, to name the one that is missed by most.
         Some(_) if bounded => needed.resize(spec.points.len(), spec.max_pressure_mpa),
         Some(miss) => return Err(miss),
+        None if !bounded && spec.objective == Objective::Diameter && muscle.outer_diameter_mm() > enough => {
+            return Ok(muscle.outer_diameter_mm());
+        }
         None if bounded || spec.objective != Objective::Margin => {
             for point in &spec.points {
                 needed.push(need(spec, model.as_ref(), point)?);

@@ -4,7 +4,7 @@
 //! over the angle. Each axis is either a list (every value is tried) or an interval: sampled, then refined around its best
 //! sample by halving towards it, which also finds the edge of the feasible region (an infeasible muscle scores +∞).
 
-use super::candidate::{Candidate, Miss, candidate, screen};
+use super::candidate::{Candidate, Miss, candidate, screen, screen_below};
 use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
 use super::spec::{BraidChoice, Build, Spec, SpecError};
@@ -140,7 +140,9 @@ impl Search<'_> {
                 return f64::INFINITY;
             }
         };
-        match screen(self.spec, self.build, &muscle) {
+        let full = harvest.fits.len() >= self.spec.top;
+        let enough = harvest.fits.last().filter(|_| full).map_or(f64::INFINITY, |f| f.0);
+        match screen_below(self.spec, self.build, &muscle, enough) {
             Ok(score) => {
                 harvest.fitted += 1;
                 harvest.keep_fit(score, pick, self.spec.top);

@@ -1,0 +1,54 @@
+//! The thick-wall model: one muscle built, one pull, one inverse; and a design over a fine grid.
+
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use mckibben::design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
+use mckibben::model::{ForceModel, ModelKind, ThickWall};
+use mckibben::muscle::Muscle;
+use mckibben::units::Values;
+use std::hint::black_box;
+
+fn points(c: &mut Criterion) {
+    let muscle = Muscle::prototype();
+    let model = ThickWall::new(&muscle);
+    let mut group = c.benchmark_group("thick_wall");
+    group.bench_function("build", |b| b.iter(|| ThickWall::new(black_box(&muscle))));
+    group.bench_function("force", |b| b.iter(|| model.force_n(black_box(0.25), black_box(0.1))));
+    group.bench_function("response", |b| b.iter(|| model.response(black_box(0.25), black_box(0.1))));
+    group.bench_function("pressure", |b| {
+        b.iter(|| model.pressure_in_closed_form(black_box(400.0), black_box(0.1)));
+    });
+    group.finish();
+}
+
+fn grids(c: &mut Criterion) {
+    let tenths = |low: i32, high: i32| Values::List((low..=high).map(|i| f64::from(i) / 10.0).collect());
+    let mut group = c.benchmark_group("design_on_a_tenth_of_a_millimetre");
+    group.sample_size(10);
+    for (kind, diameters, walls) in [
+        (ModelKind::Paper, tenths(300, 500), tenths(10, 50)),
+        (ModelKind::ThickWall, tenths(50, 800), tenths(5, 100)),
+    ] {
+        let spec = Spec {
+            points: vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }],
+            max_pressure_mpa: 0.25,
+            base: Muscle::prototype(),
+            outer_diameter_mm: diameters,
+            wall_mm: walls,
+            braid: BraidChoice::Angle(Values::List(vec![28.0])),
+            rubbers: vec![],
+            limits: Limits::default(),
+            objective: Objective::Diameter,
+            top: 5,
+            extrapolate: false,
+        };
+        let build = |m: &Muscle| kind.build(m);
+        if let Ok(outcome) = design(&spec, &build) {
+            group.throughput(Throughput::Elements(outcome.looked_at.0 as u64));
+        }
+        group.bench_function(kind.name(), |b| b.iter(|| design(black_box(&spec), &build).is_ok()));
+    }
+    group.finish();
+}
+
+criterion_group!(benches, points, grids);
+criterion_main!(benches);
