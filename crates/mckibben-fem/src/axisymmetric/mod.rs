@@ -1,0 +1,10 @@
+//! The axisymmetric muscle.
+
+pub mod assembly;
+pub mod discrete;
+pub mod equilibrium;
+mod error;
+pub mod layout;
+pub mod mesh;
+
+pub use error::{FemError, LastConverged};
