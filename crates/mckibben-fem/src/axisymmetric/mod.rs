@@ -4,6 +4,7 @@ pub mod assembly;
 pub mod discrete;
 pub mod equilibrium;
 mod error;
+pub mod path;
 pub mod layout;
 pub mod mesh;
 

@@ -77,11 +77,15 @@ pub struct NewtonOptions {
     pub small: f64,
     /// Above this correction the iteration is given up.
     pub large: f64,
+    /// A correction below this is rounding: the residual may then stand at `rounding_residual`.
+    pub rounding: f64,
+    /// See `rounding`.
+    pub rounding_residual: f64,
 }
 
 impl Default for NewtonOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-10, iterations: 20, small: 2e-3, large: 50.0 }
+        Self { tolerance: 1e-10, iterations: 20, small: 2e-3, large: 50.0, rounding: 1e-11, rounding_residual: 1e-8 }
     }
 }
 
@@ -166,8 +170,11 @@ pub fn solve<S: NewtonSystem>(
             }
         };
         watch(norm);
+        if size < options.rounding && norm <= options.rounding_residual {
+            break;
+        }
     }
-    if norm <= options.tolerance {
+    if norm <= options.tolerance || (effort.iterations < options.iterations && norm <= options.rounding_residual) {
         effort.residual = norm;
         return Ok(effort);
     }
