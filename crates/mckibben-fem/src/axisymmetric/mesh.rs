@@ -43,7 +43,7 @@ impl MeshSpec {
 fn default_mesh(outer: f64, wall: f64, half: f64) -> (usize, usize, f64) {
     let through = if wall > 0.5 * outer { 2 } else { 1 };
     let _ = half;
-    (through, 8, 2.0)
+    (through, 6, 2.0)
 }
 
 /// Nodes of a mesh, station by station along the muscle, each from the bore outwards.

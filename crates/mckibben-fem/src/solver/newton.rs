@@ -85,7 +85,14 @@ pub struct NewtonOptions {
 
 impl Default for NewtonOptions {
     fn default() -> Self {
-        Self { tolerance: 1e-10, iterations: 20, small: 2e-3, large: 50.0, rounding: 1e-11, rounding_residual: 1e-8 }
+        Self {
+            tolerance: 1e-10,
+            iterations: 20,
+            small: 2e-3,
+            large: 50.0,
+            rounding: 1e-11,
+            rounding_residual: 1e-8,
+        }
     }
 }
 
@@ -174,7 +181,9 @@ pub fn solve<S: NewtonSystem>(
             break;
         }
     }
-    if norm <= options.tolerance || (effort.iterations < options.iterations && norm <= options.rounding_residual) {
+    if norm <= options.tolerance
+        || (effort.iterations < options.iterations && norm <= options.rounding_residual)
+    {
         effort.residual = norm;
         return Ok(effort);
     }

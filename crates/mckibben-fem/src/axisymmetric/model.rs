@@ -1,0 +1,166 @@
+//! The axisymmetric muscle as a force model.
+
+use super::engine::Engine;
+use super::equilibrium::Control;
+use super::error::FemError;
+use super::mesh::MeshSpec;
+use super::results::Solution;
+use crate::solver::newton::Effort;
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use mckibben::muscle::Muscle;
+use std::cell::RefCell;
+
+/// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families bonded to the outer
+/// surface, rigid terminals, pressure as −P·V.
+///
+/// Keeps the last equilibria, so that neighbouring questions are cheap; may be sent to another thread, not shared.
+#[derive(Debug, Clone)]
+pub struct Axisymmetric {
+    muscle: Muscle,
+    engine: RefCell<Engine>,
+}
+
+impl Axisymmetric {
+    /// The model of a muscle with a mesh of the program's choice.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none.
+    pub fn new(muscle: &Muscle) -> Result<Self, FemError> {
+        Self::with_mesh(muscle, &MeshSpec::default())
+    }
+
+    /// The model of a muscle with a mesh that is said.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none.
+    pub fn with_mesh(muscle: &Muscle, mesh: &MeshSpec) -> Result<Self, FemError> {
+        let engine = RefCell::new(Engine::new(muscle, mesh)?);
+        Ok(Self { muscle: muscle.clone(), engine })
+    }
+
+    /// Runs something with the elements.
+    pub(crate) fn engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
+        work(&mut self.engine.borrow_mut())
+    }
+
+    /// Newton iterations, factorisations and residuals since it was made.
+    pub fn effort(&self) -> Effort {
+        self.engine(|e| e.walker.effort)
+    }
+
+    /// Forgets every equilibrium: the next question starts from rest.
+    pub fn forget(&self) {
+        self.engine(Engine::forget);
+    }
+
+    /// Everything known at a pressure in MPa and a contraction.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn solve(&self, pressure_mpa: f64, contraction: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            e.reach(pressure_mpa, contraction)?;
+            Solution::of(&mut e.walker.body, &self.muscle)
+        })
+    }
+
+    /// The equilibrium with a given pull in N at a pressure in MPa; its contraction is sought.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn at_force(&self, force_n: f64, pressure_mpa: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            self.reach_force(e, force_n, pressure_mpa)?;
+            Solution::of(&mut e.walker.body, &self.muscle)
+        })
+    }
+
+    /// Goes to the equilibrium with a given pull and pressure.
+    pub(crate) fn reach_force(&self, e: &mut Engine, force: f64, pressure: f64) -> Result<(), FemError> {
+        let highest = 1.2 * self.muscle.max_ideal_contraction();
+        let guess = e.guessed_contraction(force, pressure, highest).unwrap_or(0.0);
+        // The ends take a share of the endless muscle's contraction.
+        e.reach(pressure, 0.9 * guess)?;
+        e.walker.solve(Control::Force(force)).map_err(|reason| FemError::Force { force_n: force, reason })?;
+        e.keep();
+        Ok(())
+    }
+
+    /// The equilibrium with a given pull in N at a contraction; its pressure is sought. P′ is the one without a pull.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn at_pressure_for(&self, force_n: f64, contraction: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            self.reach_pressure(e, force_n, contraction)?;
+            Solution::of(&mut e.walker.body, &self.muscle)
+        })
+    }
+
+    fn reach_pressure(&self, e: &mut Engine, force: f64, contraction: f64) -> Result<(), FemError> {
+        let blocked = mckibben::model::Ideal::new(&self.muscle).pull(1.0, contraction).max(1.0);
+        let start = e.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / blocked;
+        e.reach(1.05 * start + 1e-6, contraction)?;
+        let terminal = -contraction * e.half_length();
+        e.walker
+            .solve(Control::Pressure { terminal, force })
+            .map_err(|reason| FemError::Force { force_n: force, reason })?;
+        e.keep();
+        Ok(())
+    }
+}
+
+impl ForceModel for Axisymmetric {
+    fn name(&self) -> &str {
+        "fe"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "axisymmetric finite elements (Q2/P−1, two strand families bonded to the outer surface, rigid terminals)"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::share(
+            0.0005,
+            "discretisation alone, against meshes four times as fine over the paper's range; how well the muscle is described is another matter",
+        )
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        self.engine(|e| {
+            e.reach(pressure_mpa, contraction)?;
+            Solution::response(&mut e.walker.body, &self.muscle)
+        })
+        .map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+    }
+
+    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        self.engine(|e| e.reach(pressure_mpa, contraction).map(|()| e.walker.body.totals.pull))
+            .map_err(|e| e.into_model(pressure_mpa, contraction))
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        self.engine(|e| self.reach_pressure(e, force_n, contraction).map(|()| e.walker.body.state.pressure))
+            .ok()
+            .filter(|p| *p >= 0.0)
+            .map(Ok)
+    }
+
+    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+        self.engine(|e| {
+            self.reach_force(e, force_n, pressure_mpa)
+                .map(|()| -e.walker.body.state.terminal / e.half_length())
+        })
+        .ok()
+        .filter(|e| *e >= 0.0)
+        .map(Ok)
+    }
+}
