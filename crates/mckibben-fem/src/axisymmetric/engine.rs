@@ -127,6 +127,23 @@ impl Engine {
         Ok(())
     }
 
+    fn factorised(&mut self) -> Result<(), FemError> {
+        let force_n = self.walker.body.totals.pull;
+        self.walker.body.factorise().map(|_| ()).map_err(|reason| FemError::Force { force_n, reason })
+    }
+
+    /// dF/dw of the present equilibrium, factorised anew.
+    pub fn tangent_stiffness(&mut self) -> Result<f64, FemError> {
+        self.factorised()?;
+        Ok(self.walker.body.terminal_stiffness())
+    }
+
+    /// ∂F/∂P of the present equilibrium, factorised anew.
+    pub fn tangent_per_pressure(&mut self) -> Result<f64, FemError> {
+        self.factorised()?;
+        Ok(self.walker.body.force_per_pressure())
+    }
+
     fn again(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
         self.walker.reset();
         self.walker.walk(pressure, terminal)

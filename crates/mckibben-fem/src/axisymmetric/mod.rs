@@ -12,6 +12,7 @@ mod model;
 pub mod path;
 mod results;
 mod sensitivity;
+pub mod sweep;
 
 pub use curves::{Curve, CurvePoint};
 pub use engine::{Along, Engine};

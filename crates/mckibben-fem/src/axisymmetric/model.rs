@@ -5,7 +5,7 @@ use super::equilibrium::Control;
 use super::error::FemError;
 use super::mesh::MeshSpec;
 use super::results::Solution;
-use crate::solver::newton::Effort;
+use crate::solver::newton::{Effort, Stopped};
 use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
 use mckibben::muscle::Muscle;
 use std::cell::RefCell;
@@ -80,10 +80,16 @@ impl Axisymmetric {
         let highest = 1.2 * self.muscle.max_ideal_contraction();
         let guess = e.guessed_contraction(force, pressure, highest).unwrap_or(0.0);
         // The ends take a share of the endless muscle's contraction.
-        e.reach(pressure, 0.9 * guess)?;
-        e.walker.solve(Control::Force(force)).map_err(|reason| FemError::Force { force_n: force, reason })?;
-        e.keep();
-        Ok(())
+        let mut contraction = 0.85 * guess;
+        let length = 2.0 * e.half_length();
+        close_in(e, force, |e| {
+            e.reach(pressure, contraction)?;
+            let (pull, stiffness) = (e.walker.body.totals.pull, 0.5 * e.tangent_stiffness()?);
+            // dF/dε = −L0 ∂F/∂L; a step of at most a twentieth of the length.
+            let step = (pull - force) / (length * stiffness.max(1e-3 * pull.abs() / length));
+            contraction += step.clamp(-0.05, 0.05);
+            Ok(Control::Force(force))
+        })
     }
 
     /// The equilibrium with a given pull in N at a contraction; its pressure is sought. P′ is the one without a pull.
@@ -98,16 +104,42 @@ impl Axisymmetric {
     }
 
     fn reach_pressure(&self, e: &mut Engine, force: f64, contraction: f64) -> Result<(), FemError> {
-        let blocked = mckibben::model::Ideal::new(&self.muscle).pull(1.0, contraction).max(1.0);
-        let start = e.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / blocked;
-        e.reach(1.05 * start + 1e-6, contraction)?;
+        let ideal = mckibben::model::Ideal::new(&self.muscle).pull(1.0, contraction).max(1.0);
+        let start = e.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
+        let scale = 1e-3 * e.walker.body.discrete.shear;
+        let mut pressure = 1.4 * start + scale;
         let terminal = -contraction * e.half_length();
-        e.walker
-            .solve(Control::Pressure { terminal, force })
-            .map_err(|reason| FemError::Force { force_n: force, reason })?;
-        e.keep();
-        Ok(())
+        close_in(e, force, |e| {
+            e.reach(pressure, contraction)?;
+            let (pull, slope) = (e.walker.body.totals.pull, e.tangent_per_pressure()?);
+            let step = (force - pull) / slope;
+            let largest = 0.5 * pressure.abs() + scale;
+            pressure += if slope > 0.0 { step.clamp(-largest, largest) } else { largest };
+            Ok(Control::Pressure { terminal, force })
+        })
     }
+}
+
+/// Steps towards a pull by single equilibria until Newton's method with the pull held takes over.
+fn close_in(
+    e: &mut Engine,
+    force: f64,
+    mut step: impl FnMut(&mut Engine) -> Result<Control, FemError>,
+) -> Result<(), FemError> {
+    const STEPS: usize = 12;
+    let mut reason = Stopped::Iterations { iterations: STEPS, residual: f64::INFINITY };
+    for _ in 0..STEPS {
+        let control = step(e)?;
+        match e.walker.solve(control) {
+            Ok(_) if e.stable() => {
+                e.keep();
+                return Ok(());
+            }
+            Ok(_) => {}
+            Err(stop) => reason = stop,
+        }
+    }
+    Err(FemError::Force { force_n: force, reason })
 }
 
 impl ForceModel for Axisymmetric {
