@@ -9,3 +9,4 @@ pub mod axisymmetric;
 pub mod element;
 pub mod load;
 pub mod solver;
+pub mod verification;

@@ -213,6 +213,14 @@ impl Body {
         -self.condense(change)
     }
 
+    /// Solves with the last tangent and the terminal moved by `dw`; the right-hand side becomes the solution.
+    pub fn solve_linear(&mut self, rhs: &mut [f64], dw: f64) {
+        self.condense(rhs);
+        let last = self.discrete.layout.end();
+        self.end.backward(&mut rhs[last..], dw);
+        self.work.chain.backward(rhs);
+    }
+
     /// Augments and forward-substitutes a right-hand side; gives what arrives at the terminal.
     fn condense(&mut self, rhs: &mut [f64]) -> f64 {
         self.augment(rhs);

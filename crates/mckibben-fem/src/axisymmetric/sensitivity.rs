@@ -144,11 +144,14 @@ fn residual(
 ) -> Result<Vec<f64>, FemError> {
     let other = rebuilt(d, law, from, to)?;
     let mut state = state.clone();
-    // At fixed ε the terminal moves with L0.
-    let shift = state.terminal * (to.length / from.length - 1.0);
-    let end = d.layout.end();
-    for i in 0..d.layout.nodes() {
-        state.x[end + 2 * i + 1] += shift;
+    // At fixed ε the terminal moves with L0. All axial displacements go with it: what is added to free unknowns does
+    // not change what arrives at the terminal, and the terminal's move alone would be too rough for differences.
+    let ratio = to.length / from.length;
+    for j in 0..=2 * d.layout.along {
+        let at = d.layout.at(j);
+        for i in 0..d.layout.nodes() {
+            state.x[at + 2 * i + 1] *= ratio;
+        }
     }
     let mut work = Work::new(&other);
     assemble::<false>(&other, &state, &mut work)

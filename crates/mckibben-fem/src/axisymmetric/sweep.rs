@@ -49,6 +49,8 @@ pub struct SweepRow {
     pub endless_n: Option<f64>,
     /// The pull in N, or why there is none.
     pub answer: Result<f64, String>,
+    /// Whether the equilibrium is stable with the terminals held.
+    pub stable: bool,
     /// Newton iterations spent.
     pub iterations: usize,
     /// Seconds spent.
@@ -158,15 +160,15 @@ fn ask(case: SweepCase) -> SweepRow {
     });
     let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);
     let start = std::time::Instant::now();
-    let (answer, iterations) = match Axisymmetric::new(&case.muscle) {
-        Err(e) => (Err(e.to_string()), 0),
+    let (answer, stable, iterations) = match Axisymmetric::new(&case.muscle) {
+        Err(e) => (Err(e.to_string()), false, 0),
         Ok(model) => {
             let answer = model
                 .engine(|e| e.reach(case.pressure_mpa, case.contraction).map(|()| e.walker.body.totals.pull))
                 .map_err(|e| e.to_string());
-            (answer, model.effort().iterations)
+            (answer, model.engine(|e| e.stable()), model.effort().iterations)
         }
     };
     let seconds = start.elapsed().as_secs_f64();
-    SweepRow { required, endless_n: endless.map(|r| r.force_n), answer, iterations, seconds, case }
+    SweepRow { required, endless_n: endless.map(|r| r.force_n), answer, stable, iterations, seconds, case }
 }
