@@ -7,7 +7,14 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+pub mod analysis;
+pub mod answer;
+pub mod compare;
+pub mod curve;
+pub mod design;
 pub mod model;
 pub mod muscle;
+mod nearest;
 pub mod rubber;
+pub mod study;
 pub mod units;

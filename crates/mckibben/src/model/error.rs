@@ -28,6 +28,18 @@ pub enum ModelError {
         /// What it needs and how to give it.
         missing: &'static str,
     },
+    /// The muscle is too short for a model of its ends.
+    #[error(
+        "the {model} model needs a muscle longer than {least_mm:.1} mm (its outer diameter times cot² of its braid angle); this one is {length_mm} mm: its ends would take up more than the middle gives"
+    )]
+    TooShort {
+        /// The model's name.
+        model: &'static str,
+        /// Length at rest in mm.
+        length_mm: f64,
+        /// Length that must be exceeded, in mm.
+        least_mm: f64,
+    },
     /// No geometry exists at this contraction.
     #[error(
         "at a contraction of {contraction} the muscle has no shape: it must lie above {lowest:.6} (strands straight) and below {highest:.6}"

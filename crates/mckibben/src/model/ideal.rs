@@ -86,7 +86,7 @@ impl ForceModel for Ideal {
         let d = self.muscle.pantograph_diameter_mm(contraction);
         // Axial balance of a cut: F + P π D²/4 = (sum of tensions) · cosθ.
         let tension = (force_n + pressure_mpa * 0.25 * PI * d * d) / c;
-        Ok(Response {
+        Response {
             pressure_mpa,
             contraction,
             force_n,
@@ -98,7 +98,8 @@ impl ForceModel for Ideal {
             bulged_diameter_mm: Some(d),
             ..Response::default()
         }
-        .with_braid_tension(tension, self.muscle.braid().strands.map(|s| s.count)))
+        .with_braid_tension(tension, self.muscle.braid().strands.map(|s| s.count))
+        .finite(self.name())
     }
 
     fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {

@@ -5,23 +5,60 @@
 //! (`tests/models.rs`).
 
 mod accuracy;
+mod belforte;
+mod chou_hannaford;
+mod conical_ends;
 mod error;
+mod festo_hunt;
+mod festo_sarosi;
+mod force_balance;
+mod hysteresis;
 mod ideal;
+mod kind;
+mod klute_hannaford;
+mod pantograph;
+mod paper;
+mod paper_batch;
 mod quadrature;
 mod range;
 mod response;
+mod root;
+mod rounded_ends;
 mod thick_wall;
+mod tondu_lopez;
+mod tondu_pressures;
 mod wall;
 
 pub use accuracy::{Accuracy, BlockedAt};
+pub use belforte::Belforte;
+pub use chou_hannaford::ChouHannaford;
+pub use conical_ends::ConicalEnds;
 pub use error::ModelError;
+pub use festo_hunt::{
+    FestoHunt, SPECIMENS as HUNT_SPECIMENS, largest_contraction as hunt_largest_contraction,
+};
+pub use festo_sarosi::FestoSarosi;
+pub use force_balance::ForceBalance;
+pub use hysteresis::Hysteresis;
 pub use ideal::Ideal;
+pub use kind::{ModelKind, UnknownModel};
+pub use klute_hannaford::KluteHannaford;
+pub use paper::{Coefficients, Paper, Section};
+pub use paper_batch::{BatchPath, LengthMismatch};
 pub use range::{ModelRange, RangeViolation};
 pub use response::Response;
+pub use rounded_ends::RoundedEnds;
 pub use thick_wall::ThickWall;
+pub use tondu_lopez::TonduLopez;
+pub use tondu_pressures::{largest_pressure_mpa, smallest_pressure_mpa};
 pub use wall::{Wall, WallEnergy};
 
 use crate::muscle::Muscle;
+
+/// Gauss–Legendre points and weights on [−1, 1].
+pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
+    quadrature::rule(points)
+}
 
 /// Whatever answers F(P, ε) for one muscle.
 ///
@@ -44,6 +81,11 @@ pub trait ForceModel: Send {
 
     /// What is known of its error.
     fn accuracy(&self) -> Accuracy;
+
+    /// Sentences that belong into the warnings of any answer of this model.
+    fn notes(&self) -> Vec<String> {
+        vec![]
+    }
 
     /// Everything it knows at a pressure in MPa and a contraction ratio; does not look at [`ForceModel::range`].
     ///

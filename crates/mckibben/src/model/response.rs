@@ -1,5 +1,7 @@
 //! What a model knows at one pressure and contraction.
 
+use super::ModelError;
+
 /// One point of a muscle's behaviour. What a model does not have is `None`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Response {
@@ -31,5 +33,15 @@ impl Response {
         self.braid_tension_n = Some(tension_n);
         self.strand_tension_n = strands.map(|n| tension_n / f64::from(n));
         self
+    }
+
+    /// The response, or [`ModelError::NotFinite`] where its force is none (a pressure that is not a number).
+    pub(crate) fn finite(self, model: &str) -> Result<Self, ModelError> {
+        let Self { pressure_mpa, contraction, force_n, .. } = self;
+        if force_n.is_finite() {
+            Ok(self)
+        } else {
+            Err(ModelError::NotFinite { model: model.into(), pressure_mpa, contraction })
+        }
     }
 }

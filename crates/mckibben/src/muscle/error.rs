@@ -7,7 +7,7 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum MuscleError {
     /// A length, area, modulus or count that must be above zero.
-    #[error("{key} is {value} {unit}; it must be above zero and finite")]
+    #[error("{key} is {}; it must be above zero and finite", with_unit(*.value, .unit))]
     NotPositive {
         /// Key as in the muscle file, such as `tube.outer_diameter`.
         key: &'static str,
@@ -17,7 +17,7 @@ pub enum MuscleError {
         unit: &'static str,
     },
     /// A number below zero, or not finite, where zero is the least.
-    #[error("{key} is {value} {unit}; it must not be below zero, and finite")]
+    #[error("{key} is {}; it must not be below zero, and finite", with_unit(*.value, .unit))]
     Negative {
         /// Key as in the muscle file.
         key: &'static str,
@@ -89,6 +89,38 @@ pub enum MuscleError {
         /// (1 − ε_max)/(2 ε_max).
         largest: f64,
     },
+}
+
+impl MuscleError {
+    /// The keys of the muscle file that can be at fault, the likeliest first.
+    pub fn keys(&self) -> Vec<&'static str> {
+        match self {
+            // A key may carry an explanation behind it: "terminals.end_factor at 0 MPa (a + b)".
+            MuscleError::NotPositive { key, .. } | MuscleError::Negative { key, .. } => {
+                vec![key.split(' ').next().unwrap_or(key)]
+            }
+            MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
+            MuscleError::Angle { .. } => vec!["braid.angle"],
+            MuscleError::Rubber(LawError::NotStiff { .. }) => {
+                vec!["tube.material.c10", "tube.material.mu", "tube.material"]
+            }
+            MuscleError::Rubber(LawError::Limit { .. }) => vec!["tube.material.jm", "tube.material"],
+            MuscleError::Rubber(LawError::Terms) => vec!["tube.material.alpha", "tube.material"],
+            MuscleError::Rubber(LawError::NotFinite { .. }) => vec!["tube.material"],
+            MuscleError::StiffnessTwice => vec!["braid.stiffness"],
+            MuscleError::StrandsIncomplete { .. } => {
+                vec!["braid.strand_area", "braid.strand_modulus", "braid.strands"]
+            }
+            MuscleError::StrandCount { .. } => vec!["braid.strands"],
+            MuscleError::StrengthWithoutCount => vec!["braid.strand_strength"],
+            MuscleError::StrandTooShort { .. } => vec!["braid.strand_length"],
+            MuscleError::ConeFactor { .. } => vec!["terminals.cone_factor"],
+        }
+    }
+}
+
+fn with_unit(value: f64, unit: &str) -> String {
+    format!("{value} {unit}").trim_end().to_string()
 }
 
 pub(super) fn positive(key: &'static str, value: f64, unit: &'static str) -> Result<(), MuscleError> {

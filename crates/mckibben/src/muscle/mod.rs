@@ -45,11 +45,25 @@ impl Muscle {
     ) -> Result<Self, MuscleError> {
         tube.check()?;
         braid.check()?;
-        terminals.check(&tube)?;
+        terminals.check()?;
+        if let Some(measured) = braid.measured
+            && measured.strand_length_mm <= tube.length_mm
+        {
+            let (strand_length_mm, length_mm) = (measured.strand_length_mm, tube.length_mm);
+            return Err(MuscleError::StrandTooShort { strand_length_mm, length_mm });
+        }
         if let Some(friction) = &friction {
             friction.check()?;
         }
-        Ok(Self { tube, braid, terminals, friction })
+        let muscle = Self { tube, braid, terminals, friction };
+        if let Some(value) = muscle.terminals.cone_factor {
+            let end = muscle.max_ideal_contraction();
+            let largest = (1.0 - end) / (2.0 * end);
+            if value > largest {
+                return Err(MuscleError::ConeFactor { value, largest });
+            }
+        }
+        Ok(muscle)
     }
 
     /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.

@@ -1,7 +1,6 @@
 //! The terminals: rigid plugs to which tube and braid are bonded.
 
-use super::error::{MuscleError, not_negative};
-use super::tube::Tube;
+use super::error::{MuscleError, not_negative, positive};
 
 /// The empirical factor of Tondu & Lopez (2000) by which the contraction is multiplied to account for the ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,13 +52,13 @@ impl Default for Terminals {
 }
 
 impl Terminals {
-    pub(super) fn check(&self, _tube: &Tube) -> Result<(), MuscleError> {
+    pub(super) fn check(&self) -> Result<(), MuscleError> {
         not_negative("terminals.insertion", self.insertion_mm, "mm")?;
         match self.end_factor {
-            Some(EndFactor::Constant(k)) => super::error::positive("terminals.end_factor", k, "")?,
+            Some(EndFactor::Constant(k)) => positive("terminals.end_factor", k, "")?,
             Some(EndFactor::OfPressure { a, b }) => {
-                super::error::positive("terminals.end_factor at 0 MPa (a + b)", a + b, "")?;
-                super::error::positive("terminals.end_factor at high pressure (b)", b, "")?;
+                positive("terminals.end_factor at 0 MPa (a + b)", a + b, "")?;
+                positive("terminals.end_factor at high pressure (b)", b, "")?;
             }
             None => {}
         }

@@ -17,7 +17,7 @@ mod yeoh;
 pub use gent::Gent;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
 pub use law::{Law, LawError, LawVisitor};
-pub use library::{RubberEntry, UnknownRubber};
+pub use library::{LibraryError, RubberEntry, RubberFit, RubberWarning};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::Ogden;

@@ -28,10 +28,10 @@ impl RubberLaw for Ogden {
     fn principal(&self, l: [f64; 3]) -> Principal {
         let mut p = Principal { w: 0.0, d: [0.0; 3], dd: [[0.0; 3]; 3] };
         for &(mu, alpha) in &self.terms {
-            for i in 0..3 {
-                let power = l[i].powf(alpha - 2.0);
-                p.w += mu / alpha * (power * l[i] * l[i] - 1.0);
-                p.d[i] += mu * power * l[i];
+            for (i, stretch) in l.into_iter().enumerate() {
+                let power = stretch.powf(alpha - 2.0);
+                p.w += mu / alpha * (power * stretch * stretch - 1.0);
+                p.d[i] += mu * power * stretch;
                 p.dd[i][i] += mu * (alpha - 1.0) * power;
             }
         }

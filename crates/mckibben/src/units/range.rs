@@ -137,7 +137,7 @@ fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Valu
         return Err(RangeError::Step { text: text.into() });
     }
     let steps = (high - low) / step;
-    if !(steps < MAX_POINTS as f64) {
+    if steps.is_nan() || steps >= MAX_POINTS as f64 {
         return Err(RangeError::TooMany { text: text.into(), points: steps + 1.0 });
     }
     // Counted in the step's own unit, so that the points are the decimals the user had in mind.

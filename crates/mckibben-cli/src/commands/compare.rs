@@ -1,0 +1,301 @@
+//! `compare`: models, and measured points.
+
+use crate::cli::{BranchWord, CompareArgs};
+use crate::failure::Failure;
+use crate::figure;
+use crate::flags::{Format, PressureUnit};
+use crate::output::text::{Pressures, muscle_line, number, percent, table};
+use crate::output::{csv, emit, json};
+use crate::resolve;
+use mckibben::answer::Options;
+use mckibben::compare::{
+    Branch, Comparison, Fit, FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured,
+};
+use mckibben::model::{ForceModel, ModelKind};
+use mckibben::muscle::{Motion, Muscle};
+use mckibben::units::Dimension;
+use serde_json::{Value, json};
+use std::path::Path;
+
+struct Row {
+    model: Box<dyn ForceModel>,
+    comparison: Comparison,
+    fit: Option<Fit>,
+}
+
+/// Runs the command.
+pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
+    let muscle = resolve::muscle(&args.muscle)?;
+    let kinds = kinds(args)?;
+    let motion = resolve::motion(&args.asking, &muscle)?;
+    let options = resolve::options(&args.asking);
+    let measured = match &args.data {
+        Some(path) => Some(chosen_branch(read(path)?, args.branch, path)?),
+        None => None,
+    };
+    let p_unit = args.output.units.or(PressureUnit::typed(args.pressure.as_deref()));
+    let p = Pressures(p_unit.unwrap_or(PressureUnit::Mpa));
+    let (pressures, contractions) = grid(args, measured.as_deref())?;
+    let rows = match &measured {
+        Some(points) => against_points(args, &kinds, &muscle, motion, options, points)?,
+        None => against_first(&kinds, &muscle, motion, options, &pressures, &contractions)?,
+    };
+    if let Some(path) = &args.plot.plot {
+        let models: Vec<Box<dyn ForceModel>> = rows
+            .iter()
+            .zip(&kinds)
+            .map(|(row, &kind)| resolve::build(kind, row.model.muscle(), motion))
+            .collect::<Result<_, _>>()?;
+        let points = measured.as_deref().unwrap_or(&[]);
+        let about = muscle_line(&muscle);
+        figure::compare(&models, points, &pressures, &contractions, options, &about, p).save(path)?;
+    }
+    let list: Vec<Value> = rows.iter().map(as_json).collect();
+    let text = match args.output.format {
+        Format::Json => {
+            let reference = if measured.is_some() { "measured" } else { rows[0].model.name() };
+            let points = measured.as_ref().map_or(pressures.len() * contractions.len(), Vec::len);
+            json::print(
+                &json!({ "reference": reference, "points": points, "muscle": json::muscle(&muscle), "models": list }),
+            )
+        }
+        Format::Csv => csv::rows(&list)?,
+        Format::Text => as_text(args, &rows, &muscle, measured.as_deref()),
+    };
+    emit(&text, args.output.output.as_deref())?;
+    Ok(0)
+}
+
+fn kinds(args: &CompareArgs) -> Result<Vec<ModelKind>, Failure> {
+    let names: Vec<&str> = match (&args.model, args.models.as_slice()) {
+        (Some(one), _) => vec![one],
+        (None, []) => vec!["ideal", "thick-wall", "paper"],
+        (None, list) => list.iter().map(String::as_str).collect(),
+    };
+    let mut kinds: Vec<ModelKind> = vec![];
+    for name in names {
+        let kind = resolve::parse_kind(name.trim())?;
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
+        }
+    }
+    Ok(kinds)
+}
+
+fn read(path: &Path) -> Result<Vec<MeasuredPoint>, Failure> {
+    let file = std::fs::File::open(path).map_err(|e| Failure::unreadable(path, &e))?;
+    let meta = file.metadata().map_err(|e| Failure::unreadable(path, &e))?;
+    if !meta.is_file() {
+        return Err(Failure::input("file", format!("{} is not a file", path.display()), "give a CSV file"));
+    }
+    read_measured(file).map_err(|e| Failure::measured(path, &e))
+}
+
+fn chosen_branch(
+    points: Vec<MeasuredPoint>,
+    word: BranchWord,
+    path: &Path,
+) -> Result<Vec<MeasuredPoint>, Failure> {
+    let wanted = match word {
+        BranchWord::Mean => return Ok(mean_of_branches(&points)),
+        BranchWord::Contraction => Branch::Contraction,
+        BranchWord::Elongation => Branch::Elongation,
+    };
+    let list: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == Some(wanted)).collect();
+    if list.is_empty() {
+        let message = format!("{} has no points of that branch", path.display());
+        return Err(Failure::input(
+            "data",
+            message,
+            "its column `branch` must say contraction or elongation",
+        ));
+    }
+    Ok(list)
+}
+
+/// Pressures and contractions of the figure (and of the comparison without data).
+fn grid(args: &CompareArgs, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f64>, Vec<f64>), Failure> {
+    match measured {
+        Some(points) => {
+            let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();
+            pressures.sort_by(f64::total_cmp);
+            pressures.dedup();
+            let ends = points.iter().map(|m| m.contraction);
+            let (low, high) = ends.fold((0.0_f64, 0.0_f64), |(a, b), e| (a.min(e), b.max(e)));
+            Ok((pressures, (0..=100).map(|i| low + (high - low) * f64::from(i) / 100.0).collect()))
+        }
+        None => Ok((
+            resolve::points(
+                "--pressure",
+                args.pressure.as_deref(),
+                Dimension::Pressure,
+                "0.05..0.25:0.05",
+                5,
+            )?,
+            resolve::points(
+                "--contraction",
+                args.contraction.as_deref(),
+                Dimension::Ratio,
+                "0..0.2:0.01",
+                20,
+            )?,
+        )),
+    }
+}
+
+fn against_points(
+    args: &CompareArgs,
+    kinds: &[ModelKind],
+    muscle: &Muscle,
+    motion: Motion,
+    options: Options,
+    points: &[MeasuredPoint],
+) -> Result<Vec<Row>, Failure> {
+    let parameters = parameters(&args.fit)?;
+    let mut rows = vec![];
+    for &kind in kinds {
+        let mut fitted = None;
+        if !parameters.is_empty() && kind.takes(&parameters) {
+            fitted = Some(fit(muscle, &parameters, points, |m| resolve::build(kind, m, motion))?);
+        }
+        let model = resolve::build(kind, fitted.as_ref().map_or(muscle, |f| &f.muscle), motion)?;
+        let comparison = compare(model.as_ref(), points, options.extrapolate)?;
+        rows.push(Row { model, comparison, fit: fitted });
+    }
+    Ok(rows)
+}
+
+/// Whether fitting these constants changes a model's answer.
+trait Takes {
+    fn takes(self, parameters: &[FitParameter]) -> bool;
+}
+
+impl Takes for ModelKind {
+    fn takes(self, parameters: &[FitParameter]) -> bool {
+        parameters.iter().all(|p| match p {
+            FitParameter::Modulus => matches!(self, ModelKind::ThickWall | ModelKind::KluteHannaford),
+            FitParameter::EndFactor => matches!(self, ModelKind::ThickWall | ModelKind::TonduLopez),
+            FitParameter::Stiffness => matches!(self, ModelKind::ThickWall),
+        })
+    }
+}
+
+fn parameters(words: &[String]) -> Result<Vec<FitParameter>, Failure> {
+    let known: Vec<&str> = FitParameter::NAMES.iter().map(|n| n.0).collect();
+    words
+        .iter()
+        .map(|word| {
+            FitParameter::NAMES.iter().find(|n| n.0 == word.trim()).map(|n| n.1).ok_or_else(|| {
+                Failure::input(
+                    "usage",
+                    format!("--fit: \"{word}\" cannot be fitted"),
+                    format!("one of {}", known.join(", ")),
+                )
+            })
+        })
+        .collect()
+}
+
+/// Without data: every model against the first.
+fn against_first(
+    kinds: &[ModelKind],
+    muscle: &Muscle,
+    motion: Motion,
+    options: Options,
+    pressures: &[f64],
+    contractions: &[f64],
+) -> Result<Vec<Row>, Failure> {
+    let mut points: Vec<MeasuredPoint> = vec![];
+    let mut rows: Vec<Row> = vec![];
+    for &kind in kinds {
+        let model = resolve::build(kind, muscle, motion)?;
+        if rows.is_empty() {
+            for &pressure_mpa in pressures {
+                for &contraction in contractions {
+                    let point = mckibben::answer::point(model.as_ref(), pressure_mpa, contraction, options)?;
+                    let force_n = point.response.force_n;
+                    points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
+                }
+            }
+        }
+        let comparison = compare(model.as_ref(), &points, options.extrapolate)?;
+        rows.push(Row { model, comparison, fit: None });
+    }
+    Ok(rows)
+}
+
+fn as_json(row: &Row) -> Value {
+    let c = &row.comparison;
+    let mut out = json!({
+        "model": c.model, "rms_n": c.rms_n, "max_n": c.max_n, "mean_n": c.mean_n, "points": c.points,
+        "unanswered": c.unanswered.as_ref().map_or(0, |u| u.0),
+        "cause": c.unanswered.as_ref().map(|u| u.1.clone()),
+    });
+    if let (Some(map), Some(fit)) = (out.as_object_mut(), &row.fit) {
+        for (parameter, value) in &fit.values {
+            let key = match parameter {
+                FitParameter::Modulus => "fitted_modulus_factor",
+                FitParameter::EndFactor => "fitted_end_factor",
+                FitParameter::Stiffness => "fitted_stiffness_n_per_mm",
+            };
+            map.insert(key.into(), json!(value));
+        }
+    }
+    out
+}
+
+fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&[MeasuredPoint]>) -> String {
+    let mut out = format!("{}\n", muscle_line(muscle));
+    match (measured, &args.data) {
+        (Some(points), Some(path)) => {
+            let largest = points.iter().map(|m| m.force_n).fold(0.0, f64::max);
+            let which =
+                if args.branch == BranchWord::Mean { " (mean of the branches where both stand)" } else { "" };
+            out.push_str(&format!(
+                "against {} points of {}{which}, largest {} N\n\n",
+                points.len(),
+                path.display(),
+                number(largest, 4)
+            ));
+        }
+        _ => out.push_str(&format!("against the model {}\n\n", rows[0].model.name())),
+    }
+    let header = ["model", "rms [N]", "largest [N]", "mean [N]", "points"];
+    let table_rows = rows.iter().map(|row| {
+        let c = &row.comparison;
+        vec![
+            c.model.clone(),
+            number(c.rms_n, 3),
+            number(c.max_n, 3),
+            number(c.mean_n, 3),
+            c.points.to_string(),
+        ]
+    });
+    out.push_str(&table(&header, table_rows.collect()));
+    out.push_str("\nmean: above zero where the model promises too much\n");
+    for row in rows {
+        if let Some(fit) = &row.fit {
+            let values: Vec<String> = fit
+                .values
+                .iter()
+                .map(|(parameter, value)| match parameter {
+                    FitParameter::Modulus => format!("modulus × {}", number(*value, 4)),
+                    FitParameter::EndFactor => format!("end factor {}", number(*value, 4)),
+                    FitParameter::Stiffness => format!("stiffness {} N/mm", number(*value, 4)),
+                })
+                .collect();
+            out.push_str(&format!("{}: fitted {}\n", row.comparison.model, values.join(", ")));
+        } else if !args.fit.is_empty() {
+            out.push_str(&format!("{}: nothing of --fit to fit, taken as it is\n", row.comparison.model));
+        }
+        if let Some((n, cause)) = &row.comparison.unanswered {
+            let share = *n as f64 / (n + row.comparison.points) as f64;
+            out.push_str(&format!(
+                "{}: {n} points ({}) not answered: {cause}\n",
+                row.comparison.model,
+                percent(share)
+            ));
+        }
+    }
+    out
+}

@@ -1,0 +1,35 @@
+//! One file a command.
+
+mod compare;
+mod curve;
+mod design;
+mod models;
+mod muscle;
+mod rubber;
+mod study;
+mod value;
+
+use crate::cli::{Cli, Command, MuscleCommand, RubberCommand};
+use crate::failure::Failure;
+use clap::CommandFactory;
+
+/// Runs a command; the exit code where it ends well.
+pub fn run(command: Command) -> Result<u8, Failure> {
+    match command {
+        Command::Design(args) => design::run(&args),
+        Command::Force(args) => value::force(&args),
+        Command::Pressure(args) => value::pressure(&args),
+        Command::Contraction(args) => value::contraction(&args),
+        Command::Curve(args) if args.study.is_some() => study::run(&args),
+        Command::Curve(args) => curve::run(&args),
+        Command::Compare(args) => compare::run(&args),
+        Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args),
+        Command::Rubber(RubberCommand::List(args)) => rubber::list(&args),
+        Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args),
+        Command::Models(args) => models::run(&args),
+        Command::Completions { shell } => {
+            clap_complete::generate(shell, &mut Cli::command(), "mckibben", &mut std::io::stdout());
+            Ok(0)
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Isobaric curves of the first candidates with the operating points.
+
+use super::caption;
+use super::curves::line;
+use crate::output::text::{Pressures, number, percent};
+use mckibben::answer::Options;
+use mckibben::curve::{Test, curves};
+use mckibben::design::{Candidate, OperatingPoint};
+use mckibben::model::ForceModel;
+use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
+
+/// One colour a candidate: solid at the maximum pressure, dashed at the pressure it needs.
+pub fn design(
+    models: &[(&Candidate, Box<dyn ForceModel>)],
+    wanted: &[OperatingPoint],
+    max_pressure_mpa: f64,
+    options: Options,
+    p: Pressures,
+) -> Figure {
+    let mut panel =
+        Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
+    let asked = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
+    for (i, (candidate, model)) in models.iter().enumerate() {
+        let m = &candidate.muscle;
+        let name = format!("D0 {}, s {}", number(m.outer_diameter_mm(), 4), number(m.wall_mm(), 3));
+        let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.range().contraction.1);
+        let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
+        let needed = candidate.pressure_mpa;
+        for (pressure, style) in [(max_pressure_mpa, Style::Line), (needed, Style::Dashed)] {
+            if pressure == needed && needed > 0.995 * max_pressure_mpa {
+                continue;
+            }
+            for curve in curves(model.as_ref(), Test::Isobaric, &[pressure], &along, options) {
+                let label = format!("{name} at {}", p.show(pressure));
+                let points = line(&curve, Test::Isobaric, p);
+                panel = panel.series(Series::new(label, points).colour(i).style(style));
+            }
+        }
+    }
+    for w in wanted {
+        let label = format!("{} N at {}", number(w.force_n, 4), percent(w.contraction));
+        panel = panel.mark(Mark::new(w.contraction, w.force_n, label));
+    }
+    let model = models.first().map_or("", |m| m.1.name());
+    Figure::new("Candidates: pull over contraction")
+        .caption(caption(format!("Model {model}; lengths in mm")))
+        .panel(panel)
+}

@@ -1,0 +1,293 @@
+//! The axes of the panels: gutters for texts, scales, legend and labels of each panel.
+
+use crate::curve::{Frame, Rect};
+use crate::font::Metrics;
+use crate::labels;
+use crate::layout::{PANEL_TITLE, PER_MM, Placed};
+use crate::legend;
+use crate::line_labels::{self, Ended};
+use crate::room::Room;
+use crate::ticks::{self, Scale};
+use crate::{Axis, FigureError, Panel, palette};
+
+/// Font sizes of tick texts and axis labels.
+pub(crate) const TICK: f64 = 9.8;
+pub(crate) const LABEL: f64 = 11.0;
+/// Length of a tick.
+pub(crate) const TICK_LENGTH: f64 = 4.0;
+const LABEL_ROW: f64 = 13.5;
+
+/// Plot, scales and axis texts of a panel.
+pub(crate) struct Axes {
+    pub plot: Rect,
+    pub x: Scale,
+    pub y: Scale,
+    /// Axis label in lines.
+    pub x_label: Vec<String>,
+    pub y_label: Vec<String>,
+    /// Middle of the first line of the (upright, turned) label of the vertical axis.
+    pub y_label_x: f64,
+}
+
+impl Axes {
+    pub fn frame(&self) -> Frame<'_> {
+        Frame { plot: self.plot, x: &self.x, y: &self.y }
+    }
+}
+
+/// What the panels share.
+pub(crate) struct Asked<'a> {
+    pub title: &'a str,
+    pub single: bool,
+    /// Whether each panel has a legend of its own.
+    pub own_legends: bool,
+}
+
+/// Lowest and highest values on both axes, of what the fixed ranges leave visible.
+pub(crate) type Extents = (Option<(f64, f64)>, Option<(f64, f64)>);
+
+/// Extents of the data of a panel.
+pub(crate) fn extents(panel: &Panel) -> Extents {
+    let within = |axis: &Axis, v: f64| axis.range.is_none_or(|(low, high)| v >= low && v <= high);
+    let points: Vec<(f64, f64)> = panel
+        .series
+        .iter()
+        .flat_map(|s| s.points.iter().copied())
+        .chain(panel.marks.iter().map(|m| (m.x, m.y)))
+        .filter(|(x, y)| x.is_finite() && y.is_finite())
+        .filter(|(x, y)| within(&panel.x, *x) && within(&panel.y, *y))
+        .collect();
+    (ticks::extent(points.iter().map(|p| p.0)), ticks::extent(points.iter().map(|p| p.1)))
+}
+
+/// Room kept on the four sides of a plot.
+#[derive(Clone, Copy, Default)]
+struct Gutters {
+    left: f64,
+    right: f64,
+    top: f64,
+    bottom: f64,
+}
+
+fn wrapped(text: &str, room: f64, metrics: &Metrics) -> Vec<String> {
+    let mut lines = metrics.wrap(text, LABEL, room);
+    if lines.len() > 2 {
+        lines = vec![lines[0].clone(), lines[1..].join(" ")];
+    }
+    lines.iter().map(|l| metrics.fit(l, LABEL, room)).collect()
+}
+
+fn y_wanted(height: f64) -> usize {
+    ((height / 40.0).round() as usize).clamp(2, 8)
+}
+
+/// The horizontal scale with as many ticks as their texts allow.
+fn x_scale(
+    panel: &Panel,
+    data: Option<(f64, f64)>,
+    width: f64,
+    metrics: &Metrics,
+) -> Result<Scale, FigureError> {
+    let mut wanted = ((width / 62.0).round() as usize).clamp(2, 10);
+    loop {
+        let scale = ticks::scale(&panel.x, data, wanted)?;
+        let widest = scale.labels.iter().map(|l| metrics.width(l, TICK)).fold(0.0, f64::max);
+        let between = width / (scale.ticks.len().max(2) - 1) as f64;
+        if widest + 8.0 <= between || wanted == 1 {
+            return Ok(scale);
+        }
+        wanted -= 1;
+    }
+}
+
+fn axes_in(panel: &Panel, cell: Rect, gutters: Gutters, metrics: &Metrics) -> Result<Axes, FigureError> {
+    let (x_data, y_data) = extents(panel);
+    let plot = Rect {
+        x: cell.x + gutters.left,
+        y: cell.y + gutters.top,
+        w: (cell.w - gutters.left - gutters.right).max(1.0),
+        h: (cell.h - gutters.top - gutters.bottom).max(1.0),
+    };
+    let x = x_scale(panel, x_data, plot.w, metrics)?;
+    let y = ticks::scale(&panel.y, y_data, y_wanted(plot.h))?;
+    let x_label = wrapped(&panel.x.label, plot.w, metrics);
+    let y_label = wrapped(&panel.y.label, plot.h, metrics);
+    Ok(Axes { plot, x, y, x_label, y_label, y_label_x: cell.x + LABEL_ROW / 2.0 })
+}
+
+/// Gutters of a panel, without what stands to the right of the plot.
+fn gutters(panel: &Panel, cell: Rect, titled: bool, metrics: &Metrics) -> Result<Gutters, FigureError> {
+    let mut gutters = Gutters { left: 40.0, right: 10.0, top: 6.0, bottom: 40.0 };
+    if titled {
+        gutters.top += PANEL_TITLE + 5.0;
+    }
+    // twice: the scales depend on the room, the room on the texts of the scales
+    for _ in 0..2 {
+        let axes = axes_in(panel, cell, gutters, metrics)?;
+        let widest = axes.y.labels.iter().map(|l| metrics.width(l, TICK)).fold(0.0, f64::max);
+        let last = axes.x.labels.last().map_or(0.0, |l| metrics.width(l, TICK));
+        let title = if titled { PANEL_TITLE + 5.0 } else { 0.0 };
+        gutters.top = 6.0 + title + if axes.y.exponent == 0 { 0.0 } else { TICK + 2.0 };
+        gutters.left = axes.y_label.len() as f64 * LABEL_ROW + widest + TICK_LENGTH + 8.0;
+        gutters.right = (last / 2.0 + 2.0).max(8.0);
+        let power_alone = if axes.x.exponent != 0 && axes.x_label.is_empty() { LABEL_ROW } else { 0.0 };
+        gutters.bottom = TICK_LENGTH + TICK + 8.0 + axes.x_label.len() as f64 * LABEL_ROW + power_alone;
+    }
+    Ok(gutters)
+}
+
+/// Room for the texts of lines that end at the right edge.
+fn end_room(panel: &Panel, axes: &Axes, metrics: &Metrics) -> f64 {
+    let frame = axes.frame();
+    let at_edge = panel.series.iter().filter(|s| !s.end_label.trim().is_empty()).filter(|s| {
+        frame.line(&s.points).last().is_some_and(|line| line_labels::reaches_edge(line, &axes.plot))
+    });
+    at_edge.map(|s| metrics.width(s.end_label.trim(), labels::SIZE) + 9.0).fold(0.0, f64::max)
+}
+
+/// What is drawn in a plot.
+fn room_of(panel: &Panel, axes: &Axes) -> Room {
+    let frame = axes.frame();
+    let mut room = Room::new(axes.plot);
+    for (i, series) in panel.series.iter().enumerate() {
+        if palette::dash(series.style, 0, crate::Palette::Categorical).is_some() {
+            frame.line(&series.points).iter().for_each(|line| room.add_line(line, i));
+        }
+        if palette::has_markers(series.style) {
+            frame.markers(&series.points).into_iter().for_each(|spot| room.add_marker(spot, i));
+        }
+    }
+    labels::add_rings(&panel.marks, &frame, &mut room);
+    room
+}
+
+/// Whether the legend of a panel in this cell finds a place that covers no data.
+pub(crate) fn legend_fits(panel: &Panel, cell: Rect, metrics: &Metrics) -> Result<bool, FigureError> {
+    let gutters = gutters(panel, cell, !panel.title.is_empty(), metrics)?;
+    let axes = axes_in(panel, cell, gutters, metrics)?;
+    let entries = legend::entries(panel);
+    Ok(entries.is_empty() || legend::inside(&entries, metrics, &room_of(panel, &axes)).1 == 0)
+}
+
+/// Puts every panel into its cell; plots of one column and of one row line up.
+pub(crate) fn place<'a>(
+    panels: &'a [Panel],
+    columns: usize,
+    cell: &dyn Fn(usize) -> Rect,
+    asked: &Asked<'_>,
+    metrics: &Metrics,
+) -> Result<Vec<Placed<'a>>, FigureError> {
+    let row_of = |i: usize| i / columns;
+    let mut all = Vec::with_capacity(panels.len());
+    for (i, panel) in panels.iter().enumerate() {
+        let titled = panels.iter().enumerate().any(|(j, p)| row_of(j) == row_of(i) && !p.title.is_empty());
+        let mut own = gutters(panel, cell(i), titled, metrics)?;
+        let axes = axes_in(panel, cell(i), own, metrics)?;
+        own.right = own.right.max(end_room(panel, &axes, metrics));
+        all.push(own);
+    }
+    let below = legends_below(panels, columns, cell, asked, &all, metrics)?;
+    for (own, room) in all.iter_mut().zip(&below) {
+        own.bottom += room;
+    }
+    let mut placed = Vec::with_capacity(panels.len());
+    for (i, panel) in panels.iter().enumerate() {
+        placed.push(place_one(panel, i, cell(i), (aligned(&all, columns, i), below[i]), asked, metrics)?);
+    }
+    Ok(placed)
+}
+
+/// Room for legends below the panels of a grid: none if all find a free place inside,
+/// otherwise for every panel, since some inside and some outside look like a mistake.
+fn legends_below(
+    panels: &[Panel],
+    columns: usize,
+    cell: &dyn Fn(usize) -> Rect,
+    asked: &Asked<'_>,
+    all: &[Gutters],
+    metrics: &Metrics,
+) -> Result<Vec<f64>, FigureError> {
+    let mut below = vec![0.0; panels.len()];
+    if !asked.own_legends || asked.single {
+        return Ok(below);
+    }
+    let mut covers = false;
+    for (i, panel) in panels.iter().enumerate() {
+        let axes = axes_in(panel, cell(i), aligned(all, columns, i), metrics)?;
+        let entries = legend::fitted(legend::entries(panel), metrics, 0.8 * axes.plot.w);
+        if !entries.is_empty() {
+            covers |= legend::inside(&entries, metrics, &room_of(panel, &axes)).1 > 0;
+            below[i] = legend::rows(&entries, metrics, 0.0, 0.0, axes.plot.w).frame.h + 4.0;
+        }
+    }
+    if !covers {
+        below.fill(0.0);
+    }
+    Ok(below)
+}
+
+/// The gutters of a panel so that its plot lines up with those of its column and row.
+fn aligned(all: &[Gutters], columns: usize, i: usize) -> Gutters {
+    let mut gutters = all[i];
+    for (j, other) in all.iter().enumerate() {
+        if j % columns == i % columns {
+            gutters.left = gutters.left.max(other.left);
+            gutters.right = gutters.right.max(other.right);
+        }
+        if j / columns == i / columns {
+            gutters.top = gutters.top.max(other.top);
+            gutters.bottom = gutters.bottom.max(other.bottom);
+        }
+    }
+    gutters
+}
+
+fn place_one<'a>(
+    panel: &'a Panel,
+    index: usize,
+    cell: Rect,
+    (mut gutters, below): (Gutters, f64),
+    asked: &Asked<'_>,
+    metrics: &Metrics,
+) -> Result<Placed<'a>, FigureError> {
+    let mut axes = axes_in(panel, cell, gutters, metrics)?;
+    let mut room = room_of(panel, &axes);
+    let entries = if asked.own_legends { legend::entries(panel) } else { Vec::new() };
+    let entries = legend::fitted(entries, metrics, if asked.single { cell.w } else { 0.8 * axes.plot.w });
+    let mut legend = None;
+    if below > 0.0 {
+        let (x, y) = (axes.plot.x, cell.bottom() - below + 4.0);
+        legend = Some(legend::rows(&entries, metrics, x, y, axes.plot.w));
+    } else if !entries.is_empty() {
+        let (inside, covered) = legend::inside(&entries, metrics, &room);
+        if covered == 0 || !asked.single {
+            room.add_box(inside.frame);
+            legend = Some(inside);
+        } else {
+            // no free corner: the legend stands beside the plot, right of the end texts
+            let shift = gutters.right;
+            gutters.right += legend::size(&entries, metrics).0 + 2.0;
+            axes = axes_in(panel, cell, gutters, metrics)?;
+            room = room_of(panel, &axes);
+            legend = Some(legend::beside(&entries, metrics, axes.plot.right() + shift, axes.plot.y - 4.0));
+        }
+    }
+    if axes.plot.w < 8.0 * PER_MM || axes.plot.h < 8.0 * PER_MM {
+        return Err(FigureError::PanelTooSmall {
+            title: asked.title.to_owned(),
+            panel: index + 1,
+            width_mm: axes.plot.w / PER_MM,
+            height_mm: axes.plot.h / PER_MM,
+        });
+    }
+    let mut labels = labels::of_marks(&panel.marks, &axes.frame(), metrics, &mut room);
+    let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
+    let ended = ended.filter_map(|(i, s)| {
+        let line = axes.frame().line(&s.points).pop()?;
+        Some(Ended { text: s.end_label.trim().to_owned(), colour: s.colour.unwrap_or(i), series: i, line })
+    });
+    labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
+    let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);
+    let title = (axes.plot.x, cell.y + PANEL_TITLE / 2.0 + 2.0, text);
+    Ok(Placed { panel, axes, title, legend, labels })
+}

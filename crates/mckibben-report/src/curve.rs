@@ -1,0 +1,189 @@
+//! From points of a series to what is seen of them: projection, gaps, clipping, thinning.
+
+use std::collections::HashSet;
+
+use crate::ticks::Scale;
+
+/// A point of the drawing, in its units, y downward.
+pub(crate) type Spot = (f64, f64);
+
+/// A rectangle of the drawing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rect {
+    pub x: f64,
+    pub y: f64,
+    pub w: f64,
+    pub h: f64,
+}
+
+impl Rect {
+    pub fn right(&self) -> f64 {
+        self.x + self.w
+    }
+
+    pub fn bottom(&self) -> f64 {
+        self.y + self.h
+    }
+
+    /// Grown by `by` on every side.
+    pub fn grown(&self, by: f64) -> Self {
+        Self { x: self.x - by, y: self.y - by, w: self.w + 2.0 * by, h: self.h + 2.0 * by }
+    }
+
+    pub fn meets(&self, other: &Self) -> bool {
+        self.x < other.right() && other.x < self.right() && self.y < other.bottom() && other.y < self.bottom()
+    }
+
+    pub fn holds(&self, other: &Self) -> bool {
+        self.x <= other.x
+            && other.right() <= self.right()
+            && self.y <= other.y
+            && other.bottom() <= self.bottom()
+    }
+
+    pub fn has(&self, (x, y): Spot) -> bool {
+        x >= self.x && x <= self.right() && y >= self.y && y <= self.bottom()
+    }
+}
+
+/// Maps values of two axes onto a rectangle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Frame<'a> {
+    pub plot: Rect,
+    pub x: &'a Scale,
+    pub y: &'a Scale,
+}
+
+/// Series longer than this are thinned.
+const MANY: usize = 2000;
+/// Width of the columns (and cells) in which a long series is thinned, units of the drawing.
+const CELL: f64 = 0.5;
+
+impl Frame<'_> {
+    /// Place of a point; `None` if a coordinate is not finite.
+    pub fn spot(&self, (x, y): (f64, f64)) -> Option<Spot> {
+        if !(x.is_finite() && y.is_finite()) {
+            return None;
+        }
+        // far outside is as good as very far outside, and stays a number
+        let across = self.x.part(x).clamp(-1e4, 1e4);
+        let up = self.y.part(y).clamp(-1e4, 1e4);
+        let spot = (self.plot.x + across * self.plot.w, self.plot.bottom() - up * self.plot.h);
+        (spot.0.is_finite() && spot.1.is_finite()).then_some(spot)
+    }
+
+    /// The visible pieces of a line. A piece of one spot is a point without neighbours.
+    pub fn line(&self, points: &[(f64, f64)]) -> Vec<Vec<Spot>> {
+        let mut pieces = Vec::new();
+        let mut run: Vec<Spot> = Vec::new();
+        for spot in points.iter().map(|p| self.spot(*p)).chain(std::iter::once(None)) {
+            match spot {
+                Some(spot) => run.push(spot),
+                None if run.is_empty() => {}
+                None => {
+                    let seen = if run.len() > MANY { thin(&run) } else { std::mem::take(&mut run) };
+                    clip(&seen, &self.plot.grown(0.01), &mut pieces);
+                    run.clear();
+                }
+            }
+        }
+        pieces
+    }
+
+    /// The visible markers of a series.
+    pub fn markers(&self, points: &[(f64, f64)]) -> Vec<Spot> {
+        let frame = self.plot.grown(0.01);
+        let spots = points.iter().filter_map(|p| self.spot(*p)).filter(|s| frame.has(*s));
+        if points.len() <= MANY {
+            return spots.collect();
+        }
+        let mut taken = HashSet::new();
+        spots.filter(|(x, y)| taken.insert(((x / CELL).round() as i64, (y / CELL).round() as i64))).collect()
+    }
+}
+
+/// Keeps first, lowest, highest and last spot of every stretch within one narrow column.
+fn thin(run: &[Spot]) -> Vec<Spot> {
+    let column = |s: &Spot| (s.0 / CELL).floor();
+    let mut kept = Vec::new();
+    for stretch in run.chunk_by(|a, b| column(a) == column(b)) {
+        if stretch.len() <= 4 {
+            kept.extend_from_slice(stretch);
+            continue;
+        }
+        let mut which = [0, 0, 0, stretch.len() - 1];
+        for (i, spot) in stretch.iter().enumerate() {
+            if spot.1 < stretch[which[1]].1 {
+                which[1] = i;
+            }
+            if spot.1 > stretch[which[2]].1 {
+                which[2] = i;
+            }
+        }
+        which.sort_unstable();
+        let mut last = None;
+        for i in which {
+            if last != Some(i) {
+                kept.push(stretch[i]);
+            }
+            last = Some(i);
+        }
+    }
+    kept
+}
+
+/// Cuts a run of spots into the pieces within `frame`.
+fn clip(run: &[Spot], frame: &Rect, pieces: &mut Vec<Vec<Spot>>) {
+    if let [only] = run {
+        if frame.has(*only) {
+            pieces.push(vec![*only]);
+        }
+        return;
+    }
+    let mut piece: Vec<Spot> = Vec::new();
+    for pair in run.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        let Some((from, to)) = clip_segment(a, b, frame) else {
+            finish(&mut piece, pieces);
+            continue;
+        };
+        if piece.is_empty() {
+            piece.push(from);
+        }
+        piece.push(to);
+        if to != b {
+            finish(&mut piece, pieces);
+        }
+    }
+    finish(&mut piece, pieces);
+}
+
+fn finish(piece: &mut Vec<Spot>, pieces: &mut Vec<Vec<Spot>>) {
+    if !piece.is_empty() {
+        pieces.push(std::mem::take(piece));
+    }
+}
+
+/// The part of a segment within a rectangle (Liang and Barsky).
+fn clip_segment(a: Spot, b: Spot, frame: &Rect) -> Option<(Spot, Spot)> {
+    let (dx, dy) = (b.0 - a.0, b.1 - a.1);
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    let walls =
+        [(-dx, a.0 - frame.x), (dx, frame.right() - a.0), (-dy, a.1 - frame.y), (dy, frame.bottom() - a.1)];
+    for (toward, room) in walls {
+        if toward == 0.0 {
+            if room < 0.0 {
+                return None;
+            }
+        } else if toward < 0.0 {
+            from = from.max(room / toward);
+        } else {
+            to = to.min(room / toward);
+        }
+    }
+    if from > to {
+        return None;
+    }
+    let at = |t: f64| (a.0 + t * dx, a.1 + t * dy);
+    Some((if from == 0.0 { a } else { at(from) }, if to == 1.0 { b } else { at(to) }))
+}

@@ -1,0 +1,244 @@
+//! The description of a figure: panels, axes, series, marks.
+
+/// A figure: a title, a caption and one panel or a grid of panels.
+///
+/// The crate knows nothing about muscles: quantities and units come in through the texts.
+///
+/// ```
+/// use mckibben_report::{Axis, Figure, Mark, Panel, Series};
+/// let figure = Figure::new("Pull of a muscle").caption("model: ideal braid").panel(
+///     Panel::new(Axis::new("contraction ratio ε [–]"), Axis::new("pull F [N]").from_zero())
+///         .series(Series::new("0.3 MPa", vec![(0.0, 310.0), (0.1, 190.0), (0.25, 0.0)]))
+///         .mark(Mark::new(0.1, 190.0, "holds 190 N")),
+/// );
+/// assert!(figure.to_svg()?.starts_with("<svg"));
+/// # Ok::<(), mckibben_report::FigureError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Figure {
+    /// Title above the panels; may be empty.
+    pub title: String,
+    /// Small text below the panels (model, statement, program version); wrapped, may be empty.
+    pub caption: String,
+    /// The panels, in reading order.
+    pub panels: Vec<Panel>,
+    /// Columns of the grid of panels; 0 lets the figure choose.
+    pub columns: usize,
+    /// Width and height of the paper, mm; `None` takes 160 × 100 for one panel and a
+    /// size that grows with the grid for several.
+    pub size_mm: Option<(f64, f64)>,
+    /// How colours follow from the colour numbers of the series.
+    pub palette: Palette,
+}
+
+/// How the colour number of a series becomes a colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Palette {
+    /// Clearly different colours that stay apart for colour-blind readers (Okabe and Ito,
+    /// without the yellow): for series that differ in kind.
+    #[default]
+    Categorical,
+    /// A ramp from dark violet over blue and green to ochre: for series that differ in one
+    /// number (a family of pressures, of angles).
+    Sequential,
+}
+
+/// One set of axes with its series and marks.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Panel {
+    /// Title above the axes; may be empty.
+    pub title: String,
+    /// The horizontal axis.
+    pub x: Axis,
+    /// The vertical axis.
+    pub y: Axis,
+    /// The series, drawn in this order.
+    pub series: Vec<Series>,
+    /// Operating points, drawn over the series.
+    pub marks: Vec<Mark>,
+}
+
+/// An axis.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Axis {
+    /// Quantity and unit, such as `pull F [N]`.
+    pub label: String,
+    /// Lower and upper end in the unit of the axis; `None` follows from the data.
+    pub range: Option<(f64, f64)>,
+    /// Whether a range that follows from the data must contain zero.
+    pub from_zero: bool,
+}
+
+/// A line or a set of points.
+///
+/// A point with a coordinate that is not finite breaks the line and is not drawn.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Series {
+    /// Text of the legend; an empty text makes no legend entry. Series of one panel with
+    /// the same label, style and colour share one entry.
+    pub label: String,
+    /// The points (x, y), in the units of the axes.
+    pub points: Vec<(f64, f64)>,
+    /// How it is drawn.
+    pub style: Style,
+    /// Colour number; `None` takes the position of the series in its panel. Series with
+    /// the same number share a colour (and a marker shape).
+    pub colour: Option<usize>,
+    /// Short text written at the end of the line, such as `0.25 MPa`; may be empty.
+    pub end_label: String,
+}
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Style {
+    /// A line whose dash pattern goes with its colour number, so that lines stay apart
+    /// in a print without colour (number 0 is solid).
+    #[default]
+    Auto,
+    /// A solid line.
+    Line,
+    /// A dashed line.
+    Dashed,
+    /// A dotted line.
+    Dotted,
+    /// A line of dashes and dots.
+    DashDot,
+    /// Markers only; their shape goes with the colour number.
+    Points,
+    /// A solid line with markers.
+    LineAndPoints,
+}
+
+/// A marked operating point: a ringed dot with a label.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Mark {
+    /// Place on the horizontal axis, in its unit.
+    pub x: f64,
+    /// Place on the vertical axis, in its unit.
+    pub y: f64,
+    /// Text beside the dot; may be empty.
+    pub label: String,
+}
+
+impl Figure {
+    /// A figure with a title and nothing else.
+    pub fn new(title: impl Into<String>) -> Self {
+        Self { title: title.into(), ..Self::default() }
+    }
+
+    /// Sets the small text below the panels.
+    pub fn caption(mut self, caption: impl Into<String>) -> Self {
+        self.caption = caption.into();
+        self
+    }
+
+    /// Adds a panel.
+    pub fn panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// Sets the number of columns of the grid of panels.
+    pub fn columns(mut self, columns: usize) -> Self {
+        self.columns = columns;
+        self
+    }
+
+    /// Sets the size of the paper, mm.
+    pub fn size_mm(mut self, width: f64, height: f64) -> Self {
+        self.size_mm = Some((width, height));
+        self
+    }
+
+    /// Sets how colours follow from colour numbers.
+    pub fn palette(mut self, palette: Palette) -> Self {
+        self.palette = palette;
+        self
+    }
+}
+
+impl Panel {
+    /// A panel with two axes and no data yet.
+    pub fn new(x: Axis, y: Axis) -> Self {
+        Self { x, y, ..Self::default() }
+    }
+
+    /// Sets the title above the axes.
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// Adds a series.
+    pub fn series(mut self, series: Series) -> Self {
+        self.series.push(series);
+        self
+    }
+
+    /// Adds a marked operating point.
+    pub fn mark(mut self, mark: Mark) -> Self {
+        self.marks.push(mark);
+        self
+    }
+}
+
+impl Axis {
+    /// An axis whose range follows from the data; the label names quantity and unit.
+    pub fn new(label: impl Into<String>) -> Self {
+        Self { label: label.into(), ..Self::default() }
+    }
+
+    /// Fixes the range, in the unit of the axis.
+    pub fn range(mut self, low: f64, high: f64) -> Self {
+        self.range = Some((low, high));
+        self
+    }
+
+    /// Makes a range that follows from the data contain zero.
+    pub fn from_zero(mut self) -> Self {
+        self.from_zero = true;
+        self
+    }
+}
+
+impl Series {
+    /// A line whose dash pattern goes with its colour ([`Style::Auto`]).
+    pub fn new(label: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Self {
+        Self { label: label.into(), points: points.into(), ..Self::default() }
+    }
+
+    /// A solid line ([`Style::Line`]).
+    pub fn line(label: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Self {
+        Self::new(label, points).style(Style::Line)
+    }
+
+    /// Markers only ([`Style::Points`]), as for measured values.
+    pub fn scatter(label: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Self {
+        Self::new(label, points).style(Style::Points)
+    }
+
+    /// Sets how the series is drawn.
+    pub fn style(mut self, style: Style) -> Self {
+        self.style = style;
+        self
+    }
+
+    /// Sets the colour number.
+    pub fn colour(mut self, number: usize) -> Self {
+        self.colour = Some(number);
+        self
+    }
+
+    /// Sets the short text written at the end of the line.
+    pub fn end_label(mut self, text: impl Into<String>) -> Self {
+        self.end_label = text.into();
+        self
+    }
+}
+
+impl Mark {
+    /// An operating point at (x, y), in the units of the axes.
+    pub fn new(x: f64, y: f64, label: impl Into<String>) -> Self {
+        Self { x, y, label: label.into() }
+    }
+}

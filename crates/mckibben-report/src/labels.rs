@@ -1,0 +1,125 @@
+//! Texts beside marks, kept clear of the data and of each other.
+
+use crate::Mark;
+use crate::curve::{Frame, Rect, Spot};
+use crate::font::Metrics;
+use crate::room::Room;
+
+/// Font size of these texts.
+pub(crate) const SIZE: f64 = 10.0;
+/// Radius of the ring of a mark.
+pub(crate) const RING: f64 = 5.2;
+/// Height kept for them.
+pub(crate) const HEIGHT: f64 = 11.0;
+
+/// Directions tried for the text of a mark, degrees, the best liked first.
+const DIRECTIONS: [f64; 14] =
+    [30.0, -30.0, 150.0, -150.0, 0.0, 180.0, 90.0, -90.0, 60.0, -60.0, 120.0, -120.0, 15.0, -15.0];
+
+/// Distances tried between ring and text.
+const GAPS: [f64; 7] = [3.0, 12.0, 24.0, 40.0, 56.0, 72.0, 90.0];
+
+/// A placed text.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Label {
+    /// Left end of the text at half its height; its middle if it is turned.
+    pub at: Spot,
+    /// Degrees the text is turned, clockwise, about its middle, and its width: the line
+    /// it is set into is interrupted there.
+    pub turn: Option<(f64, f64)>,
+    pub text: String,
+    /// Colour number; `None`: ink.
+    pub colour: Option<usize>,
+    /// A thin line from the thing to its text.
+    pub leader: Option<(Spot, Spot)>,
+}
+
+pub(crate) fn around(at: Spot, w: f64) -> Rect {
+    Rect { x: at.0, y: at.1 - HEIGHT / 2.0, w, h: HEIGHT }
+}
+
+/// What speaks against a box: drawn lines and points under it (but those of series `own`),
+/// texts under it, leaving the plot.
+pub(crate) fn cost_of(rect: &Rect, room: &Room, within: &Rect, own: Option<usize>) -> f64 {
+    let mut cost = 2.0 * room.drawn_under(&rect.grown(1.0), own) as f64;
+    if room.meets_box(&rect.grown(1.0)) {
+        cost += 1000.0;
+    }
+    if !within.holds(rect) {
+        cost += 3000.0;
+    }
+    cost
+}
+
+/// Notes the rings of the marks, so that texts keep away from all of them.
+pub(crate) fn add_rings(marks: &[Mark], frame: &Frame<'_>, room: &mut Room) {
+    for spot in marks.iter().filter_map(|m| frame.spot((m.x, m.y))).filter(|s| frame.plot.has(*s)) {
+        let r = RING + 1.0;
+        room.add_box(Rect { x: spot.0 - r, y: spot.1 - r, w: 2.0 * r, h: 2.0 * r });
+    }
+}
+
+/// Places the texts of the marks.
+pub(crate) fn of_marks(marks: &[Mark], frame: &Frame<'_>, metrics: &Metrics, room: &mut Room) -> Vec<Label> {
+    let within = frame.plot.grown(-2.0);
+    let mut labels = Vec::new();
+    for mark in marks {
+        let spot = frame.spot((mark.x, mark.y)).filter(|s| frame.plot.grown(0.01).has(*s));
+        let text = metrics.fit(mark.label.trim(), SIZE, within.w);
+        let Some(spot) = spot.filter(|_| !text.is_empty()) else { continue };
+        let w = metrics.width(&text, SIZE);
+        let at = inside(best_place(spot, w, room, &within), w, &within);
+        let rect = around(at, w);
+        room.add_box(rect);
+        labels.push(Label { at, text, turn: None, colour: None, leader: leader(spot, &rect) });
+    }
+    labels
+}
+
+/// Left end of the text of a mark where least speaks against it.
+fn best_place(spot: Spot, w: f64, room: &Room, within: &Rect) -> Spot {
+    let mut best = (f64::INFINITY, spot);
+    for (ring, gap) in GAPS.into_iter().enumerate() {
+        let distance = RING + gap;
+        for (turn, angle) in DIRECTIONS.into_iter().enumerate() {
+            let (up, across) = f64::to_radians(angle).sin_cos();
+            // the text begins or ends at this distance; straight above and below it is centred
+            let half = if across.abs() > 0.01 { across.signum() * w / 2.0 } else { 0.0 };
+            let middle = (spot.0 + across * distance + half, spot.1 - up * (distance + HEIGHT / 2.0 - 2.0));
+            let at = (middle.0 - w / 2.0, middle.1);
+            let rect = around(at, w);
+            let cost = cost_of(&rect, room, within, None) + 5.0 * ring as f64 + 0.4 * turn as f64;
+            if cost >= best.0 {
+                continue;
+            }
+            let crossed = leader(spot, &rect).is_some_and(|(_, end)| room.crosses_box(spot, end));
+            let cost = cost + if crossed { 100.0 } else { 0.0 };
+            if cost < best.0 {
+                best = (cost, at);
+            }
+        }
+        // farther away everything costs more than what is found
+        if best.0 <= 5.0 * (ring + 1) as f64 {
+            break;
+        }
+    }
+    best.1
+}
+
+/// Moves a text into the allowed rectangle.
+pub(crate) fn inside(at: Spot, w: f64, within: &Rect) -> Spot {
+    let x = at.0.min(within.right() - w).max(within.x);
+    let y = at.1.min(within.bottom() - HEIGHT / 2.0).max(within.y + HEIGHT / 2.0);
+    (x, y)
+}
+
+/// The line from a ring to the nearest place of a text's box.
+fn leader(spot: Spot, rect: &Rect) -> Option<(Spot, Spot)> {
+    let near = (spot.0.clamp(rect.x - 1.0, rect.right() + 1.0), spot.1.clamp(rect.y, rect.bottom()));
+    let (dx, dy) = (near.0 - spot.0, near.1 - spot.1);
+    let length = dx.hypot(dy);
+    (length > RING + 5.5).then(|| {
+        let part = RING / length;
+        ((spot.0 + part * dx, spot.1 + part * dy), near)
+    })
+}

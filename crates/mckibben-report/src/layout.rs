@@ -1,0 +1,138 @@
+//! Where everything of a figure goes: paper, grid of panels, titles, legend, caption.
+
+use crate::axes::{self, Axes};
+use crate::curve::Rect;
+use crate::font::Metrics;
+use crate::labels::Label;
+use crate::legend::{self, Entry, Legend};
+use crate::{Figure, FigureError, Panel};
+
+/// Units of the drawing for a millimetre.
+pub(crate) const PER_MM: f64 = 4.0;
+/// Font sizes of title, panel title and caption.
+pub(crate) const TITLE: f64 = 14.0;
+pub(crate) const PANEL_TITLE: f64 = 11.5;
+pub(crate) const CAPTION: f64 = 8.8;
+const MARGIN: f64 = 16.0;
+const CAPTION_ROW: f64 = 12.0;
+
+/// A figure with everything in its place.
+pub(crate) struct Page<'a> {
+    pub width: f64,
+    pub height: f64,
+    /// Left end of title and caption.
+    pub left: f64,
+    pub title: Vec<String>,
+    pub caption: Vec<String>,
+    /// Middle of the first caption line.
+    pub caption_y: f64,
+    pub panels: Vec<Placed<'a>>,
+    /// The legend that serves all panels.
+    pub legend: Option<Legend>,
+}
+
+/// A panel in its place.
+pub(crate) struct Placed<'a> {
+    pub panel: &'a Panel,
+    pub axes: Axes,
+    /// Middle of the title.
+    pub title: (f64, f64, String),
+    pub legend: Option<Legend>,
+    pub labels: Vec<Label>,
+}
+
+/// Number of different colours of a figure.
+pub(crate) fn colour_count(figure: &Figure) -> usize {
+    let numbers =
+        figure.panels.iter().flat_map(|p| p.series.iter().enumerate().map(|(i, s)| s.colour.unwrap_or(i)));
+    numbers.max().map_or(1, |last| last.saturating_add(1))
+}
+
+/// Columns and rows of the grid of panels.
+pub(crate) fn grid(figure: &Figure) -> (usize, usize) {
+    let count = figure.panels.len().max(1);
+    let columns = match (figure.columns, count) {
+        (0, 1..=3) => count,
+        (0, 4) => 2,
+        (0, 5..=9) => 3,
+        (0, _) => 4,
+        (asked, _) => asked.min(count),
+    };
+    (columns, count.div_ceil(columns))
+}
+
+/// Lays a figure out.
+pub(crate) fn page<'a>(figure: &'a Figure, metrics: &Metrics) -> Result<Page<'a>, FigureError> {
+    if figure.panels.is_empty() {
+        return Err(FigureError::NoPanels { title: figure.title.clone() });
+    }
+    let (columns, rows) = grid(figure);
+    let single = figure.panels.len() == 1;
+    let (width_mm, height_mm) = figure.size_mm.unwrap_or(if single {
+        (160.0, 100.0)
+    } else {
+        ((84.0 * columns as f64).max(160.0), 64.0 * rows as f64 + 20.0)
+    });
+    if ![width_mm, height_mm].iter().all(|side| (20.0..=2000.0).contains(side)) {
+        return Err(FigureError::PaperSize { width_mm, height_mm });
+    }
+    let (width, mut height) = (width_mm * PER_MM, height_mm * PER_MM);
+    let inner = width - 2.0 * MARGIN;
+
+    let title = metrics.wrap(&figure.title, TITLE, inner);
+    let top = 10.0 + title.len() as f64 * (TITLE + 4.0) + if title.is_empty() { 2.0 } else { 5.0 };
+    let caption = metrics.wrap(&figure.caption, CAPTION, inner);
+    let caption_room = if caption.is_empty() { 0.0 } else { caption.len() as f64 * CAPTION_ROW + 5.0 };
+    let mut bottom = height - 9.0 - caption_room;
+    let common = if single { None } else { legend::shared(&figure.panels) };
+    let mut own_legends = common.is_none();
+    let mut under = common;
+    if single {
+        // a legend too broad or too long to stand beside the data goes below it
+        let panel = &figure.panels[0];
+        let entries = legend::entries(panel);
+        let (w, h) = legend::size(&entries, metrics);
+        let cell = Rect { x: MARGIN, y: top, w: inner, h: bottom - top };
+        if (w > 0.36 * inner || h > 0.8 * (bottom - top)) && !axes::legend_fits(panel, cell, metrics)? {
+            under = Some(entries);
+            own_legends = false;
+        }
+    }
+    let legend = under.map(|entries| {
+        let entries = legend::fitted(entries, metrics, inner);
+        let mut placed = legend::rows(&entries, metrics, MARGIN, 0.0, inner);
+        if figure.size_mm.is_none() {
+            // many entries make the paper longer, not the plot smaller
+            let more = (placed.frame.h - 3.0 * legend::ROW).max(0.0);
+            height += more;
+            bottom += more;
+        }
+        let y = bottom - placed.frame.h - if caption.is_empty() { 0.0 } else { 3.0 };
+        placed.frame.y = y;
+        placed.entries.iter_mut().for_each(|e| e.1 += y);
+        // rows narrower than the paper stand in its middle
+        let right = placed.entries.iter().map(|e| entry_end(e, metrics)).fold(MARGIN, f64::max);
+        let shift = ((MARGIN + inner - right) / 2.0).max(0.0);
+        placed.entries.iter_mut().for_each(|e| e.0 += shift);
+        bottom = y - 8.0;
+        placed
+    });
+    let caption_y = height - 9.0 - caption_room + 5.0 + CAPTION_ROW / 2.0;
+
+    let (gap_x, gap_y) = (18.0, 12.0);
+    let cell_w = (inner + 8.0 - gap_x * (columns - 1) as f64) / columns as f64;
+    let cell_h = (bottom - top - gap_y * (rows - 1) as f64) / rows as f64;
+    let cell = |i: usize| Rect {
+        x: MARGIN - 4.0 + (i % columns) as f64 * (cell_w + gap_x),
+        y: top + (i / columns) as f64 * (cell_h + gap_y),
+        w: cell_w,
+        h: cell_h,
+    };
+    let asked = axes::Asked { title: &figure.title, single, own_legends };
+    let panels = axes::place(&figure.panels, columns, &cell, &asked, metrics)?;
+    Ok(Page { width, height, left: MARGIN, title, caption, caption_y, panels, legend })
+}
+
+fn entry_end((x, _, entry): &(f64, f64, Entry), metrics: &Metrics) -> f64 {
+    x + legend::SAMPLE + 6.0 + metrics.width(&entry.label, legend::SIZE)
+}

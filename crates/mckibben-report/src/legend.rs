@@ -1,0 +1,147 @@
+//! The legend: its entries, its size and the place where it covers no data.
+
+use crate::curve::Rect;
+use crate::font::Metrics;
+use crate::room::Room;
+use crate::{Panel, Style};
+
+/// Font size of the entries.
+pub(crate) const SIZE: f64 = 10.0;
+/// Length of the line sample before a text.
+pub(crate) const SAMPLE: f64 = 26.0;
+/// Height of a row of entries.
+pub(crate) const ROW: f64 = 14.5;
+const PAD: f64 = 6.0;
+const GAP: f64 = 6.0;
+
+/// One entry: a sample of the line and its text.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Entry {
+    pub label: String,
+    pub style: Style,
+    pub colour: usize,
+}
+
+/// A placed legend.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Legend {
+    pub frame: Rect,
+    /// Whether it stands over the plot and needs a ground of its own.
+    pub framed: bool,
+    /// Entries with the left end of their sample and the middle of their row.
+    pub entries: Vec<(f64, f64, Entry)>,
+}
+
+/// The entries of a panel, each once.
+pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
+    let mut all = Vec::new();
+    for (i, series) in panel.series.iter().enumerate() {
+        let entry =
+            Entry { label: series.label.clone(), style: series.style, colour: series.colour.unwrap_or(i) };
+        if !entry.label.trim().is_empty() && !all.contains(&entry) {
+            all.push(entry);
+        }
+    }
+    all
+}
+
+/// The entries of all panels if one legend can serve them all: most of them are common,
+/// and no sample stands for two different texts.
+pub(crate) fn shared(panels: &[Panel]) -> Option<Vec<Entry>> {
+    let each: Vec<_> = panels.iter().map(entries).collect();
+    let most = each.iter().map(Vec::len).max().unwrap_or(0);
+    let with_entries = each.iter().filter(|e| !e.is_empty()).count();
+    let mut all: Vec<Entry> = Vec::new();
+    for entry in each.into_iter().flatten() {
+        if !all.contains(&entry) {
+            all.push(entry);
+        }
+    }
+    let clash = all
+        .iter()
+        .enumerate()
+        .any(|(i, a)| all[..i].iter().any(|b| a.style == b.style && a.colour == b.colour));
+    (with_entries > 1 && all.len() <= most + 2 && !clash).then_some(all)
+}
+
+/// The entries with texts shortened to what fits beside a sample in a width.
+pub(crate) fn fitted(entries: Vec<Entry>, metrics: &Metrics, width: f64) -> Vec<Entry> {
+    let room = width - SAMPLE - GAP - 2.0 * PAD;
+    let short = |e: Entry| Entry { label: metrics.fit(&e.label, SIZE, room), ..e };
+    entries.into_iter().map(short).collect()
+}
+
+/// Width and height of the entries one below the other.
+pub(crate) fn size(entries: &[Entry], metrics: &Metrics) -> (f64, f64) {
+    let widest = entries.iter().map(|e| metrics.width(&e.label, SIZE)).fold(0.0, f64::max);
+    (widest + SAMPLE + GAP + 2.0 * PAD, entries.len() as f64 * ROW + 2.0 * PAD - 3.0)
+}
+
+fn stacked(frame: Rect, framed: bool, entries: &[Entry]) -> Legend {
+    let rows = entries.iter().enumerate();
+    let entries =
+        rows.map(|(i, e)| (frame.x + PAD, frame.y + PAD - 1.5 + (i as f64 + 0.5) * ROW, e.clone())).collect();
+    Legend { frame, framed, entries }
+}
+
+/// Puts the legend into the plot: the place with the least drawn under it, corners first.
+/// Also tells how much lies under it.
+pub(crate) fn inside(entries: &[Entry], metrics: &Metrics, room: &Room) -> (Legend, usize) {
+    let (w, h) = size(entries, metrics);
+    let plot = room.plot();
+    let inset = 7.0;
+    let (left, right) = (plot.x + inset, plot.right() - inset - w);
+    let (top, bottom) = (plot.y + inset, plot.bottom() - inset - h);
+    let (middle, centre) = (plot.y + (plot.h - h) / 2.0, plot.x + (plot.w - w) / 2.0);
+    let places = [
+        (right, top),
+        (left, top),
+        (right, bottom),
+        (left, bottom),
+        (right, middle),
+        (centre, top),
+        (centre, bottom),
+        (left, middle),
+    ];
+    let mut best: Option<(usize, Rect)> = None;
+    for (x, y) in places {
+        let frame = Rect { x, y, w, h };
+        let over_edge = if plot.holds(&frame) { 0 } else { 10_000 };
+        let over_box = if room.meets_box(&frame) { 50 } else { 0 };
+        let cost = room.drawn_under(&frame.grown(4.0), None) + over_edge + over_box;
+        if best.is_none_or(|(least, _)| cost < least) {
+            best = Some((cost, frame));
+        }
+    }
+    let (cost, frame) = best.unwrap_or((10_000, Rect { x: right, y: top, w, h }));
+    (stacked(frame, true, entries), cost)
+}
+
+/// Puts the legend to the right of the plot, at its top.
+pub(crate) fn beside(entries: &[Entry], metrics: &Metrics, x: f64, y: f64) -> Legend {
+    let (w, h) = size(entries, metrics);
+    stacked(Rect { x, y, w, h }, false, entries)
+}
+
+/// Rows of entries set one after the other within a width; the height is that of the frame.
+pub(crate) fn rows(entries: &[Entry], metrics: &Metrics, x: f64, y: f64, width: f64) -> Legend {
+    let long = |e: &Entry| SAMPLE + GAP + metrics.width(&e.label, SIZE);
+    // equal columns read better than ragged rows when there is more than one row
+    let total: f64 = entries.iter().map(|e| long(e) + 18.0).sum();
+    let widest = entries.iter().map(long).fold(0.0, f64::max) + 18.0;
+    let columns = if total - 18.0 <= width {
+        entries.len().max(1)
+    } else {
+        ((width / widest).floor() as usize).clamp(1, entries.len().max(1))
+    };
+    let count = entries.len().div_ceil(columns);
+    let mut placed = Vec::new();
+    let mut at = x;
+    for (i, entry) in entries.iter().enumerate() {
+        let left = if count == 1 { at } else { x + (i % columns) as f64 * widest };
+        placed.push((left, y + ((i / columns) as f64 + 0.5) * ROW, entry.clone()));
+        at += long(entry) + 18.0;
+    }
+    let frame = Rect { x, y, w: width, h: count as f64 * ROW };
+    Legend { frame, framed: false, entries: placed }
+}

@@ -1,0 +1,106 @@
+//! Colours, dash patterns and marker shapes.
+
+use crate::{Palette, Style};
+
+/// Okabe and Ito, "Color Universal Design" (2008), without the yellow, which is lost on white.
+const CATEGORICAL: [[u8; 3]; 7] = [
+    [0x00, 0x72, 0xB2],
+    [0xD5, 0x5E, 0x00],
+    [0x00, 0x9E, 0x73],
+    [0xCC, 0x79, 0xA7],
+    [0x56, 0xB4, 0xE9],
+    [0xE6, 0x9F, 0x00],
+    [0x4D, 0x4D, 0x4D],
+];
+
+/// Terminal colours (of the 256) near the categorical ones, readable on dark and light.
+const CATEGORICAL_TERMINAL: [u8; 7] = [32, 166, 36, 175, 74, 172, 244];
+
+/// Stations of a ramp after viridis, cut before its pale yellow end.
+const RAMP: [[u8; 3]; 6] = [
+    [0x44, 0x13, 0x6E],
+    [0x3E, 0x4A, 0x89],
+    [0x2A, 0x78, 0x8E],
+    [0x1F, 0x9E, 0x77],
+    [0x6A, 0xB4, 0x34],
+    [0xC8, 0xA4, 0x00],
+];
+
+/// Dash patterns in units of the line width, solid first.
+const DASHES: [&[f64]; 6] =
+    [&[], &[5.0, 2.5], &[1.2, 1.8], &[6.0, 2.0, 1.2, 2.0], &[9.0, 3.0], &[6.0, 1.8, 1.2, 1.8, 1.2, 1.8]];
+
+/// The colour of a number; `count` is the number of different colours in the figure.
+pub(crate) fn rgb(palette: Palette, number: usize, count: usize) -> [u8; 3] {
+    match palette {
+        Palette::Categorical => CATEGORICAL[number % CATEGORICAL.len()],
+        Palette::Sequential => {
+            let last = count.max(2) - 1;
+            let at = number.min(last) as f64 / last as f64 * (RAMP.len() - 1) as f64;
+            let left = (at.floor() as usize).min(RAMP.len() - 2);
+            let part = at - left as f64;
+            let (a, b) = (RAMP[left], RAMP[left + 1]);
+            std::array::from_fn(|i| (f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part).round() as u8)
+        }
+    }
+}
+
+/// The same as `#rrggbb`.
+pub(crate) fn hex(palette: Palette, number: usize, count: usize) -> String {
+    let [r, g, b] = rgb(palette, number, count);
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// Number of the terminal colour (of the 256) for a colour number.
+pub(crate) fn terminal(palette: Palette, number: usize, count: usize) -> u8 {
+    match palette {
+        Palette::Categorical => CATEGORICAL_TERMINAL[number % CATEGORICAL_TERMINAL.len()],
+        Palette::Sequential => {
+            // the 6 × 6 × 6 cube, lifted a little: dark blues vanish on a black screen
+            let [r, g, b] = rgb(palette, number, count).map(|v| {
+                let lifted = (f64::from(v) + 60.0).min(255.0);
+                ((lifted - 55.0) / 40.0).round().clamp(0.0, 5.0) as u8
+            });
+            16 + 36 * r + 6 * g + b
+        }
+    }
+}
+
+/// Dash pattern of a series in units of the line width (empty: solid); `None`: no line.
+pub(crate) fn dash(style: Style, number: usize, palette: Palette) -> Option<&'static [f64]> {
+    // a solid line whose colour repeats takes the next pattern
+    let round = match palette {
+        Palette::Categorical => number / CATEGORICAL.len(),
+        Palette::Sequential => 0,
+    };
+    match style {
+        Style::Auto => Some(DASHES[number % DASHES.len()]),
+        Style::Line | Style::LineAndPoints => Some(DASHES[round % DASHES.len()]),
+        Style::Dashed => Some(DASHES[1]),
+        Style::Dotted => Some(DASHES[2]),
+        Style::DashDot => Some(DASHES[3]),
+        Style::Points => None,
+    }
+}
+
+/// Whether a style shows markers.
+pub(crate) fn has_markers(style: Style) -> bool {
+    matches!(style, Style::Points | Style::LineAndPoints)
+}
+
+/// The shape of a marker.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Shape {
+    Circle,
+    Square,
+    Triangle,
+    Diamond,
+    TriangleDown,
+    Cross,
+}
+
+/// The marker shape of a colour number.
+pub(crate) fn shape(number: usize) -> Shape {
+    use Shape::{Circle, Cross, Diamond, Square, Triangle, TriangleDown};
+    [Circle, Square, Triangle, Diamond, TriangleDown, Cross][number % 6]
+}

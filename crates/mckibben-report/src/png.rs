@@ -1,0 +1,42 @@
+//! The figure as pixels: the very SVG, rendered with the embedded font.
+
+use resvg::{tiny_skia, usvg};
+
+use crate::{Figure, FigureError, font};
+
+/// Pixels for each unit of the drawing (a millimetre has four units): 254 dots per inch.
+const SCALE: f32 = 2.5;
+/// Longest side, pixels.
+const LONGEST: f32 = 8000.0;
+
+impl Figure {
+    /// The figure as a PNG image of 10 pixels per millimetre (1600 × 1000 for one panel).
+    ///
+    /// # Errors
+    /// The errors of [`Figure::to_svg`]; [`FigureError::Raster`] if the renderer fails.
+    pub fn to_png(&self) -> Result<Vec<u8>, FigureError> {
+        render(&self.to_svg()?)
+    }
+}
+
+fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
+    let raster = |reason: String| FigureError::Raster { reason };
+    let options = usvg::Options {
+        fontdb: font::collection(),
+        font_family: "DejaVu Sans".to_owned(),
+        ..usvg::Options::default()
+    };
+    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| raster(e.to_string()))?;
+    // the tree is in CSS pixels (96 to the inch); a unit of the drawing is a quarter millimetre
+    let size = tree.size();
+    let units = 4.0 * 25.4 / 96.0;
+    let scale = (SCALE * units).min(LONGEST / size.width().max(size.height()));
+    let width = (size.width() * scale).round().max(1.0) as u32;
+    let height = (size.height() * scale).round().max(1.0) as u32;
+    let mut pixels = tiny_skia::Pixmap::new(width, height)
+        .ok_or_else(|| raster(format!("{width} × {height} pixels are too many")))?;
+    pixels.fill(tiny_skia::Color::WHITE);
+    let to = tiny_skia::Transform::from_scale(scale, scale);
+    resvg::render(&tree, to, &mut pixels.as_mut());
+    pixels.encode_png().map_err(|e| raster(e.to_string()))
+}

@@ -1,0 +1,52 @@
+//! Writing a figure to a file.
+
+use std::io::Write as _;
+use std::path::Path;
+
+use crate::{Figure, FigureError};
+
+impl Figure {
+    /// Writes the figure to `path`; the ending (`.svg`, `.png`, `.html`) names the format.
+    ///
+    /// The content goes to a temporary file in the same folder first and takes the name
+    /// only when complete, so a failure leaves an older file as it was.
+    ///
+    /// # Errors
+    /// [`FigureError::UnknownExtension`] for any other ending, [`FigureError::NoFolder`] if
+    /// the folder does not exist, [`FigureError::Write`] if the system refuses, and the
+    /// errors of drawing.
+    pub fn save(&self, path: &Path) -> Result<(), FigureError> {
+        let ending = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
+        let draw: fn(&Self) -> Result<Vec<u8>, FigureError> = match ending.as_deref() {
+            Some("svg") => |figure| figure.to_svg().map(String::into_bytes),
+            Some("png") => Self::to_png,
+            Some("html" | "htm") => |figure| figure.to_html().map(String::into_bytes),
+            _ => return Err(FigureError::UnknownExtension { path: path.to_owned() }),
+        };
+        let folder = match path.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        if !folder.is_dir() {
+            return Err(FigureError::NoFolder { folder: folder.to_owned() });
+        }
+        write(folder, path, &draw(self)?)
+            .map_err(|source| FigureError::Write { path: path.to_owned(), source })
+    }
+}
+
+fn write(folder: &Path, path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".figure-");
+    #[cfg(unix)]
+    {
+        // the usual permissions of a new file (the umask applies), not those of a secret
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path).map_err(|failure| failure.error)?;
+    Ok(())
+}

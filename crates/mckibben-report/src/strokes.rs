@@ -1,0 +1,131 @@
+//! Lines and markers as SVG.
+
+use std::fmt::Write as _;
+
+use crate::curve::Spot;
+use crate::palette::{self, Shape};
+use crate::xml::length as n;
+use crate::{Palette, Style};
+
+const LINE_WIDTH: f64 = 1.7;
+const MARKER: f64 = 3.1;
+
+/// What a series is drawn with.
+pub(crate) struct Brush {
+    /// Colour number; dash pattern and marker shape follow from it.
+    pub number: usize,
+    pub hex: String,
+    pub palette: Palette,
+}
+
+/// Draws the lines and the markers of a series.
+pub(crate) fn series(out: &mut String, lines: &[Vec<Spot>], markers: &[Spot], style: Style, brush: Brush) {
+    let Brush { number, hex: colour, palette } = brush;
+    let mut path = String::new();
+    let mut alone = String::new();
+    for line in lines {
+        if let [(x, y)] = line.as_slice() {
+            let _ = write!(alone, "<circle cx=\"{}\" cy=\"{}\" r=\"1.8\"/>", n(*x), n(*y));
+            continue;
+        }
+        for (i, (x, y)) in line.iter().enumerate() {
+            let _ = write!(path, "{}{} {}", if i == 0 { "M" } else { "L" }, n(*x), n(*y));
+        }
+    }
+    if !path.is_empty() {
+        let pattern = palette::dash(style, number, palette).unwrap_or(&[]);
+        let _ = writeln!(
+            out,
+            "<path d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{LINE_WIDTH}\" \
+             stroke-linejoin=\"round\"{}/>",
+            dashes(pattern)
+        );
+    }
+    if !alone.is_empty() {
+        let _ = writeln!(out, "<g fill=\"{colour}\">{alone}</g>");
+    }
+    if !markers.is_empty() {
+        let hollow = style == Style::Points;
+        let mut shapes = String::new();
+        markers.iter().for_each(|spot| marker(&mut shapes, palette::shape(number), *spot));
+        let fill = if hollow { "#ffffff" } else { colour.as_str() };
+        let edge = if hollow { colour.as_str() } else { "#ffffff" };
+        let (edge, width) = if palette::shape(number) == Shape::Cross {
+            (colour.as_str(), 1.4)
+        } else {
+            (edge, if hollow { 1.3 } else { 0.7 })
+        };
+        let _ = writeln!(
+            out,
+            "<path d=\"{shapes}\" fill=\"{fill}\" stroke=\"{edge}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"/>"
+        );
+    }
+}
+
+fn dashes(pattern: &[f64]) -> String {
+    if pattern.is_empty() {
+        return " stroke-linecap=\"round\"".to_owned();
+    }
+    let list: Vec<String> = pattern.iter().map(|p| n(p * LINE_WIDTH)).collect();
+    format!(" stroke-dasharray=\"{}\"", list.join(" "))
+}
+
+/// Adds a marker to a path.
+fn marker(path: &mut String, shape: Shape, (x, y): Spot) {
+    let r = MARKER;
+    let _ = match shape {
+        Shape::Circle => {
+            let d = n(2.0 * r);
+            let r2 = n(r);
+            write!(path, "M{} {}a{r2} {r2} 0 1 0 {d} 0a{r2} {r2} 0 1 0 -{d} 0Z", n(x - r), n(y))
+        }
+        Shape::Square => {
+            let s = 0.9 * r;
+            write!(path, "M{} {}h{d}v{d}h-{d}Z", n(x - s), n(y - s), d = n(2.0 * s))
+        }
+        Shape::Triangle | Shape::TriangleDown => {
+            let up = if shape == Shape::Triangle { 1.0 } else { -1.0 };
+            let (top, foot) = (y - 1.2 * r * up, y + 0.85 * r * up);
+            write!(
+                path,
+                "M{} {}L{} {}L{} {}Z",
+                n(x),
+                n(top),
+                n(x + 1.15 * r),
+                n(foot),
+                n(x - 1.15 * r),
+                n(foot)
+            )
+        }
+        Shape::Diamond => {
+            let s = 1.3 * r;
+            write!(
+                path,
+                "M{} {}L{} {}L{} {}L{} {}Z",
+                n(x),
+                n(y - s),
+                n(x + s),
+                n(y),
+                n(x),
+                n(y + s),
+                n(x - s),
+                n(y)
+            )
+        }
+        Shape::Cross => {
+            let s = 0.9 * r;
+            write!(
+                path,
+                "M{} {}L{} {}M{} {}L{} {}",
+                n(x - s),
+                n(y - s),
+                n(x + s),
+                n(y + s),
+                n(x - s),
+                n(y + s),
+                n(x + s),
+                n(y - s)
+            )
+        }
+    };
+}

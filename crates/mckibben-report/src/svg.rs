@@ -1,0 +1,259 @@
+//! The figure as SVG text.
+
+use std::fmt::Write as _;
+
+use crate::axes::{Axes, LABEL, TICK, TICK_LENGTH};
+use crate::curve::Spot;
+use crate::font::{FAMILY, Metrics};
+use crate::labels::{self, Label};
+use crate::layout::{self, CAPTION, PANEL_TITLE, PER_MM, Page, Placed, TITLE};
+use crate::legend::{self, Legend};
+use crate::palette;
+use crate::strokes::{Brush, series as draw_series};
+use crate::xml::{escape, length as n};
+use crate::{Figure, FigureError, Style, ticks};
+
+const INK: &str = "#222222";
+const SOFT: &str = "#595959";
+const GRID: &str = "#e4e4e4";
+
+impl Figure {
+    /// The figure as SVG: self-contained, with real text, sized in millimetres.
+    ///
+    /// # Errors
+    /// [`FigureError::NoPanels`], [`FigureError::AxisRange`] for a range that is empty or
+    /// not finite, [`FigureError::PaperSize`] and [`FigureError::PanelTooSmall`].
+    pub fn to_svg(&self) -> Result<String, FigureError> {
+        let metrics = Metrics::new()?;
+        let page = layout::page(self, &metrics)?;
+        Ok(draw(self, &page))
+    }
+}
+
+/// What the drawing of a series needs of its figure.
+struct Pen<'a> {
+    figure: &'a Figure,
+    colours: usize,
+}
+
+impl Pen<'_> {
+    fn brush(&self, number: usize) -> Brush {
+        Brush { number, hex: self.hex(number), palette: self.figure.palette }
+    }
+
+    fn hex(&self, number: usize) -> String {
+        palette::hex(self.figure.palette, number, self.colours)
+    }
+}
+
+/// Writes a laid-out page.
+pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
+    let pen = Pen { figure, colours: layout::colour_count(figure) };
+    let mut out = String::new();
+    let (w, h) = (n(page.width), n(page.height));
+    let _ = write!(
+        out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{}mm\" viewBox=\"0 0 {w} {h}\" \
+         font-family=\"{FAMILY}\" role=\"img\" aria-label=\"{}\">\n\
+         <rect width=\"{w}\" height=\"{h}\" fill=\"#ffffff\"/>\n",
+        n(page.width / PER_MM),
+        n(page.height / PER_MM),
+        escape(&figure.title),
+    );
+    for (i, line) in page.title.iter().enumerate() {
+        let y = 10.0 + TITLE / 2.0 + i as f64 * (TITLE + 4.0);
+        // a hair of outline in place of a second, bold face
+        let extra = format!(" stroke=\"{INK}\" stroke-width=\"0.35\"");
+        text(&mut out, (page.left, y), TITLE, INK, "start", &extra, line);
+    }
+    for placed in &page.panels {
+        draw_panel(&mut out, placed, &pen);
+    }
+    if let Some(legend) = &page.legend {
+        draw_legend(&mut out, legend, &pen);
+    }
+    for (i, line) in page.caption.iter().enumerate() {
+        text(&mut out, (page.left, page.caption_y + i as f64 * 12.0), CAPTION, SOFT, "start", "", line);
+    }
+    out.push_str("</svg>\n");
+    out
+}
+
+/// A text whose middle line runs through `at`.
+fn text(out: &mut String, at: Spot, size: f64, fill: &str, anchor: &str, extra: &str, content: &str) {
+    let anchor = if anchor == "start" { String::new() } else { format!(" text-anchor=\"{anchor}\"") };
+    let _ = writeln!(
+        out,
+        "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{fill}\"{anchor}{extra}>{}</text>",
+        n(at.0),
+        n(at.1 + 0.36 * size),
+        n(size),
+        escape(content)
+    );
+}
+
+fn segment(out: &mut String, a: Spot, b: Spot) {
+    let _ = write!(out, "M{} {}L{} {}", n(a.0), n(a.1), n(b.0), n(b.1));
+}
+
+fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
+    out.push_str("<g>\n");
+    draw_axes(out, &placed.axes);
+    let (x, y, title) = &placed.title;
+    if !title.is_empty() {
+        let extra = format!(" stroke=\"{INK}\" stroke-width=\"0.2\"");
+        text(out, (*x, *y), PANEL_TITLE, INK, "start", &extra, title);
+    }
+    let frame = placed.axes.frame();
+    let mut anything = false;
+    for (i, series) in placed.panel.series.iter().enumerate() {
+        let number = series.colour.unwrap_or(i);
+        let lines = if series.style == Style::Points { Vec::new() } else { frame.line(&series.points) };
+        let markers =
+            if palette::has_markers(series.style) { frame.markers(&series.points) } else { Vec::new() };
+        anything |= !(lines.is_empty() && markers.is_empty());
+        draw_series(out, &lines, &markers, series.style, pen.brush(number));
+    }
+    anything |= draw_marks(out, placed);
+    if !anything {
+        let plot = placed.axes.plot;
+        let middle = (plot.x + plot.w / 2.0, plot.y + plot.h / 2.0);
+        text(out, middle, LABEL, SOFT, "middle", "", "no data in this range");
+    }
+    if let Some(legend) = &placed.legend {
+        draw_legend(out, legend, pen);
+    }
+    for label in &placed.labels {
+        draw_label(out, label, pen);
+    }
+    out.push_str("</g>\n");
+}
+
+fn draw_axes(out: &mut String, axes: &Axes) {
+    let plot = axes.plot;
+    let at_x = |v: f64| plot.x + axes.x.part(v) * plot.w;
+    let at_y = |v: f64| plot.bottom() - axes.y.part(v) * plot.h;
+    let (mut grid, mut small) = (String::new(), String::new());
+    for v in &axes.x.ticks {
+        segment(&mut grid, (at_x(*v), plot.y), (at_x(*v), plot.bottom()));
+        segment(&mut small, (at_x(*v), plot.bottom()), (at_x(*v), plot.bottom() + TICK_LENGTH));
+    }
+    for v in &axes.y.ticks {
+        segment(&mut grid, (plot.x, at_y(*v)), (plot.right(), at_y(*v)));
+        segment(&mut small, (plot.x - TICK_LENGTH, at_y(*v)), (plot.x, at_y(*v)));
+    }
+    let _ = writeln!(out, "<path d=\"{grid}\" stroke=\"{GRID}\" stroke-width=\"0.8\" fill=\"none\"/>");
+    let mut zero = String::new();
+    if axes.y.low < 0.0 && axes.y.high > 0.0 {
+        segment(&mut zero, (plot.x, at_y(0.0)), (plot.right(), at_y(0.0)));
+    }
+    if axes.x.low < 0.0 && axes.x.high > 0.0 {
+        segment(&mut zero, (at_x(0.0), plot.y), (at_x(0.0), plot.bottom()));
+    }
+    if !zero.is_empty() {
+        let _ = writeln!(out, "<path d=\"{zero}\" stroke=\"#9a9a9a\" stroke-width=\"0.9\" fill=\"none\"/>");
+    }
+    let _ = writeln!(
+        out,
+        "<path d=\"{small}M{} {}V{}H{}\" stroke=\"{INK}\" stroke-width=\"1\" fill=\"none\" stroke-linecap=\"square\"/>",
+        n(plot.x),
+        n(plot.y),
+        n(plot.bottom()),
+        n(plot.right())
+    );
+    let below = plot.bottom() + TICK_LENGTH + 3.0 + TICK / 2.0;
+    for (v, label) in axes.x.ticks.iter().zip(&axes.x.labels) {
+        text(out, (at_x(*v), below), TICK, INK, "middle", "", label);
+    }
+    for (v, label) in axes.y.ticks.iter().zip(&axes.y.labels) {
+        text(out, (plot.x - TICK_LENGTH - 3.0, at_y(*v)), TICK, INK, "end", "", label);
+    }
+    let row = below + TICK / 2.0 + 3.0 + LABEL / 2.0;
+    if axes.x.exponent != 0 {
+        text(out, (plot.right(), row), TICK, INK, "end", "", &ticks::power_text(axes.x.exponent));
+    }
+    if axes.y.exponent != 0 {
+        text(out, (plot.x, plot.y - 8.0), TICK, INK, "start", "", &ticks::power_text(axes.y.exponent));
+    }
+    for (i, line) in axes.x_label.iter().enumerate() {
+        let at = (plot.x + plot.w / 2.0, row + i as f64 * (LABEL + 2.5));
+        text(out, at, LABEL, INK, "middle", "", line);
+    }
+    for (i, line) in axes.y_label.iter().enumerate() {
+        let at = (axes.y_label_x + i as f64 * (LABEL + 2.5), plot.y + plot.h / 2.0);
+        let turned = format!(" transform=\"rotate(-90 {} {})\"", n(at.0), n(at.1));
+        text(out, at, LABEL, INK, "middle", &turned, line);
+    }
+}
+
+/// Draws the operating points; tells whether there was one to draw.
+fn draw_marks(out: &mut String, placed: &Placed<'_>) -> bool {
+    let frame = placed.axes.frame();
+    let mut any = false;
+    for mark in &placed.panel.marks {
+        let spot = frame.spot((mark.x, mark.y)).filter(|s| placed.axes.plot.grown(0.01).has(*s));
+        let Some((x, y)) = spot else { continue };
+        any = true;
+        let (x, y, r) = (n(x), n(y), n(labels::RING - 0.7));
+        let _ = writeln!(
+            out,
+            "<g><circle cx=\"{x}\" cy=\"{y}\" r=\"{r}\" fill=\"#ffffff\" stroke=\"{INK}\" stroke-width=\"1.3\"/>\
+             <circle cx=\"{x}\" cy=\"{y}\" r=\"2.2\" fill=\"{INK}\"/></g>"
+        );
+    }
+    any
+}
+
+fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
+    let colour = label.colour.map_or_else(|| INK.to_owned(), |number| pen.hex(number));
+    if let Some((a, b)) = label.leader {
+        let mut path = String::new();
+        segment(&mut path, a, b);
+        let _ = writeln!(out, "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>");
+    }
+    // a white halo keeps the text readable where it has to stand over a line
+    let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+    match label.turn {
+        None => text(out, label.at, labels::SIZE, &colour, "start", halo, &label.text),
+        Some((degrees, width)) => {
+            let (x, y) = (n(label.at.0), n(label.at.1));
+            let _ = writeln!(
+                out,
+                "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"6\" fill=\"#ffffff\" transform=\"rotate({} {x} {y})\"/>",
+                n(label.at.0 - width / 2.0 - 2.5),
+                n(label.at.1 - 3.0),
+                n(width + 5.0),
+                n(degrees)
+            );
+            let extra = format!("{halo} transform=\"rotate({} {x} {y})\"", n(degrees));
+            text(out, label.at, labels::SIZE, &colour, "middle", &extra, &label.text);
+        }
+    }
+}
+
+fn draw_legend(out: &mut String, legend: &Legend, pen: &Pen<'_>) {
+    out.push_str("<g>\n");
+    if legend.framed {
+        let f = legend.frame;
+        let _ = writeln!(
+            out,
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"2\" fill=\"#ffffff\" fill-opacity=\"0.9\" stroke=\"#cccccc\" stroke-width=\"0.8\"/>",
+            n(f.x),
+            n(f.y),
+            n(f.w),
+            n(f.h)
+        );
+    }
+    for (x, y, entry) in &legend.entries {
+        let line = if entry.style == Style::Points {
+            Vec::new()
+        } else {
+            vec![vec![(*x, *y), (x + legend::SAMPLE, *y)]]
+        };
+        let markers =
+            if palette::has_markers(entry.style) { vec![(x + legend::SAMPLE / 2.0, *y)] } else { Vec::new() };
+        draw_series(out, &line, &markers, entry.style, pen.brush(entry.colour));
+        text(out, (x + legend::SAMPLE + 6.0, *y), legend::SIZE, INK, "start", "", &entry.label);
+    }
+    out.push_str("</g>\n");
+}

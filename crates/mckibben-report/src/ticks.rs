@@ -1,0 +1,303 @@
+//! Axis ranges and ticks at 1, 2 or 5 times a power of ten, and how numbers are written.
+
+use crate::{Axis, FigureError};
+
+/// The drawn range of an axis with its ticks.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Scale {
+    pub low: f64,
+    pub high: f64,
+    /// Places of the ticks, rising, all within the range.
+    pub ticks: Vec<f64>,
+    /// Text of each tick, in units of 10^`exponent`.
+    pub labels: Vec<String>,
+    /// Power of ten taken out of the tick texts (a multiple of 3, mostly 0).
+    pub exponent: i32,
+}
+
+impl Scale {
+    /// Where a value lies in the range: 0 at the low end, 1 at the high end.
+    pub fn part(&self, value: f64) -> f64 {
+        (value - self.low) / (self.high - self.low)
+    }
+}
+
+/// Lowest and highest finite value, if there is any.
+pub(crate) fn extent(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    values.filter(|v| v.is_finite()).fold(None, |seen, v| match seen {
+        None => Some((v, v)),
+        Some((low, high)) => Some((v.min(low), v.max(high))),
+    })
+}
+
+/// Chooses range and ticks of an axis with about `wanted` intervals.
+pub(crate) fn scale(axis: &Axis, data: Option<(f64, f64)>, wanted: usize) -> Result<Scale, FigureError> {
+    let wrong = |low, high| FigureError::AxisRange { axis: axis.label.clone(), low, high };
+    if let Some((low, high)) = axis.range {
+        let span = high - low;
+        // the span must be finite, positive and not lost in the rounding of its ends
+        if !(span.is_finite() && span > 1e-12 * low.abs().max(high.abs()) && span >= f64::MIN_POSITIVE * 1e20)
+        {
+            return Err(wrong(low, high));
+        }
+        let step = best_step(low, high, wanted, false);
+        return Ok(finish(low, high, step, false));
+    }
+    let (mut low, mut high) = data.unwrap_or((0.0, 1.0));
+    if axis.from_zero {
+        low = low.min(0.0);
+        high = high.max(0.0);
+    }
+    if !(high - low).is_finite() || low.abs().max(high.abs()) > 1e300 {
+        return Err(wrong(low, high));
+    }
+    (low, high) = widen(low, high);
+    let step = best_step(low, high, wanted, true);
+    Ok(finish(low, high, step, true))
+}
+
+/// Gives values that are all (nearly) equal a range around them.
+fn widen(low: f64, high: f64) -> (f64, f64) {
+    let size = low.abs().max(high.abs());
+    if size < 1e-280 {
+        return (if low < 0.0 { -1.0 } else { 0.0 }, 1.0);
+    }
+    if high - low > 1e-9 * size { (low, high) } else { (low - 0.1 * size, high + 0.1 * size) }
+}
+
+/// The 1-2-5 step whose ticks fit best: near the wanted number, little empty room.
+fn best_step(low: f64, high: f64, wanted: usize, outward: bool) -> f64 {
+    let wanted = wanted.max(1) as f64;
+    let span = high - low;
+    let around = (span / wanted).log10().floor() as i32;
+    let mut best = (f64::INFINITY, span);
+    for exponent in around - 1..=around + 1 {
+        for digit in [1.0, 2.0, 5.0] {
+            let step = times_ten(digit, exponent);
+            let covered = if outward {
+                let (first, last) = outer(low, high, step);
+                (last - first) * step
+            } else {
+                span
+            };
+            let count = covered / step;
+            if !(0.9..=2.2 * wanted).contains(&count) {
+                continue;
+            }
+            let crowding = (count / wanted).ln().abs();
+            let waste = covered / span - 1.0;
+            let liking = if digit == 2.0 { 0.02 } else { 0.0 };
+            let cost = 0.6 * crowding + 1.5 * waste + liking;
+            if cost < best.0 {
+                best = (cost, step);
+            }
+        }
+    }
+    best.1
+}
+
+/// Numbers of the tick at or below `low` and at or above `high`.
+fn outer(low: f64, high: f64, step: f64) -> (f64, f64) {
+    // an end that is a tick but for rounding stays on that tick
+    ((low / step + 1e-9).floor(), (high / step - 1e-9).ceil())
+}
+
+fn finish(low: f64, high: f64, step: f64, outward: bool) -> Scale {
+    let (first, last) = if outward {
+        outer(low, high, step)
+    } else {
+        ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor())
+    };
+    let count = (last - first).clamp(0.0, 200.0) as usize;
+    let mut ticks: Vec<f64> = (0..=count).map(|i| nice(first + i as f64, step)).collect();
+    let (low, high) = if outward {
+        let from = ticks.first().copied().unwrap_or(low);
+        let to = ticks.last().copied().unwrap_or(high);
+        (from.min(low), to.max(high))
+    } else {
+        ticks.retain(|t| *t >= low - 1e-9 * step && *t <= high + 1e-9 * step);
+        (low, high)
+    };
+    let exponent = exponent_for(low, high);
+    let labels = ticks.iter().map(|t| tick_text(*t, step, exponent)).collect();
+    Scale { low, high, ticks, labels, exponent }
+}
+
+/// `number` × `step` without the dust of the multiplication (0.3, not 0.30000000000000004).
+fn nice(number: f64, step: f64) -> f64 {
+    let value = number * step;
+    let decimals = decimals_of(step);
+    if (0..=15).contains(&decimals) {
+        format!("{value:.*}", decimals as usize).parse().unwrap_or(value)
+    } else {
+        value
+    }
+}
+
+fn times_ten(digit: f64, exponent: i32) -> f64 {
+    format!("{digit}e{exponent}").parse().unwrap_or(digit * 10f64.powi(exponent))
+}
+
+/// Decimals needed to write a 1-2-5 step (negative for steps of ten and more).
+fn decimals_of(step: f64) -> i32 {
+    -((step.log10() + 1e-9).floor() as i32)
+}
+
+/// Power of ten to take out of the tick texts so that they stay short.
+fn exponent_for(low: f64, high: f64) -> i32 {
+    let size = low.abs().max(high.abs());
+    if (1e-2..1e5).contains(&size) { 0 } else { ((size.log10() + 1e-9) / 3.0).floor() as i32 * 3 }
+}
+
+fn tick_text(tick: f64, step: f64, exponent: i32) -> String {
+    let decimals = (decimals_of(step) + exponent).clamp(0, 15) as usize;
+    let scaled = if exponent == 0 { tick } else { tick / 10f64.powi(exponent) };
+    typographic(&format!("{scaled:.decimals$}"))
+}
+
+/// Writes `-` as a minus sign and drops the sign of a zero.
+pub(crate) fn typographic(text: &str) -> String {
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|b| matches!(b, b'0' | b'.')) => rest.to_owned(),
+        Some(rest) => format!("\u{2212}{rest}"),
+        None => text.to_owned(),
+    }
+}
+
+/// `×10³` and the like; empty for the exponent 0.
+pub(crate) fn power_text(exponent: i32) -> String {
+    if exponent == 0 {
+        return String::new();
+    }
+    let digits = exponent.to_string();
+    let raised = digits.chars().map(|c| match c {
+        '-' => '⁻',
+        '0' => '⁰',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '4' => '⁴',
+        '5' => '⁵',
+        '6' => '⁶',
+        '7' => '⁷',
+        '8' => '⁸',
+        _ => '⁹',
+    });
+    "×10".chars().chain(raised).collect()
+}
+
+/// A value with six significant digits, in the plain form machines read too.
+pub(crate) fn number(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    let size = rounded.abs();
+    if size == 0.0 {
+        "0".to_owned()
+    } else if (1e-4..1e9).contains(&size) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn auto(low: f64, high: f64, wanted: usize) -> Scale {
+        scale(&Axis::new("q [1]"), Some((low, high)), wanted).unwrap()
+    }
+
+    /// The leading digit of a step: 1, 2 or 5.
+    fn digit(ticks: &[f64]) -> f64 {
+        let step = (ticks[ticks.len() - 1] - ticks[0]) / (ticks.len() - 1) as f64;
+        let shown = format!("{step:.4e}");
+        shown.split('e').next().unwrap().parse().unwrap()
+    }
+
+    proptest! {
+        #[test]
+        fn ticks_cover_the_data_rise_and_step_by_1_2_5(
+            start in -1e6..1e6_f64, log_span in -5.0..8.0_f64, wanted in 1_usize..10,
+        ) {
+            let (low, high) = (start, start + 10f64.powf(log_span));
+            let s = auto(low, high, wanted);
+            prop_assert!(s.low <= low && s.high >= high);
+            let slack = 1e-9 * (s.high - s.low) + 1e-12 * start.abs();
+            prop_assert!((s.ticks[0] - s.low).abs() <= slack);
+            prop_assert!((s.ticks[s.ticks.len() - 1] - s.high).abs() <= slack);
+            prop_assert!(s.ticks.windows(2).all(|p| p[0] < p[1]));
+            prop_assert!([1.0, 2.0, 5.0].iter().any(|d| (digit(&s.ticks) - d).abs() < 2e-3), "{:?}", s);
+            prop_assert_eq!(s.ticks.len(), s.labels.len());
+            prop_assert!(s.ticks.len() <= 3 * wanted + 2);
+        }
+
+        #[test]
+        fn tick_texts_differ_and_mean_their_tick(
+            start in -1e4..1e4_f64, log_span in -3.0..9.0_f64, wanted in 2_usize..9,
+        ) {
+            let s = auto(start, start + 10f64.powf(log_span), wanted);
+            for (tick, label) in s.ticks.iter().zip(&s.labels) {
+                let read: f64 = label.replace('\u{2212}', "-").parse().unwrap();
+                let meant = read * 10f64.powi(s.exponent);
+                prop_assert!((meant - tick).abs() <= 1e-6 * (s.high - s.low), "{label} for {tick}");
+            }
+            prop_assert!(s.labels.windows(2).all(|p| p[0] != p[1]));
+        }
+
+        #[test]
+        fn a_fixed_range_stays_and_holds_its_ticks(
+            low in -1e5..1e5_f64, span in 1e-3..1e6_f64, wanted in 1_usize..10,
+        ) {
+            let s = scale(&Axis::new("").range(low, low + span), None, wanted).unwrap();
+            prop_assert_eq!((s.low, s.high), (low, low + span));
+            let slack = 1e-6 * span;
+            prop_assert!(s.ticks.iter().all(|t| *t >= low - slack && *t <= low + span + slack));
+        }
+
+        #[test]
+        fn no_range_panics(low in proptest::num::f64::ANY, high in proptest::num::f64::ANY) {
+            let _ = scale(&Axis::new("").range(low, high), None, 5);
+            let free = extent([low, high].into_iter()).and_then(|data| scale(&Axis::new(""), Some(data), 5).ok());
+            if let Some(s) = free {
+                prop_assert!(s.low < s.high && (s.high - s.low).is_finite());
+                prop_assert!(!s.ticks.is_empty());
+            }
+        }
+    }
+
+    #[test]
+    fn ticks_carry_no_rounding_dust() {
+        let s = auto(0.0, 0.35, 7);
+        assert_eq!(s.ticks, [0.0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35]);
+        assert_eq!(s.labels[3], "0.15");
+    }
+
+    #[test]
+    fn equal_values_get_a_range_around_them() {
+        for v in [5.0, -3e-7, 1e12, 0.0, 1e-300] {
+            let s = auto(v, v, 5);
+            assert!(s.low <= v && v <= s.high && s.low < s.high, "{v}: {s:?}");
+            assert!(s.ticks.len() >= 2);
+        }
+    }
+
+    #[test]
+    fn large_and_small_numbers_share_a_power() {
+        let s = auto(0.0, 3.2e6, 5);
+        assert_eq!(s.exponent, 6);
+        assert_eq!(s.labels[0], "0.0");
+        assert_eq!(power_text(s.exponent), "×10⁶");
+        assert_eq!(power_text(-3), "×10⁻³");
+    }
+
+    #[test]
+    fn numbers_are_short_and_exact_enough() {
+        assert_eq!(number(0.1 + 0.2), "0.3");
+        assert_eq!(number(841.128_49), "841.128");
+        assert_eq!(number(-1e-9), "-1e-9");
+        assert_eq!(typographic("-0.00"), "0.00");
+        assert_eq!(typographic("-2"), "\u{2212}2");
+    }
+}

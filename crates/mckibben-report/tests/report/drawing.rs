@@ -1,0 +1,285 @@
+//! The SVG and the image made of it.
+
+use std::sync::Arc;
+
+use crate::figures;
+use mckibben_report::{Axis, Figure, FigureError, Mark, Panel, Series, Style};
+use proptest::prelude::*;
+use resvg::usvg::{self, fontdb};
+
+fn parse(svg: &str) -> usvg::Tree {
+    let mut fonts = fontdb::Database::new();
+    fonts.load_font_source(fontdb::Source::Binary(Arc::new(dejavu::sans::regular())));
+    let options = usvg::Options {
+        fontdb: Arc::new(fonts),
+        font_family: "DejaVu Sans".to_owned(),
+        ..usvg::Options::default()
+    };
+    usvg::Tree::from_str(svg, &options).unwrap()
+}
+
+fn texts(group: &usvg::Group, found: &mut Vec<(String, usvg::Rect, bool)>) {
+    for node in group.children() {
+        match node {
+            usvg::Node::Group(inner) => texts(inner, found),
+            usvg::Node::Text(text) => {
+                let words: String = text.chunks().iter().map(|c| c.text().to_owned()).collect();
+                let upright = text.abs_transform().kx == 0.0 && text.abs_transform().ky == 0.0;
+                found.push((words, text.abs_bounding_box(), upright));
+            }
+            _ => {}
+        }
+    }
+}
+
+fn one(series: Vec<Series>) -> Figure {
+    let mut panel = Panel::new(Axis::new("x [m]"), Axis::new("y [N]"));
+    panel.series = series;
+    Figure::new("t").panel(panel)
+}
+
+/// Every text lies on the paper, and none covers another.
+fn check_texts(name: &str, figure: &Figure) {
+    let tree = parse(&figure.to_svg().unwrap());
+    let mut found = Vec::new();
+    texts(tree.root(), &mut found);
+    let (w, h) = (tree.size().width(), tree.size().height());
+    for (words, b, _) in &found {
+        let within = b.left() >= 1.0 && b.top() >= 1.0 && b.right() <= w - 1.0 && b.bottom() <= h - 1.0;
+        assert!(within, "{name}: \"{words}\" leaves the paper: {b:?}");
+    }
+    // boxes of turned texts are larger than the texts, so only upright ones can be told
+    let upright: Vec<_> = found.iter().filter(|t| t.2).collect();
+    assert!(upright.len() > 5, "{name}");
+    for (i, (a, ra, _)) in upright.iter().enumerate() {
+        for (b, rb, _) in &upright[..i] {
+            let meet = ra.left() < rb.right() && rb.left() < ra.right();
+            let meet = meet && ra.top() < rb.bottom() && rb.top() < ra.bottom();
+            assert!(!meet, "{name}: \"{a}\" covers \"{b}\"");
+        }
+    }
+}
+
+#[test]
+fn no_text_is_cut_off_and_none_covers_another() {
+    for (name, figure) in figures::all() {
+        check_texts(name, &figure);
+    }
+}
+
+#[test]
+fn texts_of_neighbouring_marks_stay_apart() {
+    let mut figure = one(vec![Series::line("a line", vec![(0.0, 0.0), (1.0, 1.0)])]);
+    for (i, at) in [0.0, 0.02, 0.03, 0.5, 0.51, 0.52, 0.97, 0.98, 1.0].into_iter().enumerate() {
+        figure.panels[0].marks.push(Mark::new(at, at, format!("operating point {i}")));
+    }
+    check_texts("marks", &figure);
+}
+
+#[test]
+fn texts_of_lines_that_end_together_stay_apart() {
+    let series = (0..12).map(|i| {
+        let end = 1.0 + 0.001 * f64::from(i);
+        Series::line("", vec![(0.0, 0.0), (1.0, end)]).end_label(format!("variant {i}"))
+    });
+    check_texts("ends", &one(series.collect()));
+}
+
+#[test]
+fn the_same_figure_gives_the_same_bytes() {
+    for (_, figure) in figures::all() {
+        assert_eq!(figure.to_svg().unwrap(), figure.clone().to_svg().unwrap());
+    }
+    let figure = figures::models();
+    assert_eq!(figure.to_png().unwrap(), figure.to_png().unwrap());
+}
+
+#[test]
+fn the_image_is_a_png_of_ten_pixels_per_millimetre() {
+    let png = figures::isobars(400.0).to_png().unwrap();
+    assert_eq!(&png[..8], b"\x89PNG\r\n\x1a\n");
+    let side = |at: usize| u32::from_be_bytes(png[at..at + 4].try_into().unwrap());
+    assert_eq!((side(16), side(20)), (1600, 1000));
+    let small = one(vec![Series::new("", vec![(0.0, 0.0), (1.0, 1.0)])]).size_mm(80.0, 60.0);
+    let png = small.to_png().unwrap();
+    assert_eq!(u32::from_be_bytes(png[16..20].try_into().unwrap()), 800);
+}
+
+#[test]
+fn the_image_holds_ink_for_texts() {
+    // without a font the title would leave no trace
+    let with = one(vec![]).to_png().unwrap();
+    let mut figure = one(vec![]);
+    figure.title = "another title altogether".to_owned();
+    assert_ne!(with, figure.to_png().unwrap());
+}
+
+#[test]
+fn texts_are_escaped() {
+    let nasty = "a<b>&\"c\"'d' \u{1}\u{fffe}]]>";
+    let figure = Figure::new(nasty).caption(nasty).panel(
+        Panel::new(Axis::new(nasty), Axis::new(nasty))
+            .title(nasty)
+            .series(Series::new(nasty, vec![(0.0, 0.0), (1.0, 1.0)]).end_label(nasty))
+            .mark(Mark::new(0.5, 0.5, nasty)),
+    );
+    let svg = figure.to_svg().unwrap();
+    assert!(svg.contains("a&lt;b&gt;&amp;&quot;c&quot;&#39;d&#39;"));
+    assert!(!svg.contains("<b>") && !svg.contains('\u{1}') && !svg.contains('\u{fffe}'));
+    parse(&svg);
+}
+
+#[test]
+fn a_gap_breaks_the_line_and_reaches_no_text() {
+    let points = vec![
+        (0.0, 1.0),
+        (1.0, 2.0),
+        (2.0, f64::NAN),
+        (3.0, 2.0),
+        (f64::INFINITY, 3.0),
+        (4.0, 1.0),
+        (5.0, 1.0),
+    ];
+    let svg = one(vec![Series::line("", points)]).to_svg().unwrap();
+    assert!(!svg.contains("NaN") && !svg.contains("inf"));
+    let line = svg.lines().find(|l| l.contains("#0072b2") && l.starts_with("<path")).unwrap();
+    // two pieces of line; the point between the gaps stands alone
+    assert_eq!(line.matches('M').count(), 2, "{line}");
+    assert_eq!(svg.matches("<circle").count(), 1);
+}
+
+#[test]
+fn lines_end_at_the_border_of_the_plot() {
+    let mut figure = one(vec![Series::line("", vec![(-1e9, -1e9), (1e9, 1e9)])]);
+    figure.panels[0].x.range = Some((0.0, 1.0));
+    figure.panels[0].y.range = Some((0.0, 1.0));
+    let svg = figure.to_svg().unwrap();
+    let line = svg.lines().find(|l| l.contains("#0072b2")).unwrap();
+    let numbers: Vec<f64> =
+        line.split('"').nth(1).unwrap().split(['M', 'L', ' ']).filter_map(|n| n.parse().ok()).collect();
+    assert_eq!(numbers.len(), 4);
+    assert!(numbers.iter().all(|n| (0.0..=640.0).contains(n)), "{numbers:?}");
+}
+
+#[test]
+fn odd_data_give_a_figure() {
+    let cases: Vec<Vec<(f64, f64)>> = vec![
+        vec![],
+        vec![(1.0, 2.0)],
+        vec![(f64::NAN, f64::NAN)],
+        vec![(3.0, 3.0); 10],
+        vec![(0.0, 0.0), (0.0, 0.0)],
+        vec![(1e-200, 1e200), (2e-200, 3e200)],
+        vec![(1e9, 1.0), (1e9 + 1.0, 1.0 + 1e-12)],
+        vec![(-1e299, 1.0), (1e299, 2.0)],
+    ];
+    for points in cases {
+        for style in [Style::Auto, Style::Points, Style::LineAndPoints] {
+            let series = Series::new("s", points.clone()).style(style).end_label("end");
+            let svg = one(vec![series]).to_svg().unwrap();
+            assert!(!svg.contains("NaN") && !svg.contains("inf"), "{points:?}");
+            parse(&svg);
+        }
+    }
+    assert!(one(vec![]).to_svg().unwrap().contains("no data in this range"));
+}
+
+#[test]
+fn impossible_figures_are_typed_errors() {
+    assert!(matches!(Figure::new("t").to_svg(), Err(FigureError::NoPanels { .. })));
+    for (low, high) in [(1.0, 1.0), (2.0, 1.0), (f64::NAN, 1.0), (0.0, f64::INFINITY), (-1.7e308, 1.7e308)] {
+        let mut figure = one(vec![]);
+        figure.panels[0].y.range = Some((low, high));
+        let error = figure.to_svg().unwrap_err();
+        assert!(matches!(&error, FigureError::AxisRange { axis, .. } if axis == "y [N]"), "{error}");
+    }
+    let beyond = one(vec![Series::new("", vec![(0.0, -1.7e308), (1.0, 1.7e308)])]);
+    assert!(matches!(beyond.to_svg(), Err(FigureError::AxisRange { .. })));
+    for (w, h) in [(0.0, 100.0), (f64::NAN, 100.0), (160.0, 1e6)] {
+        assert!(matches!(one(vec![]).size_mm(w, h).to_svg(), Err(FigureError::PaperSize { .. })));
+    }
+    let tiny = one(vec![]).size_mm(25.0, 25.0).to_svg();
+    assert!(matches!(tiny, Err(FigureError::PanelTooSmall { panel: 1, .. })));
+}
+
+#[test]
+fn long_series_are_thinned_but_keep_their_peaks() {
+    let mut points: Vec<(f64, f64)> =
+        (0..100_000).map(|i| (f64::from(i), (f64::from(i) * 0.37).sin())).collect();
+    points[54_321].1 = 10.0;
+    let svg = one(vec![Series::line("", points.clone()), Series::scatter("", points)]).to_svg().unwrap();
+    assert!(svg.len() < 1_500_000, "{}", svg.len());
+    let line = svg.lines().find(|l| l.contains("#0072b2")).unwrap();
+    let ys = line.split('"').nth(1).unwrap().split(['M', 'L']).filter_map(|p| p.split(' ').nth(1));
+    let highest = ys.filter_map(|y| y.parse::<f64>().ok()).fold(f64::INFINITY, f64::min);
+    assert!(highest < 60.0, "the peak is lost: {highest}");
+}
+
+#[test]
+fn a_legend_that_covers_data_moves_out_and_one_that_does_not_stays() {
+    let framed = |figure: &Figure| figure.to_svg().unwrap().contains("fill-opacity");
+    assert!(framed(&figures::models()));
+    assert!(!framed(&figures::crowded()));
+}
+
+#[test]
+fn panels_with_the_same_entries_share_one_legend() {
+    let svg = figures::grid().to_svg().unwrap();
+    assert_eq!(svg.matches(">thick wall<").count(), 1);
+    let mut figure = figures::grid();
+    figure.panels[0].series[0].label = "something else".to_owned();
+    // the same sample would now mean two things: every panel explains itself
+    assert_eq!(figure.to_svg().unwrap().matches(">thick wall<").count(), 6);
+}
+
+#[test]
+fn series_of_one_name_and_look_share_an_entry() {
+    let line = |k: f64| Series::line("model", vec![(0.0, 0.0), (1.0, k)]).colour(0);
+    let svg = one(vec![line(1.0), line(2.0), line(3.0)]).to_svg().unwrap();
+    assert_eq!(svg.matches(">model<").count(), 1);
+}
+
+#[test]
+fn many_and_long_entries_stay_on_the_paper() {
+    let long = "a very long name that goes on and on, as names of models with all their options do, and on";
+    for count in [1, 9, 40] {
+        let series = (0..count).map(|i| {
+            Series::new(format!("{i} {long} {long}"), vec![(0.0, 0.0), (0.5, f64::from(i)), (1.0, 1.0)])
+        });
+        let tree = parse(&one(series.collect()).to_svg().unwrap());
+        let mut found = Vec::new();
+        texts(tree.root(), &mut found);
+        assert!(found.iter().all(|t| t.1.right() <= tree.size().width()), "{count}");
+    }
+}
+
+#[test]
+fn a_thousand_marks_and_lines_are_drawn_in_seconds() {
+    let start = std::time::Instant::now();
+    let line =
+        |i: u32| Series::line("", vec![(0.0, 0.0), (0.9, f64::from(i))]).end_label(format!("line {i}"));
+    let mut figure = one((0..200).map(line).collect());
+    for i in 0..1000 {
+        let (x, y) = (f64::from(i % 37) / 37.0, f64::from(i % 91) * 2.0);
+        figure.panels[0].marks.push(Mark::new(x, y, format!("mark {i}")));
+    }
+    parse(&figure.to_svg().unwrap());
+    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+    #[test]
+    fn any_data_give_valid_svg_or_a_typed_error(
+        points in prop::collection::vec((prop::num::f64::ANY, prop::num::f64::ANY), 0..20),
+        mark in (prop::num::f64::ANY, prop::num::f64::ANY),
+        label in ".{0,20}",
+    ) {
+        let mut figure = one(vec![Series::new(label.clone(), points).end_label(label.clone())]);
+        figure.panels[0].marks.push(Mark::new(mark.0, mark.1, label));
+        if let Ok(svg) = figure.to_svg() {
+            parse(&svg);
+        }
+        let _ = figure.to_text(60, 15, false);
+    }
+}

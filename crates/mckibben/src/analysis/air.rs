@@ -1,0 +1,35 @@
+//! Air that a stroke takes.
+
+use super::error::AnalysisError;
+use crate::model::ForceModel;
+
+/// Atmospheric pressure in MPa (ISO 2533).
+const ATMOSPHERE_MPA: f64 = 0.101_325;
+/// Normal litres are counted at 0 °C and 101.325 kPa (DIN 1343); the air in the muscle is at 20 °C.
+const NORMAL_PER_ACTUAL: f64 = 273.15 / 293.15;
+
+/// Air in a muscle that was filled from rest to a working point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Air {
+    /// Cavity at the working point in mm³.
+    pub volume_mm3: f64,
+    /// Air to be supplied from the muscle at rest (cavity V0 at atmospheric pressure) to the working point, in normal
+    /// litres: ((P + Pa) V − Pa V0)/Pa · 273.15/293.15, isothermal, air as an ideal gas at 20 °C.
+    pub normal_litres: f64,
+}
+
+/// Air per stroke from rest (ε = 0, no pressure) to (P, ε).
+///
+/// # Errors
+/// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
+pub fn air_per_stroke<M: ForceModel + ?Sized>(
+    model: &M,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<Air, AnalysisError> {
+    let unknown = || AnalysisError::Unknown { model: model.name().into(), quantity: "the volume" };
+    let volume_mm3 = model.response(pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)?;
+    let rest = model.response(0.0, 0.0)?.volume_mm3.ok_or_else(unknown)?;
+    let free_mm3 = ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;
+    Ok(Air { volume_mm3, normal_litres: free_mm3 * 1e-6 * NORMAL_PER_ACTUAL })
+}

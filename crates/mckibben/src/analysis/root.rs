@@ -1,0 +1,116 @@
+//! A safeguarded root finder.
+
+use thiserror::Error;
+
+/// Why no root was found.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RootError<E> {
+    /// The function has the same sign at both ends.
+    #[error("no change of sign between {low} and {high}")]
+    NotBracketed {
+        /// Lower end.
+        low: f64,
+        /// Upper end.
+        high: f64,
+    },
+    /// The function itself failed.
+    #[error("{0}")]
+    Function(E),
+}
+
+/// Root of a continuous function between `low` and `high`, where it changes its sign.
+///
+/// Chandrupatla's method (Adv. Eng. Software 28 (1997) 145–149): inverse quadratic interpolation where it is safe, else
+/// bisection; the bracket always shrinks. Ends when the bracket is narrower than `tolerance` or a few units in the last
+/// place.
+///
+/// # Errors
+/// [`RootError::NotBracketed`] without a change of sign; [`RootError::Function`] if the function fails.
+pub fn find_root<E>(
+    mut f: impl FnMut(f64) -> Result<f64, E>,
+    low: f64,
+    high: f64,
+    tolerance: f64,
+) -> Result<f64, RootError<E>> {
+    let (mut a, mut b) = (high, low);
+    let mut fa = f(a).map_err(RootError::Function)?;
+    let mut fb = f(b).map_err(RootError::Function)?;
+    if fa == 0.0 {
+        return Ok(a);
+    }
+    if fb == 0.0 {
+        return Ok(b);
+    }
+    if (fa > 0.0) == (fb > 0.0) || fa.is_nan() || fb.is_nan() {
+        return Err(RootError::NotBracketed { low, high });
+    }
+    let mut t = 0.5;
+    for _ in 0..200 {
+        let x = a + t * (b - a);
+        let fx = f(x).map_err(RootError::Function)?;
+        let (c, fc);
+        if (fx > 0.0) == (fa > 0.0) {
+            (c, fc) = (a, fa);
+        } else {
+            (c, fc) = (b, fb);
+            (b, fb) = (a, fa);
+        }
+        (a, fa) = (x, fx);
+        let (best, fbest) = if fa.abs() < fb.abs() { (a, fa) } else { (b, fb) };
+        let limit = (0.5 * tolerance + 2.0 * f64::EPSILON * best.abs()) / (b - a).abs();
+        if limit > 0.5 || fbest == 0.0 {
+            return Ok(best);
+        }
+        let xi = (a - b) / (c - b);
+        let phi = (fa - fb) / (fc - fb);
+        t = if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+            fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+        } else {
+            0.5
+        };
+        t = t.clamp(limit, 1.0 - limit);
+        if t.is_nan() {
+            t = 0.5;
+        }
+    }
+    Ok(if fa.abs() < fb.abs() { a } else { b })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Case = (fn(f64) -> f64, f64, f64, f64);
+
+    #[test]
+    fn finds_known_roots_in_few_steps() {
+        let cases: [Case; 4] = [
+            (|x| x * x - 2.0, 0.0, 2.0, 2f64.sqrt()),
+            (|x| x.exp() - 1e3, 0.0, 50.0, 1e3f64.ln()),
+            (|x| (x - 0.3).powi(3), 0.0, 1.0, 0.3),
+            (|x| x.cos() - x, 0.0, 1.0, 0.739_085_133_215_160_6),
+        ];
+        for (f, low, high, root) in cases {
+            let mut calls = 0;
+            let found = find_root(
+                |x| {
+                    calls += 1;
+                    Ok::<_, ()>(f(x))
+                },
+                low,
+                high,
+                1e-12,
+            )
+            .unwrap();
+            assert!((found - root).abs() < 1e-10 && calls < 60, "{found} {root} {calls}");
+        }
+    }
+
+    #[test]
+    fn without_a_change_of_sign_it_says_so() {
+        let error = find_root(|x| Ok::<_, ()>(x * x + 1.0), -1.0, 1.0, 1e-9).unwrap_err();
+        assert_eq!(error, RootError::NotBracketed { low: -1.0, high: 1.0 });
+        assert!(find_root(|_| Ok::<_, ()>(f64::NAN), -1.0, 1.0, 1e-9).is_err());
+        assert_eq!(find_root(|_| Err("broken"), -1.0, 1.0, 1e-9), Err(RootError::Function("broken")));
+    }
+}

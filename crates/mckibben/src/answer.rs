@@ -1,0 +1,166 @@
+//! An answer as a user gets it: range, slack, dead pressure, ± and warnings around a model's bare response.
+
+use crate::analysis::{AnalysisError, contraction_at, free_contraction, pressure_at, start_pressure_mpa};
+use crate::model::{BlockedAt, ForceModel, ModelError, Response};
+
+/// How questions are answered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Options {
+    /// Answer outside of the model's range, with a warning, instead of refusing.
+    pub extrapolate: bool,
+    /// Give negative forces where the muscle would have to push, instead of slack.
+    pub two_sided: bool,
+}
+
+/// One answered point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The model's name.
+    pub model: String,
+    /// What the model knows; `force_n` is 0 where the muscle is slack.
+    pub response: Response,
+    /// The muscle would have to push and lies slack instead.
+    pub slack: bool,
+    /// The model's own force in N, negative where the muscle would have to push.
+    pub two_sided_force_n: f64,
+    /// Where the muscle is slack: its free contraction at this pressure.
+    pub free_contraction: Option<f64>,
+    /// P′ at this contraction in MPa, where there is one.
+    pub start_pressure_mpa: Option<f64>,
+    /// 95 % half-width of the force in N, where the model's error is known.
+    pub uncertainty_n: Option<f64>,
+    /// What the user should know, in sentences.
+    pub warnings: Vec<String>,
+}
+
+/// Checks the model's range; with `extrapolate` a violation becomes a warning.
+///
+/// # Errors
+/// [`ModelError::OutOfRange`].
+pub fn check_range<M: ForceModel + ?Sized>(
+    model: &M,
+    pressure_mpa: f64,
+    contraction: f64,
+    options: Options,
+) -> Result<Vec<String>, ModelError> {
+    match model.range().check(model.name(), pressure_mpa, contraction) {
+        Ok(()) => Ok(vec![]),
+        Err(error) if options.extrapolate => Ok(vec![format!("extrapolated: {error}")]),
+        Err(error) => Err(error),
+    }
+}
+
+/// F(P, ε) with everything around it.
+///
+/// # Errors
+/// [`ModelError`] outside of the model's range (unless extrapolating) or where it has no answer.
+pub fn force<M: ForceModel + ?Sized>(
+    model: &M,
+    pressure_mpa: f64,
+    contraction: f64,
+    options: Options,
+) -> Result<Answer, ModelError> {
+    let mut answer = point(model, pressure_mpa, contraction, options)?;
+    answer.start_pressure_mpa = start_pressure_mpa(model, contraction, options.extrapolate).ok();
+    if answer.slack {
+        answer.free_contraction = free_contraction(model, pressure_mpa, options.extrapolate).ok();
+    }
+    Ok(answer)
+}
+
+/// F(P, ε) without P′, which costs a search: for curves.
+///
+/// # Errors
+/// As [`force`].
+pub fn point<M: ForceModel + ?Sized>(
+    model: &M,
+    pressure_mpa: f64,
+    contraction: f64,
+    options: Options,
+) -> Result<Answer, ModelError> {
+    let mut warnings = check_range(model, pressure_mpa, contraction, options)?;
+    warnings.extend(model.notes());
+    let mut response = model.response(pressure_mpa, contraction)?;
+    let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
+    if numbers.iter().flatten().any(|v| !v.is_finite()) {
+        return Err(ModelError::NotFinite { model: model.name().into(), pressure_mpa, contraction });
+    }
+    let two_sided_force_n = response.force_n;
+    let slack = two_sided_force_n < 0.0 && !options.two_sided;
+    if slack {
+        // A slack muscle hangs at its free contraction: what the model knows of the pushing one does not apply.
+        response = Response { pressure_mpa, contraction, ..Response::default() };
+    }
+    warnings.extend(stretch_warning(model, &response));
+    Ok(Answer {
+        model: model.name().into(),
+        uncertainty_n: uncertainty_n(model, pressure_mpa),
+        response,
+        slack,
+        two_sided_force_n,
+        free_contraction: None,
+        start_pressure_mpa: None,
+        warnings,
+    })
+}
+
+/// The point at which the pull is `force_n` at a contraction: P(F, ε).
+///
+/// # Errors
+/// [`AnalysisError::NoPressure`] with the nearest reachable pull, or the model's.
+pub fn pressure<M: ForceModel + ?Sized>(
+    model: &M,
+    force_n: f64,
+    contraction: f64,
+    options: Options,
+) -> Result<Answer, AnalysisError> {
+    check_range(model, model.range().pressure_mpa.0, contraction, options)?;
+    let pressure_mpa = pressure_at(model, force_n, contraction, options.extrapolate)?;
+    Ok(exactly(force(model, pressure_mpa, contraction, options)?, force_n))
+}
+
+/// The point at which the pull is `force_n` at a pressure: ε(F, P).
+///
+/// # Errors
+/// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
+pub fn contraction<M: ForceModel + ?Sized>(
+    model: &M,
+    force_n: f64,
+    pressure_mpa: f64,
+    options: Options,
+) -> Result<Answer, AnalysisError> {
+    check_range(model, pressure_mpa, model.range().contraction.0.max(0.0), options)?;
+    let contraction = contraction_at(model, force_n, pressure_mpa, options.extrapolate)?;
+    Ok(exactly(force(model, pressure_mpa, contraction, options)?, force_n))
+}
+
+/// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).
+fn exactly(mut answer: Answer, force_n: f64) -> Answer {
+    if (answer.response.force_n - force_n).abs() <= 1e-6 * force_n.abs().max(1.0) {
+        answer.response.force_n = force_n;
+        answer.slack = false;
+    }
+    answer
+}
+
+/// 95 % half-width of the force in N at a pressure.
+pub fn uncertainty_n<M: ForceModel + ?Sized>(model: &M, pressure_mpa: f64) -> Option<f64> {
+    let accuracy = model.accuracy();
+    let at = match accuracy.blocked_at {
+        BlockedAt::SamePressure => pressure_mpa,
+        BlockedAt::Pressure(p) => p,
+    };
+    let blocked = model.force_n(at, 0.0).ok()?;
+    accuracy.share_of_blocked.map(|share| share * blocked.abs())
+}
+
+fn stretch_warning<M: ForceModel + ?Sized>(model: &M, response: &Response) -> Option<String> {
+    let rubber = &model.muscle().tube().rubber;
+    let (limit, stretch) = (rubber.fitted_to_stretch?, response.max_stretch?);
+    (stretch > limit).then(|| {
+        format!(
+            "the rubber is stretched to {stretch:.2} at the bore; the constants of {} were fitted up to {limit:.2}",
+            rubber.name.as_deref().unwrap_or("this rubber")
+        )
+    })
+}

@@ -1,0 +1,140 @@
+//! The three tests a muscle is put to, as families of curves.
+//!
+//! - isometric: ε fixed, F(P);
+//! - isotonic: F fixed, ε(P);
+//! - isobaric: P fixed, F(ε).
+
+use crate::analysis::AnalysisError;
+use crate::answer::{self, Answer, Options};
+use crate::model::ForceModel;
+
+/// Which test.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Test {
+    /// ε fixed, F over P.
+    Isometric,
+    /// F fixed, ε over P.
+    Isotonic,
+    /// P fixed, F over ε.
+    Isobaric,
+}
+
+impl Test {
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Test::Isometric => "isometric",
+            Test::Isotonic => "isotonic",
+            Test::Isobaric => "isobaric",
+        }
+    }
+}
+
+/// One point of a curve: what was asked, and the answer or why there is none.
+#[derive(Debug, Clone)]
+pub struct CurvePoint {
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction asked for (isometric, isobaric).
+    pub contraction: Option<f64>,
+    /// Pull asked for in N (isotonic).
+    pub force_n: Option<f64>,
+    /// The answer.
+    pub answer: Result<Answer, AnalysisError>,
+}
+
+/// One curve of a family.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    /// What is fixed along it: ε, F in N, or P in MPa.
+    pub fixed: f64,
+    /// Its points in the order asked.
+    pub points: Vec<CurvePoint>,
+}
+
+/// A family of curves: `fixed` holds ε, F or P of each curve, `along` the P or ε of its points.
+///
+/// Points without an answer carry their reason; the others stand.
+pub fn curves<M: ForceModel + ?Sized>(
+    model: &M,
+    test: Test,
+    fixed: &[f64],
+    along: &[f64],
+    options: Options,
+) -> Vec<Curve> {
+    let curve = |&fixed: &f64| Curve {
+        fixed,
+        points: along.iter().map(|&x| point(model, test, fixed, x, options)).collect(),
+    };
+    fixed.iter().map(curve).collect()
+}
+
+fn point<M: ForceModel + ?Sized>(model: &M, test: Test, fixed: f64, x: f64, options: Options) -> CurvePoint {
+    match test {
+        Test::Isotonic => CurvePoint {
+            pressure_mpa: x,
+            contraction: None,
+            force_n: Some(fixed),
+            answer: answer::contraction(model, fixed, x, options),
+        },
+        Test::Isometric | Test::Isobaric => {
+            let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
+            let answer = answer::point(model, p, e, options).map_err(AnalysisError::from);
+            CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
+        }
+    }
+}
+
+impl Curve {
+    /// (P, F), (P, ε) or (ε, F) of the answered points, to be drawn.
+    ///
+    /// A line breaks (NaN) where there is no answer. Where the muscle becomes slack the line ends on zero, at the place
+    /// that a straight line between the two neighbours gives.
+    pub fn line(&self, test: Test) -> Vec<(f64, f64)> {
+        let mut out: Vec<(f64, f64)> = Vec::with_capacity(self.points.len() + 2);
+        let mut before: Option<(f64, f64)> = None;
+        for p in &self.points {
+            let x = if test == Test::Isobaric { p.contraction.unwrap_or(f64::NAN) } else { p.pressure_mpa };
+            let Ok(a) = &p.answer else {
+                out.push((x, f64::NAN));
+                before = None;
+                continue;
+            };
+            if test == Test::Isotonic {
+                out.push((x, a.response.contraction));
+                continue;
+            }
+            let y = if a.slack { a.two_sided_force_n } else { a.response.force_n };
+            if let Some((x0, y0)) = before
+                && (a.slack || y0 < 0.0)
+                && (y0 < 0.0) != (y < 0.0)
+            {
+                out.push((x0 + (x - x0) * y0 / (y0 - y), 0.0));
+            }
+            out.push((x, if a.slack { f64::NAN } else { y }));
+            before = Some((x, y));
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{ForceModel, ThickWall};
+    use crate::muscle::Muscle;
+
+    /// The drawn line of a slack muscle starts on zero between the two pressures around P′.
+    #[test]
+    fn a_line_starts_on_zero_at_the_dead_pressure() {
+        let model = ThickWall::new(&Muscle::prototype());
+        let pressures: Vec<f64> = (0..=250).map(|i| f64::from(i) / 1000.0).collect();
+        let family = curves(&model, Test::Isometric, &[0.15], &pressures, Options::default());
+        let line = family[0].line(Test::Isometric);
+        let start = line.iter().find(|p| p.1 == 0.0).unwrap().0;
+        let dead = crate::analysis::start_pressure_mpa(&model, 0.15, false).unwrap();
+        assert!((start - dead).abs() < 1e-5, "{start} {dead}");
+        assert!(model.force_n(start, 0.15).unwrap().abs() < 0.05);
+        assert!(line.iter().all(|p| p.1.is_nan() || p.1 >= 0.0));
+    }
+}

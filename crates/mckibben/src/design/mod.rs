@@ -1,0 +1,19 @@
+//! From a specification to muscles: the main job.
+//!
+//! A [`Spec`] says which pull is wanted at which contraction, with which pressure, and within which bounds. [`design`]
+//! answers with ranked [`Candidate`]s, with the [`Reason`] why others fail, and, where nothing fits, with the muscle that
+//! comes closest and what would have to give.
+
+mod candidate;
+mod reason;
+mod relax;
+mod search;
+mod spec;
+mod tolerance;
+
+pub use candidate::{Candidate, CandidatePoint};
+pub use reason::{Reason, Rejected};
+pub use relax::Relaxation;
+pub use search::{Closest, Outcome, design};
+pub use spec::{BraidChoice, Build, Limits, Objective, OperatingPoint, Spec, SpecError};
+pub use tolerance::{Spread, SpreadError, Tolerances, spread};

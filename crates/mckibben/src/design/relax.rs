@@ -1,0 +1,163 @@
+//! Where nothing fits: which limit to relax, and by how much.
+
+use super::candidate::screen;
+use super::reason::Reason;
+use super::spec::{Build, Limits, OperatingPoint, Spec};
+use crate::analysis::{contraction_at, pressure_at};
+use crate::model::ThickWall;
+use crate::muscle::Muscle;
+
+/// A way to make the closest muscle fit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Relaxation {
+    /// Supply this pressure.
+    Pressure {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// The model had to be asked outside of its range.
+        extrapolated: bool,
+    },
+    /// Accept these pulls at the points that fall short.
+    Force(Vec<OperatingPoint>),
+    /// Accept these contractions at the points that fall short.
+    Contraction(Vec<OperatingPoint>),
+    /// Take a tube of this diameter (with the same wall).
+    OuterDiameter {
+        /// Outer diameter in mm.
+        outer_diameter_mm: f64,
+        /// The model that says so.
+        model: String,
+    },
+    /// Allow this diameter when bulged.
+    BulgedDiameter {
+        /// Diameter in mm.
+        diameter_mm: f64,
+    },
+    /// Allow this stretch of the rubber.
+    Stretch {
+        /// Largest principal stretch.
+        stretch: f64,
+    },
+    /// Accept this burst margin.
+    BurstMargin {
+        /// Burst pressure over maximum pressure.
+        margin: f64,
+    },
+}
+
+/// What would make `muscle` fit, one limit at a time. Each is tried: only what really makes it fit is returned.
+pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Vec<Relaxation> {
+    let Ok(model) = build(muscle) else { return vec![] };
+    let model = model.as_ref();
+    let pull = |p: &OperatingPoint| model.force_n(spec.max_pressure_mpa, p.contraction).unwrap_or(f64::NAN);
+    let short: Vec<bool> = spec.points.iter().map(|p| pull(p) < p.force_n).collect();
+    let mut out = vec![];
+    if short.contains(&true) {
+        out.extend(pressure(spec, build, muscle));
+        out.extend(
+            points(spec, build, muscle, &short, |p| {
+                (pull(p) > 0.0).then(|| OperatingPoint { force_n: pull(p), ..*p })
+            })
+            .map(Relaxation::Force),
+        );
+        out.extend(
+            points(spec, build, muscle, &short, |p| {
+                let contraction =
+                    contraction_at(model, p.force_n, spec.max_pressure_mpa, spec.extrapolate).ok()?;
+                Some(OperatingPoint { contraction, ..*p })
+            })
+            .map(Relaxation::Contraction),
+        );
+        out.extend(wider(spec, build, muscle));
+    }
+    match screen(spec, build, muscle).map_err(|miss| miss.reason) {
+        Err(Reason::Bulge { diameter_mm, .. }) => {
+            out.extend(
+                limit(spec, build, muscle, |l| l.bulged_diameter_mm = Some(diameter_mm))
+                    .then_some(Relaxation::BulgedDiameter { diameter_mm }),
+            );
+        }
+        Err(Reason::Stretch { stretch, .. }) => {
+            out.extend(
+                limit(spec, build, muscle, |l| l.stretch = Some(stretch))
+                    .then_some(Relaxation::Stretch { stretch }),
+            );
+        }
+        Err(Reason::Burst { margin, .. }) => {
+            out.extend(
+                limit(spec, build, muscle, |l| l.burst_margin = Some(margin))
+                    .then_some(Relaxation::BurstMargin { margin }),
+            );
+        }
+        _ => {}
+    }
+    out
+}
+
+/// The pressure that all points need.
+fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
+    let model = build(muscle).ok()?;
+    let needs = spec.points.iter().map(|p| pressure_at(model.as_ref(), p.force_n, p.contraction, true));
+    let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
+    let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
+    let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };
+    screen(&relaxed, build, muscle).is_ok().then_some(Relaxation::Pressure { pressure_mpa, extrapolated })
+}
+
+/// Other operating points in place of those that fall short.
+fn points(
+    spec: &Spec,
+    build: &Build<'_>,
+    muscle: &Muscle,
+    short: &[bool],
+    instead: impl Fn(&OperatingPoint) -> Option<OperatingPoint>,
+) -> Option<Vec<OperatingPoint>> {
+    let each = spec.points.iter().zip(short);
+    let list: Vec<OperatingPoint> =
+        each.map(|(p, &short)| if short { instead(p) } else { Some(*p) }).collect::<Option<_>>()?;
+    // The last bit of an inverse must not decide.
+    let eased = list.iter().map(|p| OperatingPoint { force_n: p.force_n * (1.0 - 1e-9), ..*p }).collect();
+    let relaxed = Spec { points: eased, ..spec.clone() };
+    screen(&relaxed, build, muscle).ok()?;
+    Some(list.into_iter().zip(short).filter(|(_, short)| **short).map(|(p, _)| p).collect())
+}
+
+/// Whether another limit alone makes the muscle fit.
+fn limit(spec: &Spec, build: &Build<'_>, muscle: &Muscle, ease: impl Fn(&mut Limits)) -> bool {
+    let mut relaxed = spec.clone();
+    ease(&mut relaxed.limits);
+    screen(&relaxed, build, muscle).is_ok()
+}
+
+/// The smallest diameter beyond the bound that fits, by the design's model or, outside of its range, by thick-wall.
+fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
+    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+    let (_, high) = spec.outer_diameter_mm.bounds();
+    for build in [build, thick] {
+        let fits = |d0: f64| {
+            let muscle = muscle.with_section(d0, muscle.wall_mm()).ok()?;
+            screen(spec, build, &muscle).ok()
+        };
+        let (mut low, mut found) = (high, None);
+        for i in 1..=40 {
+            let d0 = high * (1.0 + 0.05 * f64::from(i));
+            if fits(d0).is_some() {
+                found = Some(d0);
+                break;
+            }
+            low = d0;
+        }
+        if let Some(mut top) = found {
+            for _ in 0..30 {
+                let mid = 0.5 * (low + top);
+                if fits(mid).is_some() { top = mid } else { low = mid }
+            }
+            let model = build(muscle).map_or_else(|_| String::new(), |m| m.name().to_owned());
+            return Some(Relaxation::OuterDiameter {
+                outer_diameter_mm: (top * 100.0).ceil() / 100.0,
+                model,
+            });
+        }
+    }
+    None
+}

@@ -1,0 +1,168 @@
+//! What is wanted, and what may be varied.
+
+use crate::model::{ForceModel, ModelError};
+use crate::muscle::{Muscle, MuscleError, Rubber};
+use crate::units::Values;
+use thiserror::Error;
+
+/// Builds the model a design runs on.
+pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
+
+/// A pull wanted at a contraction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperatingPoint {
+    /// Pull in N.
+    pub force_n: f64,
+    /// Contraction ratio.
+    pub contraction: f64,
+}
+
+/// What the best muscle is best at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Objective {
+    /// Smallest outer diameter at rest.
+    #[default]
+    Diameter,
+    /// Lowest pressure needed.
+    Pressure,
+    /// Least air per stroke.
+    Air,
+    /// Largest pull to spare at the maximum pressure.
+    Margin,
+}
+
+/// Which angle the braid has.
+#[derive(Debug, Clone, PartialEq)]
+pub enum BraidChoice {
+    /// Angles at rest in degrees: a list or an interval.
+    Angle(Values),
+    /// A sleeve as sold: the length of strand per turn in mm is fixed, so that the diameter it is pulled over sets the
+    /// angle, sinθ0 = π D0/ℓ.
+    StrandLengthPerTurn(Vec<f64>),
+}
+
+/// Bounds on what comes out.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Limits {
+    /// Largest outer diameter at any operating point, in mm.
+    pub bulged_diameter_mm: Option<f64>,
+    /// Least ratio of burst pressure to maximum pressure.
+    pub burst_margin: Option<f64>,
+    /// Largest principal stretch of the rubber at any operating point.
+    pub stretch: Option<f64>,
+}
+
+/// A specification.
+#[derive(Debug, Clone)]
+pub struct Spec {
+    /// What the muscle must do; at least one.
+    pub points: Vec<OperatingPoint>,
+    /// What the supply gives, in MPa.
+    pub max_pressure_mpa: f64,
+    /// Everything that is not searched: length, braid stiffness, terminals, friction.
+    pub base: Muscle,
+    /// Outer diameters in mm.
+    pub outer_diameter_mm: Values,
+    /// Walls in mm.
+    pub wall_mm: Values,
+    /// Braid angles, or sleeves.
+    pub braid: BraidChoice,
+    /// Rubbers; empty means the base muscle's.
+    pub rubbers: Vec<Rubber>,
+    /// Bounds on what comes out.
+    pub limits: Limits,
+    /// What to rank by.
+    pub objective: Objective,
+    /// How many candidates and rejected muscles to report.
+    pub top: usize,
+    /// Ask the model outside of its range.
+    pub extrapolate: bool,
+}
+
+/// Why a specification cannot be searched at all.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SpecError {
+    /// No operating point.
+    #[error("no operating point: give --force and --contraction, or --at 700N@15%")]
+    NoPoint,
+    /// A pull or contraction that is no operating point.
+    #[error(
+        "the operating point {force_n} N at a contraction of {contraction} makes no sense: the pull must be above 0 N and the contraction from 0 to below 1"
+    )]
+    Point {
+        /// Pull in N.
+        force_n: f64,
+        /// Contraction ratio.
+        contraction: f64,
+    },
+    /// A pressure that is not above zero.
+    #[error("the maximum pressure is {0} MPa; it must be above zero")]
+    Pressure(f64),
+    /// A bound that is not above zero.
+    #[error("{name} is {value}; it must be above zero")]
+    Bound {
+        /// Which bound.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// Burst margin asked for without the strands' strength.
+    #[error(
+        "a burst margin needs the strands' strength: give [braid] strands and strand_strength in the muscle file"
+    )]
+    NoStrength,
+    /// No combination is a muscle at all.
+    #[error("none of the combinations is a muscle: {0}")]
+    NoMuscle(MuscleError),
+    /// Too many combinations.
+    #[error("{0:.3e} combinations are too many; at most 5 million: take larger steps or fewer values")]
+    TooMany(f64),
+}
+
+impl Spec {
+    /// Checks the specification.
+    ///
+    /// # Errors
+    /// [`SpecError`].
+    pub fn check(&self) -> Result<(), SpecError> {
+        if self.points.is_empty() {
+            return Err(SpecError::NoPoint);
+        }
+        let senseless = |p: &&OperatingPoint| {
+            !(p.force_n > 0.0 && p.force_n.is_finite() && (0.0..1.0).contains(&p.contraction))
+        };
+        if let Some(p) = self.points.iter().find(senseless) {
+            return Err(SpecError::Point { force_n: p.force_n, contraction: p.contraction });
+        }
+        if !(self.max_pressure_mpa.is_finite() && self.max_pressure_mpa > 0.0) {
+            return Err(SpecError::Pressure(self.max_pressure_mpa));
+        }
+        let bounds = [
+            ("the outer diameter", Some(self.outer_diameter_mm.bounds().0)),
+            ("the wall", Some(self.wall_mm.bounds().0)),
+            ("the largest bulged diameter", self.limits.bulged_diameter_mm),
+            ("the least burst margin", self.limits.burst_margin),
+            ("the largest stretch", self.limits.stretch),
+        ];
+        for (name, value) in bounds {
+            if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
+                return Err(SpecError::Bound { name, value });
+            }
+        }
+        let strength = self.base.braid().strands.and_then(|s| s.strength_n);
+        if self.limits.burst_margin.is_some() && strength.is_none() {
+            return Err(SpecError::NoStrength);
+        }
+        let count = |v: &Values| match v {
+            Values::List(list) => list.len() as f64,
+            Values::Interval(..) => 1.0,
+        };
+        let braids = match &self.braid {
+            BraidChoice::Angle(v) => count(v),
+            BraidChoice::StrandLengthPerTurn(list) => list.len() as f64,
+        };
+        let all =
+            count(&self.outer_diameter_mm) * count(&self.wall_mm) * braids * self.rubbers.len().max(1) as f64;
+        if all > 5e6 { Err(SpecError::TooMany(all)) } else { Ok(()) }
+    }
+}

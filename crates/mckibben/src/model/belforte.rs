@@ -1,0 +1,142 @@
+//! Belforte's formula: the ideal muscle with strand length and turns measured on the real one.
+//!
+//!   (3)   F = P (3L² − b²)/(4π n²),   V = (b² − L²) L/(4π n²),   D = √(b² − L²)/(π n),   L = (1 − ε) L0
+//!
+//! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
+//! squares (its dimension is force/length) and stands for one turn; this is F = −P dV/dL.
+
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use crate::muscle::Muscle;
+use std::f64::consts::PI;
+
+/// Belforte's formula (3), F in N for P in MPa.
+///
+/// b is measured on the muscle and so includes the rounded ends; with b = L0/cosθ0 and n = L0 tanθ0/(π D0) it is the
+/// ideal formula.
+#[derive(Debug, Clone)]
+pub struct Belforte {
+    muscle: Muscle,
+    /// b
+    b: f64,
+    /// 4π n²
+    n2: f64,
+}
+
+impl Belforte {
+    /// Belforte's model of a muscle whose strands have been measured.
+    ///
+    /// # Errors
+    /// [`ModelError::Missing`] without a measured strand. One too short to span the muscle is refused with the muscle.
+    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+        let measured = muscle.braid().measured.ok_or(ModelError::Missing {
+            model: "belforte",
+            missing: "a strand measured on the muscle: --strand-length and --turns, or `strand_length` and `turns` under [braid] in the muscle file",
+        })?;
+        let b = measured.strand_length_mm;
+        Ok(Self { muscle: muscle.clone(), b, n2: 4.0 * PI * measured.turns * measured.turns })
+    }
+}
+
+fn no_shape(contraction: f64, straight: f64) -> ModelError {
+    ModelError::Geometry { contraction, lowest: 1.0 - straight, highest: 1.0 }
+}
+
+impl ForceModel for Belforte {
+    fn name(&self) -> &str {
+        "belforte"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "Belforte et al.; the paper's (3) with its squares restored"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        let (p, b) = (pressure_mpa, self.b);
+        let l = (1.0 - contraction) * self.muscle.length_mm();
+        if !(l > 0.0 && l < b) {
+            return Err(no_shape(contraction, b / self.muscle.length_mm()));
+        }
+        let per_pressure = (3.0 * l * l - b * b) / self.n2;
+        // π D²/4 = (b² − L²)/(4π n²); axial balance of a cut: F + P π D²/4 = (sum of tensions) · L/b.
+        let area = (b * b - l * l) / self.n2;
+        let tension = p * (per_pressure + area) * b / l;
+        Response {
+            pressure_mpa,
+            contraction,
+            force_n: p * per_pressure,
+            volume_mm3: Some(area * l),
+            stiffness_n_per_mm: Some(6.0 * p * l / self.n2),
+            force_per_pressure_mm2: Some(per_pressure),
+            bulged_diameter_mm: Some(2.0 * (area / PI).sqrt()),
+            ..Response::default()
+        }
+        .with_braid_tension(tension, self.muscle.braid().strands.map(|s| s.count))
+        .finite(self.name())
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        let l = (1.0 - contraction) * self.muscle.length_mm();
+        let per_pressure = (3.0 * l * l - self.b * self.b) / self.n2;
+        (per_pressure > 0.0 && l > 0.0 && l < self.b).then(|| Ok(force_n / per_pressure))
+    }
+
+    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+        let l2 = (self.b * self.b + self.n2 * force_n / pressure_mpa) / 3.0;
+        (pressure_mpa > 0.0 && l2 > 0.0 && l2 < self.b * self.b)
+            .then(|| Ok(1.0 - l2.sqrt() / self.muscle.length_mm()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Ideal;
+    use crate::muscle::{Braid, MeasuredStrand, MuscleError};
+
+    fn with_strand(strand_length_mm: f64, turns: f64) -> Muscle {
+        let measured = Some(MeasuredStrand { strand_length_mm, turns });
+        Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() }).unwrap()
+    }
+
+    #[test]
+    fn with_the_ideal_strand_it_is_the_ideal_formula() {
+        let m = Muscle::prototype();
+        let measured = with_strand(m.strand_length_mm(), m.turns());
+        let (ideal, belforte) = (Ideal::new(&m), Belforte::new(&measured).unwrap());
+        for e in [-0.05, 0.0, 0.1, 0.3] {
+            let (a, b) = (ideal.response(0.2, e).unwrap(), belforte.response(0.2, e).unwrap());
+            for (a, b) in [
+                (a.force_n, b.force_n),
+                (a.volume_mm3.unwrap(), b.volume_mm3.unwrap()),
+                (a.stiffness_n_per_mm.unwrap(), b.stiffness_n_per_mm.unwrap()),
+                (a.bulged_diameter_mm.unwrap(), b.bulged_diameter_mm.unwrap()),
+                (a.braid_tension_n.unwrap(), b.braid_tension_n.unwrap()),
+            ] {
+                assert!((a - b).abs() < 1e-11 * a.abs(), "ε {e}: {a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_was_not_measured_is_asked_for_and_short_strands_are_refused() {
+        assert!(matches!(Belforte::new(&Muscle::prototype()), Err(ModelError::Missing { .. })));
+        let measured = Some(MeasuredStrand { strand_length_mm: 284.0, turns: 1.6 });
+        let refused = Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() });
+        assert!(matches!(refused, Err(MuscleError::StrandTooShort { .. })));
+        let model = Belforte::new(&with_strand(330.0, 1.6)).unwrap();
+        assert!(matches!(model.response(0.1, -0.2), Err(ModelError::Geometry { .. })));
+        assert!(matches!(model.response(0.1, f64::NAN), Err(ModelError::Geometry { .. })));
+    }
+}

@@ -1,0 +1,170 @@
+//! A cylinder between two cones: the ends taper from the terminal to the bulge.
+//!
+//!   F = π r0² P {−1 + (2λ/tan²θ0) [λ + (kc ε/3)(1/f − 4)]},   f = r/r0 = √(1 − cos²θ0 λ²)/sinθ0
+//!
+//! Each cone has the length kc L0 ε and grows from r0 to r. Source: Tondu (2012) eq. (25), as it stands there: pressure
+//! on the plugs π r0², and the work of the lateral surface at fixed lengths.
+//!
+//! That is not −P dV/dL of the same body, V = π r0² L0 [f² λ + (2kc ε/3)(1 + f − 2f²)], which gives
+//!
+//!   F = π r0² P {−f² + (2kc/3)(1 + f − 2f²) + (2λ/tan²θ0) [λ + (kc ε/3)(1/f − 4)]}   ([`ConicalEnds::pull_by_energy`])
+//!
+//! The published form leaves out that the cones are pressed on axially too: with kc = 0 it does not become the ideal
+//! formula but pulls π (r² − r0²) P more.
+
+use super::pantograph::Pantograph;
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use crate::muscle::Muscle;
+use std::f64::consts::PI;
+
+/// Tondu's cylinder with conical ends, as published.
+#[derive(Debug, Clone)]
+pub struct ConicalEnds {
+    muscle: Muscle,
+    braid: Pantograph,
+    kc: f64,
+}
+
+impl ConicalEnds {
+    /// The model of a muscle whose cone factor kc is known.
+    ///
+    /// # Errors
+    /// [`ModelError::Missing`] without a cone factor. Tips that would meet before the largest contraction,
+    /// kc > (1 − ε_max)/(2 ε_max), are refused with the muscle already.
+    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+        let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
+            model: "conical-ends",
+            missing: "a cone factor: --cone-factor 0.4, or `cone_factor = 0.4` under [terminals] in the muscle file",
+        })?;
+        Ok(Self { braid: Pantograph::of(muscle), muscle: muscle.clone(), kc })
+    }
+
+    /// −P dV/dL of the cylinder with two cones, in N, for comparison.
+    ///
+    /// # Errors
+    /// [`ModelError::Geometry`] where there is no shape.
+    pub fn pull_by_energy(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        let f = self.braid.at(contraction)?.r / self.braid.r0;
+        let ends = 1.0 - f * f + 2.0 * self.kc / 3.0 * (1.0 + f - 2.0 * f * f);
+        Ok(pressure_mpa * (self.pull(contraction)?.0 + PI * self.braid.r0 * self.braid.r0 * ends))
+    }
+
+    /// Volume of the cylinder with two cones, up to the braid, in mm³.
+    fn volume(&self, l: f64, f: f64) -> f64 {
+        let ends = 2.0 * self.kc * (1.0 - l) / 3.0 * (1.0 + f - 2.0 * f * f);
+        PI * self.braid.r0 * self.braid.r0 * self.braid.length * (f * f * l + ends)
+    }
+
+    /// F/P, ∂(F/P)/∂λ, and f.
+    fn pull(&self, contraction: f64) -> Result<(f64, f64, f64), ModelError> {
+        let g = self.braid.at(contraction)?;
+        if contraction > 0.0 && g.l <= 2.0 * self.kc * contraction {
+            let lowest = 1.0 - 1.0 / self.braid.cos;
+            return Err(ModelError::Geometry { contraction, lowest, highest: 1.0 / (1.0 + 2.0 * self.kc) });
+        }
+        let r0 = self.braid.r0;
+        let (f, f1) = (g.r / r0, g.r1 / r0);
+        let (cot2, k3) = ((self.braid.cos / self.braid.sin).powi(2), self.kc / 3.0);
+        let inner = g.l + k3 * contraction * (1.0 / f - 4.0);
+        let inner_l = 1.0 - k3 * (1.0 / f - 4.0) - k3 * contraction * f1 / (f * f);
+        let area = PI * r0 * r0;
+        Ok((area * (2.0 * g.l * cot2 * inner - 1.0), area * 2.0 * cot2 * (inner + g.l * inner_l), f))
+    }
+}
+
+impl ForceModel for ConicalEnds {
+    fn name(&self) -> &str {
+        "conical-ends"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "Tondu 2012 eq. (25)"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange { contraction: (0.0, self.muscle.max_ideal_contraction()), ..ModelRange::open() }
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        let (pull, pull_l, f) = self.pull(contraction)?;
+        Response {
+            pressure_mpa,
+            contraction,
+            force_n: pressure_mpa * pull,
+            volume_mm3: Some(self.volume(1.0 - contraction, f)),
+            stiffness_n_per_mm: Some(pressure_mpa * pull_l / self.braid.length),
+            force_per_pressure_mm2: Some(pull),
+            bulged_diameter_mm: Some(2.0 * f * self.braid.r0),
+            ..Response::default()
+        }
+        .finite(self.name())
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        match self.pull(contraction) {
+            Ok((pull, _, _)) => (pull > 0.0).then(|| Ok(force_n / pull)),
+            Err(error) => Some(Err(error)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Ideal;
+    use crate::muscle::{MuscleError, Terminals};
+
+    fn model(cone_factor: Option<f64>) -> Result<ConicalEnds, ModelError> {
+        let terminals = Terminals { cone_factor, ..Terminals::default() };
+        ConicalEnds::new(&Muscle::prototype().with_terminals(terminals).unwrap())
+    }
+
+    #[test]
+    fn at_rest_the_ends_do_nothing() {
+        let ideal = Ideal::new(&Muscle::prototype()).force_n(0.2, 0.0).unwrap();
+        for kc in [0.0, 0.3, 0.6] {
+            assert!((model(Some(kc)).unwrap().force_n(0.2, 0.0).unwrap() - ideal).abs() < 1e-9 * ideal);
+        }
+    }
+
+    #[test]
+    fn without_cones_the_published_form_exceeds_the_ideal_one_by_the_annulus() {
+        let (m, cones) = (Muscle::prototype(), model(Some(0.0)).unwrap());
+        for e in [0.1, 0.3] {
+            let ideal = Ideal::new(&m).force_n(0.2, e).unwrap();
+            assert!((cones.pull_by_energy(0.2, e).unwrap() - ideal).abs() < 1e-9);
+            let r = 0.5 * m.pantograph_diameter_mm(e);
+            let annulus = 0.2 * PI * (r * r - 15.0 * 15.0);
+            assert!((cones.force_n(0.2, e).unwrap() - ideal - annulus).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn the_energy_form_is_the_slope_of_the_volume() {
+        let cones = model(Some(0.4)).unwrap();
+        let (p, e, h) = (0.2, 0.15, 1e-5);
+        let v = |e: f64| cones.response(p, e).unwrap().volume_mm3.unwrap();
+        let expected = p * (v(e + h) - v(e - h)) / (2.0 * h * 285.0);
+        let energy = cones.pull_by_energy(p, e).unwrap();
+        assert!((energy - expected).abs() < 1e-6 * expected, "{energy} {expected}");
+    }
+
+    #[test]
+    fn the_cone_factor_is_asked_for_and_bounded() {
+        assert!(matches!(model(None), Err(ModelError::Missing { .. })));
+        let e_max = Muscle::prototype().max_ideal_contraction();
+        let largest = (1.0 - e_max) / (2.0 * e_max);
+        assert!(model(Some(largest)).is_ok());
+        let terminals = Terminals { cone_factor: Some(largest + 1e-6), ..Terminals::default() };
+        let refused = Muscle::prototype().with_terminals(terminals);
+        assert!(matches!(refused, Err(MuscleError::ConeFactor { .. })));
+    }
+}

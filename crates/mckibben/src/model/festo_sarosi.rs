@@ -1,0 +1,180 @@
+//! Festo's fluidic muscles by Sárosi's fits.
+//!
+//!   F = (aP + b) e^(cκ) + dPκ + eP + f,   P in bar, κ = 100 ε in %, F in N
+//!
+//! Source: Sárosi, fits to measured DMSP-10 and DMSP-20-200N. The fits fall in κ and rise in P over the whole box: c < 0,
+//! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
+
+use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response};
+use crate::muscle::Muscle;
+
+const BAR_PER_MPA: f64 = 10.0;
+
+/// One fitted muscle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Fit {
+    model: &'static str,
+    make: &'static str,
+    a: f64,
+    b: f64,
+    c: f64,
+    d: f64,
+    e: f64,
+    f: f64,
+    /// Highest pressure the maker allows, in MPa.
+    highest_mpa: f64,
+    accuracy: Accuracy,
+}
+
+const DMSP_10: Fit = Fit {
+    model: "festo-dmsp-10",
+    make: "Festo DMSP-10",
+    a: -9.2194029,
+    b: 203.7012413,
+    c: -0.34221042,
+    d: -3.2255991,
+    e: 109.2038216,
+    f: -208.372034,
+    highest_mpa: 0.8,
+    accuracy: Accuracy {
+        share_of_blocked: Some(0.25),
+        blocked_at: BlockedAt::Pressure(0.6),
+        basis: "rms 73 N on the 40 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017), another specimen than the fitted one, which pulls less",
+    },
+};
+
+const DMSP_20_200: Fit = Fit {
+    model: "festo-dmsp-20-200",
+    make: "Festo DMSP-20-200N",
+    a: -4.00180705,
+    b: 292.4620246,
+    c: -0.32930845,
+    d: -9.33564098,
+    e: 294.0538256,
+    f: -280.498151,
+    highest_mpa: 0.6,
+    accuracy: Accuracy {
+        share_of_blocked: Some(0.11),
+        blocked_at: BlockedAt::Pressure(0.6),
+        basis: "rms 98 N on 55 points of the static force map of a DMSP-20-300 (Martens & Boblan 2017), another and longer specimen than the fitted one",
+    },
+};
+
+/// A bought muscle by Sárosi's formula.
+///
+/// Tube, wall, braid and rubber of the muscle are ignored; its length only turns ∂F/∂ε into a stiffness. Pressures up to
+/// what the maker allows (8 bar for size 10, 6 bar for size 20), contractions up to its 25 %; at 0 bar the fits give
+/// −5 N and +12 N for the blocked force.
+#[derive(Debug, Clone)]
+pub struct FestoSarosi {
+    muscle: Muscle,
+    fit: Fit,
+}
+
+impl FestoSarosi {
+    /// The DMSP-10, inner diameter 10 mm.
+    pub fn dmsp_10(muscle: &Muscle) -> Self {
+        Self { muscle: muscle.clone(), fit: DMSP_10 }
+    }
+
+    /// The DMSP-20-200N, inner diameter 20 mm, length 200 mm.
+    pub fn dmsp_20_200(muscle: &Muscle) -> Self {
+        Self { muscle: muscle.clone(), fit: DMSP_20_200 }
+    }
+
+    /// (F at no pressure, ∂F/∂P per bar) at a contraction.
+    fn line(&self, contraction: f64) -> (f64, f64) {
+        let Fit { a, b, c, d, e, f, .. } = self.fit;
+        let k = 100.0 * contraction;
+        let exp = (c * k).exp();
+        (b * exp + f, a * exp + d * k + e)
+    }
+}
+
+impl ForceModel for FestoSarosi {
+    fn name(&self) -> &str {
+        self.fit.model
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "Sárosi's six-constant fit to a measured Festo muscle"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange {
+            pressure_mpa: (0.0, self.fit.highest_mpa),
+            contraction: (0.0, 0.25),
+            ..ModelRange::open()
+        }
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        self.fit.accuracy
+    }
+
+    fn notes(&self) -> Vec<String> {
+        let Fit { model, make, .. } = self.fit;
+        vec![format!(
+            "the preset {model} describes the {make}; tube, wall, braid and rubber of the muscle are ignored"
+        )]
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        let Fit { a, b, c, d, .. } = self.fit;
+        let bar = BAR_PER_MPA * pressure_mpa;
+        let (rest, slope) = self.line(contraction);
+        let force_n = slope * bar + rest;
+        if !force_n.is_finite() {
+            return Err(ModelError::NotFinite { model: self.fit.model.into(), pressure_mpa, contraction });
+        }
+        // dF/dκ, κ in %
+        let by_percent = c * (a * bar + b) * (c * 100.0 * contraction).exp() + d * bar;
+        Ok(Response {
+            pressure_mpa,
+            contraction,
+            force_n,
+            stiffness_n_per_mm: Some(-100.0 * by_percent / self.muscle.length_mm()),
+            force_per_pressure_mm2: Some(BAR_PER_MPA * slope),
+            ..Response::default()
+        })
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        let (rest, slope) = self.line(contraction);
+        (slope > 0.0 && rest.is_finite()).then(|| Ok((force_n - rest) / slope / BAR_PER_MPA))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocked_forces_at_6_bar() {
+        let m = Muscle::prototype();
+        // (6a + b) + 6e + f by hand.
+        let ten = FestoSarosi::dmsp_10(&m).force_n(0.6, 0.0).unwrap();
+        let twenty = FestoSarosi::dmsp_20_200(&m).force_n(0.6, 0.0).unwrap();
+        assert!((ten - 595.2357192).abs() < 1e-6, "{ten}");
+        assert!((twenty - 1752.2759849).abs() < 1e-6, "{twenty}");
+    }
+
+    #[test]
+    fn in_their_box_they_fall_with_contraction_and_rise_with_pressure() {
+        let m = Muscle::prototype();
+        for model in [FestoSarosi::dmsp_10(&m), FestoSarosi::dmsp_20_200(&m)] {
+            for i in 0..=20 {
+                for j in 0..=25 {
+                    let p = model.range().pressure_mpa.1 * f64::from(i) / 20.0;
+                    let r = model.response(p, 0.01 * f64::from(j)).unwrap();
+                    assert!(r.stiffness_n_per_mm.unwrap() > 0.0 && r.force_per_pressure_mm2.unwrap() > 0.0);
+                }
+            }
+            assert!(matches!(model.force_n(0.1, f64::NAN), Err(ModelError::NotFinite { .. })));
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Force balance: strands in equilibrium with the pressure inside of an incompressible wall.
+//!
+//!   F = P [2π r ri cot²θ − π ri²],   ri² = r² − (Ro² − Ri²)/λ,   r = r0 sinθ/sinθ0,  cosθ = λ cosθ0
+//!
+//! Hoop balance: the strands hold P·2 ri per unit of length; axial balance of a cut: F + P π ri² = (tensions)·cosθ.
+//! Sources: Ferraresi et al. (2001); Kothera & Wereley (2009); Tondu (2012) eq. (18).
+
+use super::pantograph::Pantograph;
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use crate::muscle::Muscle;
+use std::f64::consts::PI;
+
+/// The force balance of an incompressible wall whose rubber carries nothing.
+///
+/// The wall thins as the muscle bulges, but the rubber's own stress is left out, which costs force at small
+/// contractions (a rubber wall hands the pressure on to the braid). Being no energy model it breaks ∂F/∂P = −∂V/∂L; the
+/// volume given is that of the bore.
+#[derive(Debug, Clone)]
+pub struct ForceBalance {
+    muscle: Muscle,
+    braid: Pantograph,
+}
+
+/// The balance at one stretch of the muscle's cylinder, per unit of pressure.
+pub(super) struct Balance {
+    /// F/P
+    pub f: f64,
+    /// ∂(F/P)/∂λ
+    pub f_l: f64,
+    /// Sum of strand tensions over P
+    pub tension: f64,
+    /// Outer diameter
+    pub diameter: f64,
+    /// π ri²
+    pub bore_area: f64,
+}
+
+pub(super) fn balance(braid: &Pantograph, contraction: f64) -> Result<Balance, ModelError> {
+    let g = braid.at(contraction)?;
+    let bore = braid.bore(&g, contraction)?;
+    let sin2 = 1.0 - g.cos * g.cos;
+    let cot2 = g.cos * g.cos / sin2;
+    let cot2_l = 2.0 * g.cos * braid.cos / (sin2 * sin2);
+    let both = g.r * bore.r;
+    let both_l = g.r1 * bore.r + g.r * bore.r1;
+    Ok(Balance {
+        f: 2.0 * PI * both * cot2 - PI * bore.r * bore.r,
+        f_l: 2.0 * PI * (both_l * cot2 + both * cot2_l - bore.r * bore.r1),
+        tension: 2.0 * PI * both * cot2 / g.cos,
+        diameter: 2.0 * g.r,
+        bore_area: PI * bore.r * bore.r,
+    })
+}
+
+impl ForceBalance {
+    /// The model of a muscle.
+    pub fn new(muscle: &Muscle) -> Self {
+        Self { braid: Pantograph::of(muscle), muscle: muscle.clone() }
+    }
+}
+
+impl ForceModel for ForceBalance {
+    fn name(&self) -> &str {
+        "force-balance"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "Ferraresi et al. 2001; Kothera & Wereley 2009; Tondu 2012 eq. (18)"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        let b = balance(&self.braid, contraction)?;
+        let length = self.muscle.length_mm();
+        Response {
+            pressure_mpa,
+            contraction,
+            force_n: pressure_mpa * b.f,
+            volume_mm3: Some(b.bore_area * (1.0 - contraction) * length),
+            stiffness_n_per_mm: Some(pressure_mpa * b.f_l / length),
+            force_per_pressure_mm2: Some(b.f),
+            bulged_diameter_mm: Some(b.diameter),
+            ..Response::default()
+        }
+        .with_braid_tension(pressure_mpa * b.tension, self.muscle.braid().strands.map(|s| s.count))
+        .finite(self.name())
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        match balance(&self.braid, contraction) {
+            Ok(b) => (b.f > 0.0).then(|| Ok(force_n / b.f)),
+            Err(error) => Some(Err(error)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Ideal;
+
+    #[test]
+    fn at_rest_it_is_the_closed_form() {
+        let m = Muscle::prototype();
+        let (d, di) = (m.outer_diameter_mm(), m.inner_diameter_mm());
+        let cot2 = m.braid().angle_rad().tan().powi(-2);
+        let expected = PI / 4.0 * 0.2 * (2.0 * d * di * cot2 - di * di);
+        assert!((ForceBalance::new(&m).force_n(0.2, 0.0).unwrap() - expected).abs() < 1e-9);
+    }
+
+    #[test]
+    fn without_a_wall_it_is_the_ideal_formula() {
+        let thin = Muscle::prototype().with_section(30.0, 1e-9).unwrap();
+        let (a, b) = (ForceBalance::new(&thin), Ideal::new(&thin));
+        for e in [0.0, 0.15, 0.3] {
+            let (a, b) = (a.response(0.2, e).unwrap(), b.response(0.2, e).unwrap());
+            assert!((a.force_n - b.force_n).abs() < 1e-6);
+            assert!((a.braid_tension_n.unwrap() - b.braid_tension_n.unwrap()).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn a_closed_bore_is_an_error() {
+        let thick = Muscle::prototype().with_section(30.0, 14.9).unwrap();
+        assert!(matches!(ForceBalance::new(&thick).force_n(0.2, -0.1), Err(ModelError::Geometry { .. })));
+    }
+}

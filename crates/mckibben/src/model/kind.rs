@@ -1,0 +1,190 @@
+//! The models by name.
+
+use super::{
+    Belforte, ChouHannaford, ConicalEnds, FestoHunt, FestoSarosi, ForceBalance, ForceModel, Ideal,
+    KluteHannaford, ModelError, Paper, RoundedEnds, ThickWall, TonduLopez,
+};
+use crate::muscle::Muscle;
+use std::fmt;
+use std::str::FromStr;
+use thiserror::Error;
+
+/// A model that answers without a solver of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ModelKind {
+    /// [`Ideal`]
+    Ideal,
+    /// [`ThickWall`]
+    ThickWall,
+    /// [`ChouHannaford`]
+    ChouHannaford,
+    /// [`ForceBalance`]
+    ForceBalance,
+    /// [`TonduLopez`]
+    TonduLopez,
+    /// [`Belforte`]
+    Belforte,
+    /// [`KluteHannaford`]
+    KluteHannaford,
+    /// [`ConicalEnds`]
+    ConicalEnds,
+    /// [`RoundedEnds`]
+    RoundedEnds,
+    /// [`FestoSarosi`], size 10
+    FestoDmsp10,
+    /// [`FestoSarosi`], size 20, 200 mm
+    FestoDmsp20,
+    /// [`FestoHunt`]
+    FestoHunt10,
+    /// [`Paper`]
+    Paper,
+}
+
+/// A word that names no model.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("there is no model `{given}`; the models are {}", ModelKind::NAMES.join(", "))]
+pub struct UnknownModel {
+    /// What was given.
+    pub given: String,
+}
+
+/// Kind, name, one line for `--help`.
+const TABLE: [(ModelKind, &str, &str); 13] = [
+    (ModelKind::Ideal, "ideal", "cylinder without wall, rubber and ends"),
+    (
+        ModelKind::ThickWall,
+        "thick-wall",
+        "energy of a long muscle: any rubber, any wall, strands that stretch",
+    ),
+    (ModelKind::ChouHannaford, "chou-hannaford", "ideal muscle inside of a wall of constant thickness"),
+    (ModelKind::ForceBalance, "force-balance", "incompressible wall without the rubber's own stress"),
+    (ModelKind::TonduLopez, "tondu-lopez", "ideal muscle with an empirical end factor on the contraction"),
+    (ModelKind::Belforte, "belforte", "ideal muscle with strand length and turns as measured"),
+    (ModelKind::KluteHannaford, "klute-hannaford", "ideal muscle and a thin Mooney-Rivlin tube"),
+    (ModelKind::ConicalEnds, "conical-ends", "cylinder between two cones (Tondu 2012)"),
+    (ModelKind::RoundedEnds, "rounded-ends", "force balance of the middle of a muscle with round ends"),
+    (ModelKind::FestoDmsp10, "festo-dmsp-10", "Festo DMSP-10 by Sarosi's fit; ignores the muscle's make"),
+    (
+        ModelKind::FestoDmsp20,
+        "festo-dmsp-20-200",
+        "Festo DMSP-20-200N by Sarosi's fit; ignores the muscle's make",
+    ),
+    (
+        ModelKind::FestoHunt10,
+        "festo-hunt-10",
+        "Festo 10 mm muscle by Hunt's fit; takes only the muscle's length",
+    ),
+    (ModelKind::Paper, "paper", "the paper's formula: D0 30-50, s 1-5, L0 285 mm, 28 deg, up to 0.25 MPa"),
+];
+
+impl ModelKind {
+    /// All kinds, in the order of [`ModelKind::NAMES`].
+    pub const ALL: [ModelKind; 13] = {
+        let mut all = [ModelKind::Ideal; 13];
+        let mut i = 0;
+        while i < all.len() {
+            all[i] = TABLE[i].0;
+            i += 1;
+        }
+        all
+    };
+
+    /// The words for `--model`.
+    pub const NAMES: [&'static str; 13] = {
+        let mut names = [""; 13];
+        let mut i = 0;
+        while i < names.len() {
+            names[i] = TABLE[i].1;
+            i += 1;
+        }
+        names
+    };
+
+    fn row(self) -> &'static (ModelKind, &'static str, &'static str) {
+        // The variants stand in the order of the table (see the test below).
+        &TABLE[self as usize]
+    }
+
+    /// The word for `--model`.
+    pub fn name(self) -> &'static str {
+        self.row().1
+    }
+
+    /// One line for `--help`.
+    pub fn description(self) -> &'static str {
+        self.row().2
+    }
+
+    /// The model of a muscle.
+    ///
+    /// # Errors
+    /// [`ModelError`] where the muscle does not state what the model needs.
+    pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        Ok(match self {
+            ModelKind::Ideal => Box::new(Ideal::new(muscle)),
+            ModelKind::ThickWall => Box::new(ThickWall::new(muscle)),
+            ModelKind::ChouHannaford => Box::new(ChouHannaford::new(muscle)),
+            ModelKind::ForceBalance => Box::new(ForceBalance::new(muscle)),
+            ModelKind::TonduLopez => Box::new(TonduLopez::new(muscle)?),
+            ModelKind::Belforte => Box::new(Belforte::new(muscle)?),
+            ModelKind::KluteHannaford => Box::new(KluteHannaford::new(muscle)?),
+            ModelKind::ConicalEnds => Box::new(ConicalEnds::new(muscle)?),
+            ModelKind::RoundedEnds => Box::new(RoundedEnds::new(muscle)?),
+            ModelKind::FestoDmsp10 => Box::new(FestoSarosi::dmsp_10(muscle)),
+            ModelKind::FestoDmsp20 => Box::new(FestoSarosi::dmsp_20_200(muscle)),
+            ModelKind::FestoHunt10 => Box::new(FestoHunt::new(muscle)),
+            ModelKind::Paper => Box::new(Paper::new(muscle)),
+        })
+    }
+
+    /// `paper` for a muscle and pressures (lowest and highest, in MPa) inside of its box, else `thick-wall`.
+    pub fn default_for(muscle: &Muscle, pressure_mpa: (f64, f64)) -> Self {
+        let range = Paper::new(muscle).range();
+        let inside = |p| range.check("paper", p, 0.0).is_ok();
+        if inside(pressure_mpa.0) && inside(pressure_mpa.1) { ModelKind::Paper } else { ModelKind::ThickWall }
+    }
+}
+
+impl fmt::Display for ModelKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+impl FromStr for ModelKind {
+    type Err = UnknownModel;
+
+    fn from_str(s: &str) -> Result<Self, UnknownModel> {
+        let kind = Self::ALL.into_iter().find(|k| k.name() == s);
+        kind.ok_or_else(|| UnknownModel { given: s.into() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_go_there_and_back() {
+        for (i, kind) in ModelKind::ALL.into_iter().enumerate() {
+            assert_eq!(kind as usize, i);
+            assert_eq!(kind.name().parse(), Ok(kind));
+            assert_eq!(kind.to_string(), ModelKind::NAMES[i]);
+            assert!(!kind.description().is_empty());
+            if let Ok(model) = kind.build(&Muscle::prototype()) {
+                assert_eq!(model.name(), kind.name());
+            }
+        }
+        let error = "idael".parse::<ModelKind>().unwrap_err().to_string();
+        assert!(error.contains("idael") && error.contains("festo-dmsp-20-200"), "{error}");
+    }
+
+    #[test]
+    fn the_paper_is_the_default_inside_of_its_box() {
+        let m = Muscle::prototype();
+        assert_eq!(ModelKind::default_for(&m, (0.0, 0.25)), ModelKind::Paper);
+        assert_eq!(ModelKind::default_for(&m, (0.0, 0.3)), ModelKind::ThickWall);
+        let wide = m.with_section(60.0, 3.0).unwrap();
+        assert_eq!(ModelKind::default_for(&wide, (0.0, 0.2)), ModelKind::ThickWall);
+    }
+}

@@ -1,0 +1,170 @@
+//! Klute and Hannaford's muscle: the ideal pressure term and a thin Mooney–Rivlin tube under the braid.
+//!
+//!   F = F_ideal + (Vb/L0) dw/dλ,   w = C10 (I1 − 3) + C01 (I2 − 3)
+//!   λθ² = u = 1 + c (1 − λ²),   I1 = λ² + u + 1/(λ²u),   I2 = λ²u + 1/λ² + 1/u,   c = (L0/(2π r0 N))² = cot²θ0
+//!   dI1/dλ = 2λ(1−c) − 2λ(1+c−2cλ²)/(λ²+cλ²(1−λ²))²
+//!   dI2/dλ = 2λ(1+c−2cλ²) − 2/λ³ + 2cλ/(1+c(1−λ²))²
+//!
+//! Vb: volume of the rubber. Source: Klute & Hannaford (2000), whose text was not at hand; derived here anew from the
+//! energy (the form printed in Tondu's review of 2012 omits 1/L0). It is the thin-wall limit of the thick-wall model.
+
+use super::pantograph::Pantograph;
+use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response};
+use crate::muscle::Muscle;
+use crate::rubber::Law;
+use std::f64::consts::PI;
+
+/// The ideal muscle with a thin rubber tube of one hoop stretch, that of the braid.
+///
+/// Only for Mooney–Rivlin and neo-Hookean rubber. A thick wall is stretched more at its bore than here.
+#[derive(Debug, Clone)]
+pub struct KluteHannaford {
+    ideal: Ideal,
+    braid: Pantograph,
+    c10: f64,
+    c01: f64,
+}
+
+/// dw/dλ and d²w/dλ² in MPa, and the largest stretch.
+struct Elastic {
+    w_l: f64,
+    w_ll: f64,
+    stretch: f64,
+}
+
+impl KluteHannaford {
+    /// The model of a muscle.
+    ///
+    /// # Errors
+    /// [`ModelError::Missing`] where the rubber is neither Mooney–Rivlin nor neo-Hookean.
+    pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
+        let (c10, c01) = match &muscle.tube().rubber.law {
+            Law::MooneyRivlin(law) => (law.c10_mpa, law.c01_mpa),
+            Law::NeoHookean(law) => (0.5 * law.mu_mpa, 0.0),
+            _ => {
+                return Err(ModelError::Missing {
+                    model: "klute-hannaford",
+                    missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
+                });
+            }
+        };
+        Ok(Self { ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
+    }
+
+    fn elastic(&self, l: f64) -> Elastic {
+        let c = (self.braid.cos / self.braid.sin).powi(2);
+        let u = 1.0 + c * (1.0 - l * l);
+        // g = λ²u and its derivatives
+        let (g, g1, g2) =
+            (l * l * u, 2.0 * l * (1.0 + c - 2.0 * c * l * l), 2.0 * (1.0 + c) - 12.0 * c * l * l);
+        let i1 = 2.0 * l * (1.0 - c) - g1 / (g * g);
+        let i11 = 2.0 * (1.0 - c) - g2 / (g * g) + 2.0 * g1 * g1 / (g * g * g);
+        let i2 = g1 - 2.0 / l.powi(3) + 2.0 * c * l / (u * u);
+        let i22 = g2 + 6.0 / l.powi(4) + 2.0 * c / (u * u) + 8.0 * c * c * l * l / u.powi(3);
+        Elastic {
+            w_l: self.c10 * i1 + self.c01 * i2,
+            w_ll: self.c10 * i11 + self.c01 * i22,
+            stretch: l.max(u.sqrt()).max(1.0 / g.sqrt()),
+        }
+    }
+
+    /// The rubber's share of the pull in N; below zero for a shortened muscle.
+    pub fn elastic_pull(&self, contraction: f64) -> f64 {
+        PI * self.braid.section * self.elastic(1.0 - contraction).w_l
+    }
+}
+
+impl ForceModel for KluteHannaford {
+    fn name(&self) -> &str {
+        "klute-hannaford"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        self.ideal.muscle()
+    }
+
+    fn source(&self) -> &str {
+        "Klute & Hannaford 2000, derived anew from the energy"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        let mut response = self.ideal.response(pressure_mpa, contraction)?;
+        let elastic = self.elastic(1.0 - contraction);
+        let rubber = PI * self.braid.section;
+        response.force_n += rubber * elastic.w_l;
+        response.stiffness_n_per_mm =
+            response.stiffness_n_per_mm.map(|s| s + rubber * elastic.w_ll / self.braid.length);
+        response.max_stretch = Some(elastic.stretch);
+        // The rubber takes part of the hoop load; how much, this model does not say.
+        (response.braid_tension_n, response.strand_tension_n) = (None, None);
+        // A thin wall: the bore, at the rubber's volume less than the outer cylinder.
+        response.volume_mm3 = response.volume_mm3.map(|v| v - rubber * self.braid.length);
+        Ok(response)
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        self.braid.at(contraction).ok()?;
+        self.ideal.pressure_in_closed_form(force_n - self.elastic_pull(contraction), contraction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::ThickWall;
+    use crate::muscle::{Braid, BraidStiffness, Rubber, Tube};
+    use crate::rubber::{MooneyRivlin, Yeoh};
+
+    fn muscle(wall_mm: f64) -> Muscle {
+        let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }));
+        let braid = Braid { stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
+        Muscle::prototype()
+            .with_tube(Tube { wall_mm, rubber, ..Tube::prototype() })
+            .and_then(|m| m.with_braid(braid))
+            .unwrap()
+    }
+
+    /// The rubber's share tends to that of the thick wall in proportion to s.
+    #[test]
+    fn it_is_the_thin_wall_limit_of_the_thick_wall() {
+        for e in [0.05, 0.15, 0.3] {
+            let errors = [1e-2, 1e-3].map(|s| {
+                let m = muscle(s);
+                let (thin, thick) = (KluteHannaford::new(&m).unwrap(), ThickWall::new(&m));
+                let ideal = Ideal::new(&m).force_n(0.3, e).unwrap();
+                let exact = thick.force_n(0.3, e).unwrap() - ideal;
+                (thin.elastic_pull(e) - exact) / exact
+            });
+            assert!(errors[1].abs() < 2e-3, "ε {e}: {errors:?}");
+            assert!((errors[0] / errors[1] - 10.0).abs() < 0.2, "ε {e}: {errors:?}");
+        }
+    }
+
+    #[test]
+    fn its_stiffness_is_that_of_finite_differences_with_both_constants() {
+        let model = KluteHannaford::new(&muscle(2.0)).unwrap();
+        let h = 1e-6;
+        for e in [0.0, 0.1, 0.3] {
+            let f = |e: f64| model.force_n(0.2, e).unwrap();
+            let expected = -(f(e + h) - f(e - h)) / (2.0 * h * 285.0);
+            let k = model.response(0.2, e).unwrap().stiffness_n_per_mm.unwrap();
+            assert!((k / expected - 1.0).abs() < 1e-7, "ε {e}: {k} {expected}");
+        }
+    }
+
+    #[test]
+    fn other_laws_are_sent_to_the_thick_wall() {
+        let law = Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.0 });
+        let tube = Tube { rubber: Rubber::of(law), ..Tube::prototype() };
+        let m = Muscle::prototype().with_tube(tube).unwrap();
+        assert!(matches!(KluteHannaford::new(&m), Err(ModelError::Missing { .. })));
+    }
+}

@@ -1,0 +1,220 @@
+//! What is wrong with a muscle file, where, and what should stand there.
+
+use crate::muscle::MuscleError;
+use crate::rubber::LibraryError;
+use crate::units::QuantityError;
+use std::fmt;
+use std::path::PathBuf;
+use thiserror::Error;
+
+/// A position in a text, both counted from 1; columns count characters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place {
+    /// Line.
+    pub line: usize,
+    /// Column.
+    pub column: usize,
+}
+
+/// Why a text is not a muscle: the file, the place, the key, what stood there, and what is wrong with it.
+#[derive(Debug)]
+pub struct FileError {
+    /// The file, where the text came from one.
+    pub file: Option<PathBuf>,
+    /// Where it stands.
+    pub place: Option<Place>,
+    /// Dotted key, such as `tube.wall_thickness`.
+    pub key: Option<String>,
+    /// What stood there, as written (long texts are cut).
+    pub written: Option<String>,
+    /// What is wrong.
+    pub problem: Box<Problem>,
+}
+
+/// What is wrong.
+#[derive(Debug, Error)]
+pub enum Problem {
+    /// The file is not there, or may not be read.
+    #[error("cannot be read: {0}")]
+    Unreadable(#[source] std::io::Error),
+    /// A directory, a device, a pipe.
+    #[error("is {what}; a muscle file must be a regular file")]
+    NotAFile {
+        /// What it is.
+        what: &'static str,
+    },
+    /// Too long for a muscle file.
+    #[error("is longer than {limit} bytes, too long for a muscle file")]
+    TooLarge {
+        /// The limit in bytes.
+        limit: usize,
+    },
+    /// Not UTF-8.
+    #[error(
+        "the byte at offset {offset} is not UTF-8 text{}",
+        if *.utf16 { " (this looks like UTF-16: save it as UTF-8)" } else { "" }
+    )]
+    NotUtf8 {
+        /// Offset of the first bad byte, from 0.
+        offset: usize,
+        /// Whether the file starts as UTF-16 does.
+        utf16: bool,
+    },
+    /// Not TOML.
+    #[error(
+        "not valid TOML: {message} in `{line}`{}",
+        if *.unquoted { " (a quantity with a unit stands in quotes: \"30 mm\")" } else { "" }
+    )]
+    Syntax {
+        /// What the parser says.
+        message: String,
+        /// The line as written.
+        line: String,
+        /// Whether the line looks like a quantity without quotes.
+        unquoted: bool,
+    },
+    /// A key that means nothing here.
+    #[error("unknown key{}; known here: {}", hint(.suggestion.as_deref()), .known.join(", "))]
+    UnknownKey {
+        /// The key that was probably meant.
+        suggestion: Option<String>,
+        /// All keys that may stand here.
+        known: Vec<&'static str>,
+    },
+    /// A value of another kind.
+    #[error("is {found}; expected {expected}")]
+    Type {
+        /// What it is.
+        found: &'static str,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// A text that is not the quantity asked for.
+    #[error("{}", without_subject(.0))]
+    Quantity(#[source] QuantityError),
+    /// A word that is not one of those known.
+    #[error("is not known{}; expected {expected}", hint(*.suggestion))]
+    Word {
+        /// The word that was probably meant.
+        suggestion: Option<&'static str>,
+        /// What may stand here.
+        expected: &'static str,
+    },
+    /// A rubber that the library does not hold.
+    #[error("{0}")]
+    Rubber(#[source] LibraryError),
+    /// A constant of another law.
+    #[error("is no constant of the {law} law; its constants are {}", .constants.join(", "))]
+    ForeignConstant {
+        /// The law.
+        law: &'static str,
+        /// Its constants.
+        constants: &'static [&'static str],
+    },
+    /// Something that must stand beside what stands there.
+    #[error("{missing} is missing; {needs}")]
+    Missing {
+        /// Key that is missing.
+        missing: String,
+        /// Why it is needed.
+        needs: &'static str,
+    },
+    /// A named rubber and a law of one's own.
+    #[error("give either `rubber` or [tube.material]; here stand both")]
+    RubberTwice,
+    /// Lists of unlike length in an Ogden law.
+    #[error("has {alpha} numbers, but mu has {mu}; an ogden law needs one alpha for each mu")]
+    TermCounts {
+        /// Number of moduli.
+        mu: usize,
+        /// Number of exponents.
+        alpha: usize,
+    },
+    /// Parts that make no muscle.
+    #[error(
+        "{}{}",
+        without_key(.error, .key),
+        .default.map_or_else(String::new, |key| format!("; {key} is not written, so this is its default"))
+    )]
+    Muscle {
+        /// What the muscle says.
+        #[source]
+        error: MuscleError,
+        /// The key it is reported under.
+        key: String,
+        /// A key that has a part in it and was left out.
+        default: Option<&'static str>,
+    },
+}
+
+fn hint(suggestion: Option<&str>) -> String {
+    suggestion.map_or(String::new(), |s| format!(" (did you mean {s}?)"))
+}
+
+/// `"30 bar" is a pressure` → `is a pressure`: the text stands in front already.
+fn without_subject(error: &QuantityError) -> String {
+    let message = error.to_string();
+    match error {
+        QuantityError::NotANumber { text, .. }
+        | QuantityError::NotFinite { text, .. }
+        | QuantityError::WrongDimension { text, .. } => {
+            message.strip_prefix(&format!("\"{text}\" ")).unwrap_or(&message).to_string()
+        }
+        QuantityError::UnknownUnit { text, .. } => message.replacen(&format!(" in \"{text}\""), "", 1),
+        QuantityError::Empty { .. } => message,
+    }
+}
+
+/// `tube.wall_thickness is -3 mm; …` → `is -3 mm; …`: the key, or the table it belongs to, stands in front already.
+fn without_key(error: &MuscleError, key: &str) -> String {
+    let message = error.to_string();
+    let table = key.rsplit_once('.').map(|(table, _)| format!("{table}: "));
+    let key = [format!("{key} "), format!("{key}: ")];
+    let rest = key.iter().chain(&table).find_map(|k| message.strip_prefix(k.as_str()));
+    rest.unwrap_or(&message).to_string()
+}
+
+impl FileError {
+    pub(super) fn new(problem: Problem) -> Self {
+        Self { file: None, place: None, key: None, written: None, problem: Box::new(problem) }
+    }
+
+    pub(super) fn at(mut self, place: Option<Place>) -> Self {
+        self.place = place;
+        self
+    }
+
+    pub(super) fn under(mut self, key: impl Into<String>, written: Option<String>) -> Self {
+        self.key = Some(key.into());
+        self.written = written;
+        self
+    }
+
+    pub(super) fn of(mut self, file: &std::path::Path) -> Self {
+        self.file = Some(file.into());
+        self
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (&self.file, &self.place) {
+            (Some(file), Some(p)) => write!(f, "{}:{}:{}: ", file.display(), p.line, p.column)?,
+            (Some(file), None) => write!(f, "{}: ", file.display())?,
+            (None, Some(p)) => write!(f, "line {}, column {}: ", p.line, p.column)?,
+            (None, None) => {}
+        }
+        match (&self.key, &self.written) {
+            (Some(key), Some(written)) => write!(f, "{key} = {written}: ")?,
+            (Some(key), None) => write!(f, "{key}: ")?,
+            (None, _) => {}
+        }
+        write!(f, "{}", self.problem)
+    }
+}
+
+impl std::error::Error for FileError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        std::error::Error::source(self.problem.as_ref())
+    }
+}

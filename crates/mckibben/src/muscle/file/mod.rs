@@ -1,0 +1,73 @@
+//! Muscle files: TOML with quantities as people write them.
+//!
+//! ```
+//! use mckibben::muscle::file::{parse_muscle, to_toml};
+//! let muscle = parse_muscle("[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = 1\n")?;
+//! assert_eq!(muscle.wall_mm(), 1.0);
+//! assert_eq!(parse_muscle(&to_toml(&muscle))?, muscle);
+//! let error = parse_muscle("[tube]\nwall_thickness = \"-3 mm\"\n").unwrap_err();
+//! assert_eq!(
+//!     error.to_string(),
+//!     "line 2, column 18: tube.wall_thickness = \"-3 mm\": is -3 mm; it must be above zero and finite"
+//! );
+//! # Ok::<(), mckibben::muscle::file::FileError>(())
+//! ```
+//!
+//! Whatever is left out is that of [`Muscle::prototype`]. Unknown keys are errors: a mistyped key must not turn into
+//! a default.
+
+mod braid;
+mod error;
+mod material;
+mod read;
+mod source;
+mod values;
+mod write;
+
+#[cfg(test)]
+mod bad_files;
+#[cfg(test)]
+mod tests;
+
+pub use error::{FileError, Place, Problem};
+pub use read::parse_muscle;
+pub use write::to_toml;
+
+use super::Muscle;
+use std::io::Read;
+use std::path::Path;
+
+/// The longest muscle file in bytes.
+pub const MAX_BYTES: usize = 1 << 20;
+
+/// Reads a muscle file.
+///
+/// # Errors
+/// [`FileError`] with the file's name: what [`parse_muscle`] finds, and whatever keeps the file from being read: it
+/// is missing, not a regular file, longer than [`MAX_BYTES`], or not UTF-8.
+pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
+    let path = path.as_ref();
+    read_text(path).and_then(|text| parse_muscle(&text)).map_err(|e| e.of(path))
+}
+
+fn read_text(path: &Path) -> Result<String, FileError> {
+    let unreadable = |e| FileError::new(Problem::Unreadable(e));
+    // Asked before opening: to open a pipe would wait for its other end.
+    let kind = std::fs::metadata(path).map_err(unreadable)?;
+    if !kind.is_file() {
+        let what = if kind.is_dir() { "a directory" } else { "a device or a pipe" };
+        return Err(FileError::new(Problem::NotAFile { what }));
+    }
+    let mut bytes = Vec::new();
+    let file = std::fs::File::open(path).map_err(unreadable)?;
+    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    if bytes.len() > MAX_BYTES {
+        return Err(FileError::new(Problem::TooLarge { limit: MAX_BYTES }));
+    }
+    String::from_utf8(bytes).map_err(|e| {
+        let (offset, bytes) = (e.utf8_error().valid_up_to(), e.as_bytes());
+        let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+        let place = std::str::from_utf8(&bytes[..offset]).ok().map(|t| source::place(t, offset));
+        FileError::new(Problem::NotUtf8 { offset, utf16 }).at(place)
+    })
+}

@@ -1,0 +1,127 @@
+//! Text → muscle.
+
+use super::error::{FileError, Problem};
+use super::source::{Section, Source};
+use super::{MAX_BYTES, braid, material};
+use crate::muscle::{EndFactor, Friction, Muscle, MuscleError, Terminals, Tube};
+use crate::units::Dimension;
+
+const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "name", "notes"];
+const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", "material"];
+const TERMINALS: &[&str] = &["insertion", "end_factor", "cone_factor"];
+const FRICTION: &[&str] = &["coefficient", "exponent"];
+
+/// Every key of a muscle file, dotted; tells a key in the wrong table from one that means nothing anywhere.
+pub(super) const ALL: &[&str] = &[
+    "tube.outer_diameter",
+    "tube.wall_thickness",
+    "tube.length",
+    "tube.rubber",
+    "tube.material",
+    "tube.material.law",
+    "tube.material.bulk_modulus",
+    "tube.material.c10",
+    "tube.material.c01",
+    "tube.material.c20",
+    "tube.material.c30",
+    "tube.material.mu",
+    "tube.material.jm",
+    "tube.material.alpha",
+    "tube.material.fitted_to_stretch",
+    "braid.angle",
+    "braid.stiffness",
+    "braid.strands",
+    "braid.strand_area",
+    "braid.strand_modulus",
+    "braid.strand_strength",
+    "braid.strand_length",
+    "braid.turns",
+    "braid.compression",
+    "terminals.insertion",
+    "terminals.end_factor",
+    "terminals.cone_factor",
+    "friction.coefficient",
+    "friction.exponent",
+];
+
+/// Reads the text of a muscle file.
+///
+/// # Errors
+/// [`FileError`] with line, column, key, what stood there and what is expected.
+pub fn parse_muscle(text: &str) -> Result<Muscle, FileError> {
+    if text.len() > MAX_BYTES {
+        return Err(FileError::new(Problem::TooLarge { limit: MAX_BYTES }));
+    }
+    let source = Source::parse(text.strip_prefix('\u{feff}').unwrap_or(text))?;
+    let root = source.root();
+    root.only(TOP, ALL)?;
+    // For people; they have no meaning in a calculation.
+    root.text("name", "a text in quotes")?;
+    root.text("notes", "a text in quotes")?;
+    let tube = tube(&root)?;
+    let braid = braid::read(&root.section("braid", "braid")?)?;
+    let terminals = terminals(&root.section("terminals", "terminals")?)?;
+    let friction = friction(&root.section("friction", "friction")?)?;
+    Muscle::new(tube, braid, terminals, friction).map_err(|e| located(&source, e))
+}
+
+/// The error of the finished muscle, at the line of the key that caused it.
+fn located(source: &Source<'_>, error: MuscleError) -> FileError {
+    let keys = error.keys();
+    let written = keys.iter().find(|k| source.has(k)).or(keys.first());
+    let key = written.copied().unwrap_or("muscle").to_string();
+    // Wall and diameter must suit each other, and either may be a default.
+    let wall = matches!(error, MuscleError::WallTooThick { .. });
+    let default = keys.iter().find(|k| wall && !source.has(k)).copied();
+    source.error(&key, Problem::Muscle { error, key: key.clone(), default })
+}
+
+fn tube(root: &Section<'_>) -> Result<Tube, FileError> {
+    let section = root.section("tube", "tube")?;
+    section.only(TUBE, ALL)?;
+    let default = Tube::prototype();
+    let length = |key| section.quantity(key, Dimension::Length);
+    Ok(Tube {
+        outer_diameter_mm: length("outer_diameter")?.unwrap_or(default.outer_diameter_mm),
+        wall_mm: length("wall_thickness")?.unwrap_or(default.wall_mm),
+        length_mm: length("length")?.unwrap_or(default.length_mm),
+        rubber: material::read(&section)?,
+    })
+}
+
+fn terminals(section: &Section<'_>) -> Result<Terminals, FileError> {
+    section.only(TERMINALS, ALL)?;
+    let insertion_mm = section.quantity("insertion", Dimension::Length)?;
+    Ok(Terminals {
+        insertion_mm: insertion_mm.unwrap_or(Terminals::default().insertion_mm),
+        end_factor: end_factor(section)?,
+        cone_factor: section.number("cone_factor")?,
+    })
+}
+
+/// A number, or a table of `a` and `b`: k(P) = a·e^(−P) + b, P in bar.
+fn end_factor(section: &Section<'_>) -> Result<Option<EndFactor>, FileError> {
+    let Ok(table) = section.section("end_factor", "terminals.end_factor") else {
+        return Ok(section.number("end_factor")?.map(EndFactor::Constant));
+    };
+    if !table.is_written() {
+        return Ok(None);
+    }
+    table.only(&["a", "b"], ALL)?;
+    let one = |key| {
+        let needs = "an end factor is a number, or { a = …, b = … } for a·e^(−P) + b with P in bar";
+        table.number(key)?.ok_or_else(|| table.missing(key, None, needs))
+    };
+    Ok(Some(EndFactor::OfPressure { a: one("a")?, b: one("b")? }))
+}
+
+fn friction(section: &Section<'_>) -> Result<Option<Friction>, FileError> {
+    section.only(FRICTION, ALL)?;
+    let needs = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
+    match (section.number("coefficient")?, section.number("exponent")?) {
+        (None, None) => Ok(None),
+        (Some(coefficient), Some(exponent)) => Ok(Some(Friction { coefficient, exponent })),
+        (Some(_), None) => Err(section.missing("exponent", Some("coefficient"), needs)),
+        (None, Some(_)) => Err(section.missing("coefficient", Some("exponent"), needs)),
+    }
+}

@@ -1,0 +1,253 @@
+//! A parsed file that knows where everything stands: sections, and typed look-ups in them.
+
+use super::error::{FileError, Place, Problem};
+use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
+use crate::nearest::nearest;
+use crate::units::Dimension;
+use std::ops::Range;
+use toml_edit::{Document, Item, TableLike, TomlError, Value};
+
+/// Where a byte offset lies in a text.
+pub(super) fn place(text: &str, offset: usize) -> Place {
+    let before = text.get(..offset).unwrap_or(text);
+    let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+    Place { line: before.matches('\n').count() + 1, column: before[line_start..].chars().count() + 1 }
+}
+
+/// The text and its parsed form.
+pub(super) struct Source<'t> {
+    text: &'t str,
+    document: Document<&'t str>,
+}
+
+/// A table of the file, which may be missing.
+#[derive(Clone, Copy)]
+pub(super) struct Section<'s> {
+    source: &'s Source<'s>,
+    path: &'static str,
+    table: Option<&'s dyn TableLike>,
+}
+
+impl<'t> Source<'t> {
+    pub(super) fn parse(text: &'t str) -> Result<Self, FileError> {
+        match Document::parse(text) {
+            Ok(document) => Ok(Self { text, document }),
+            Err(error) => Err(syntax(text, &error)),
+        }
+    }
+
+    pub(super) fn root(&self) -> Section<'_> {
+        Section { source: self, path: "", table: Some(self.document.as_table()) }
+    }
+
+    /// Key and value at a dotted key, where it is written.
+    fn find(&self, dotted: &str) -> Option<(Option<Range<usize>>, &Item)> {
+        let mut table: &dyn TableLike = self.document.as_table();
+        let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
+        for part in parents.split('.').filter(|p| !p.is_empty()) {
+            table = table.get(part)?.as_table_like()?;
+        }
+        let (key, item) = table.get_key_value(last)?;
+        Some((key.span(), item))
+    }
+
+    pub(super) fn has(&self, dotted: &str) -> bool {
+        self.find(dotted).is_some()
+    }
+
+    fn slice(&self, span: &Range<usize>) -> Option<String> {
+        self.text.get(span.clone()).map(shortened)
+    }
+
+    /// The problem with the value of a key that is written.
+    pub(super) fn error(&self, dotted: &str, problem: Problem) -> FileError {
+        let error = FileError::new(problem);
+        let Some((key_span, item)) = self.find(dotted) else {
+            return error.under(dotted, None);
+        };
+        let value_span = item.as_value().and_then(Value::span);
+        let written = value_span.as_ref().and_then(|s| self.slice(s));
+        let start = value_span.or(key_span).or_else(|| item.span()).map(|s| s.start);
+        error.at(start.map(|s| place(self.text, s))).under(dotted, written)
+    }
+
+    /// The problem with a key itself.
+    fn key_error(&self, dotted: &str, span: Option<Range<usize>>, problem: Problem) -> FileError {
+        FileError::new(problem).at(span.map(|s| place(self.text, s.start))).under(dotted, None)
+    }
+}
+
+impl<'s> Section<'s> {
+    /// A table in this one.
+    pub(super) fn section(&self, key: &str, path: &'static str) -> Result<Section<'s>, FileError> {
+        let table = match self.table.and_then(|t| t.get(key)) {
+            None => None,
+            Some(item) => match item.as_table_like() {
+                Some(table) => Some(table),
+                None => return Err(self.type_error(key, item, "a table of keys")),
+            },
+        };
+        Ok(Section { source: self.source, path, table })
+    }
+
+    /// Whether the table is written.
+    pub(super) fn is_written(&self) -> bool {
+        self.table.is_some()
+    }
+
+    /// Whether a key is written.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.table.is_some_and(|t| t.contains_key(key))
+    }
+
+    /// The dotted name of a key.
+    pub(super) fn dotted(&self, key: &str) -> String {
+        if self.path.is_empty() { key.into() } else { format!("{}.{key}", self.path) }
+    }
+
+    /// The problem with the value of a key.
+    pub(super) fn error(&self, key: &str, problem: Problem) -> FileError {
+        self.source.error(&self.dotted(key), problem)
+    }
+
+    /// The problem that something is missing here; it stands at `beside`, which needs it, or at the table itself.
+    pub(super) fn missing(&self, key: &str, beside: Option<&str>, needs: &'static str) -> FileError {
+        let problem = Problem::Missing { missing: self.dotted(key), needs };
+        match beside {
+            Some(beside) => self.error(beside, problem),
+            None => self.source.error(self.path, problem),
+        }
+    }
+
+    fn type_error(&self, key: &str, item: &Item, expected: &'static str) -> FileError {
+        self.error(key, Problem::Type { found: kind(item), expected })
+    }
+
+    /// Every key must be one of `known`. `all` are the dotted keys of the whole file: a key that belongs elsewhere is
+    /// recognised by them.
+    pub(super) fn only(&self, known: &[&'static str], all: &[&'static str]) -> Result<(), FileError> {
+        for (key, span) in self.keys() {
+            if known.contains(&key) {
+                continue;
+            }
+            let elsewhere = || all.iter().find(|k| k.rsplit('.').next() == Some(key)).copied();
+            let here = || nearest(key, known.iter().copied());
+            let far = || all.iter().find(|k| nearest(key, k.rsplit('.').next()).is_some()).copied();
+            let suggestion = elsewhere().or_else(here).or_else(far).map(str::to_string);
+            let problem = Problem::UnknownKey { suggestion, known: known.to_vec() };
+            return Err(self.source.key_error(&self.dotted(&shortened(key)), span, problem));
+        }
+        Ok(())
+    }
+
+    /// The keys that are written, and where.
+    pub(super) fn keys(&self) -> impl Iterator<Item = (&'s str, Option<Range<usize>>)> + use<'s> {
+        let table = self.table;
+        table
+            .into_iter()
+            .flat_map(|t| t.iter())
+            .map(move |(k, _)| (k, table.and_then(|t| t.key(k)).and_then(toml_edit::Key::span)))
+    }
+
+    /// The problem with a key itself, wherever its value stands.
+    pub(super) fn key_error(&self, key: &str, span: Option<Range<usize>>, problem: Problem) -> FileError {
+        self.source.key_error(&self.dotted(key), span, problem)
+    }
+
+    fn value(&self, key: &str, expected: &'static str) -> Result<Option<&'s Value>, FileError> {
+        match self.table.and_then(|t| t.get(key)) {
+            None => Ok(None),
+            Some(Item::Value(value)) => Ok(Some(value)),
+            Some(item) => Err(self.type_error(key, item, expected)),
+        }
+    }
+
+    /// A quantity: a text with a unit, or a bare number.
+    pub(super) fn quantity(&self, key: &str, dimension: Dimension) -> Result<Option<f64>, FileError> {
+        let value = self.value(key, dimension.expectation())?;
+        value.map(|v| to_quantity(v, dimension).map_err(|p| self.error(key, p))).transpose()
+    }
+
+    /// A number without unit.
+    pub(super) fn number(&self, key: &str) -> Result<Option<f64>, FileError> {
+        self.value(key, PLAIN)?.map(|v| to_number(v).map_err(|p| self.error(key, p))).transpose()
+    }
+
+    /// A text.
+    pub(super) fn text(&self, key: &str, expected: &'static str) -> Result<Option<&'s str>, FileError> {
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        let problem = || Problem::Type { found: value_kind(value), expected };
+        value.as_str().map(Some).ok_or_else(|| self.error(key, problem()))
+    }
+
+    /// `true` or `false`.
+    pub(super) fn boolean(&self, key: &str) -> Result<Option<bool>, FileError> {
+        let expected = "true or false, without quotes";
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        let problem = || Problem::Type { found: value_kind(value), expected };
+        value.as_bool().map(Some).ok_or_else(|| self.error(key, problem()))
+    }
+
+    /// A list of pressures (with a dimension) or plain numbers (without).
+    pub(super) fn list(
+        &self,
+        key: &str,
+        dimension: Option<Dimension>,
+    ) -> Result<Option<Vec<f64>>, FileError> {
+        let expected = match dimension {
+            Some(_) => "a list such as [\"0.62 MPa\", 0.0012]",
+            None => "a list of numbers such as [1.3, 5.0]",
+        };
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        let Some(array) = value.as_array() else {
+            return Err(self.error(key, Problem::Type { found: value_kind(value), expected }));
+        };
+        let read = |v: &Value| match dimension {
+            Some(dimension) => to_quantity(v, dimension),
+            None => to_number(v),
+        };
+        let list = array.iter().map(read).collect::<Result<Vec<f64>, Problem>>();
+        list.map(Some).map_err(|p| self.error(key, p))
+    }
+
+    /// One of some words, or a quantity; `expected` describes both.
+    pub(super) fn word_or_quantity(
+        &self,
+        key: &str,
+        words: &[&'static str],
+        dimension: Dimension,
+        expected: &'static str,
+    ) -> Result<Option<WordOr>, FileError> {
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        if let Some(text) = value.as_str() {
+            if let Some(word) = words.iter().find(|w| **w == text.trim()) {
+                return Ok(Some(WordOr::Word(word)));
+            }
+            if !text.trim_start().starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+                let suggestion = nearest(text, words.iter().copied());
+                return Err(self.error(key, Problem::Word { suggestion, expected }));
+            }
+        }
+        to_quantity(value, dimension).map(|q| Some(WordOr::Quantity(q))).map_err(|p| self.error(key, p))
+    }
+}
+
+/// What [`Section::word_or_quantity`] found.
+pub(super) enum WordOr {
+    Word(&'static str),
+    Quantity(f64),
+}
+
+fn syntax(text: &str, error: &TomlError) -> FileError {
+    let message = shortened(error.message());
+    let Some(span) = error.span() else {
+        return FileError::new(Problem::Syntax { message, line: String::new(), unquoted: false });
+    };
+    let start = text.get(..span.start).map_or(0, |t| t.rfind('\n').map_or(0, |i| i + 1));
+    let line = text.get(start..).and_then(|t| t.lines().next()).unwrap_or("");
+    let value = line.split_once('=').map_or("", |(_, v)| v.trim_start());
+    let unquoted = value.starts_with(|c: char| c.is_ascii_digit() || c == '-')
+        && value.split('#').next().is_some_and(|v| v.contains(char::is_alphabetic) && !v.contains('"'));
+    let line = shortened(line);
+    FileError::new(Problem::Syntax { message, line, unquoted }).at(Some(place(text, span.start)))
+}

@@ -1,0 +1,244 @@
+use super::*;
+use crate::muscle::*;
+use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh, library};
+use proptest::prelude::*;
+
+fn number(low: f64, high: f64) -> BoxedStrategy<f64> {
+    // Plain decimals as people write them, and any double in the range.
+    let thousandths = move |n: u32| low + (high - low) * f64::from(n) / 1000.0;
+    prop_oneof![(1..999u32).prop_map(thousandths), low..high].boxed()
+}
+
+fn law() -> impl Strategy<Value = Law> {
+    let m = || number(1e-4, 1.0);
+    prop_oneof![
+        (m(), -5e-5..1.0).prop_map(|(c10_mpa, c01_mpa)| Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa })),
+        m().prop_map(|mu_mpa| Law::NeoHookean(NeoHookean { mu_mpa })),
+        (m(), -1e-3..1e-3f64, -1e-9..1e-4f64).prop_map(|(c10_mpa, c20_mpa, c30_mpa)| Law::Yeoh(Yeoh {
+            c10_mpa,
+            c20_mpa,
+            c30_mpa
+        })),
+        (m(), 1.0..200.0).prop_map(|(mu_mpa, jm)| Law::Gent(Gent { mu_mpa, jm })),
+        prop::collection::vec(
+            (m(), 0.1..9.0f64).prop_flat_map(|t: (f64, f64)| prop_oneof![Just(t), Just((-t.0, -t.1))]),
+            1..4
+        )
+        .prop_map(|terms| Law::Ogden(Ogden { terms })),
+    ]
+}
+
+fn rubber() -> impl Strategy<Value = Rubber> {
+    let named: Vec<Rubber> = library::entries()
+        .unwrap()
+        .iter()
+        .flat_map(|e| e.laws().into_iter().map(|law| library::find(&format!("{}:{law}", e.name)).unwrap()))
+        .collect();
+    let bulk = prop_oneof![Just(Bulk::Incompressible), number(1.0, 3000.0).prop_map(Bulk::Modulus)];
+    let name = prop::option::of("[ -~äµ\n\"\\\\]{0,12}");
+    let own = (name, law(), bulk, prop::option::of(1.0..9.0))
+        .prop_map(|(name, law, bulk, fitted_to_stretch)| Rubber { name, law, bulk, fitted_to_stretch });
+    prop_oneof![prop::sample::select(named), own]
+}
+
+fn braid() -> impl Strategy<Value = Braid> {
+    let count = (1..200u32).prop_map(|n| 2 * n);
+    let strength = || prop::option::of(number(1.0, 900.0));
+    let section = (number(1e-9, 3.0), number(1.0, 2e5));
+    let stiffness = prop_oneof![
+        Just(BraidStiffness::Paper),
+        Just(BraidStiffness::Inextensible),
+        number(1.0, 1e4).prop_map(BraidStiffness::NewtonPerMm),
+    ];
+    let counted =
+        (count.clone(), strength()).prop_map(|(c, s)| Strands { count: c, section: None, strength_n: s });
+    let make = prop_oneof![
+        (stiffness, prop::option::of(counted)),
+        (count, section, strength()).prop_map(|(count, section, strength_n)| {
+            (BraidStiffness::OfStrands, Some(Strands { count, section: Some(section), strength_n }))
+        }),
+    ];
+    let measured = (1e3..5e3, number(0.1, 9.0))
+        .prop_map(|(strand_length_mm, turns)| MeasuredStrand { strand_length_mm, turns });
+    (number(1.0, 54.0), make, prop::option::of(measured), any::<bool>()).prop_map(
+        |(angle_deg, (stiffness, strands), measured, compression)| Braid {
+            angle_deg,
+            stiffness,
+            strands,
+            measured,
+            compression,
+        },
+    )
+}
+
+prop_compose! {
+    fn muscle()(
+        outer_diameter_mm in number(1.0, 200.0),
+        share in 0.01..0.99f64,
+        length_mm in number(5.0, 900.0),
+        rubber in rubber(),
+        braid in braid(),
+        insertion_mm in number(0.0, 90.0),
+        end_factor in prop::option::of(prop_oneof![
+            number(0.5, 2.0).prop_map(EndFactor::Constant),
+            (-0.4..2.0, 0.5..2.0).prop_map(|(a, b)| EndFactor::OfPressure { a, b }),
+        ]),
+        cone_factor in prop::option::of(0.0..0.3),
+        friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0))),
+    ) -> Muscle {
+        let tube = Tube { outer_diameter_mm, wall_mm: share * outer_diameter_mm / 2.0, length_mm, rubber };
+        let terminals = Terminals { insertion_mm, end_factor, cone_factor };
+        let friction = friction.map(|(coefficient, exponent)| Friction { coefficient, exponent });
+        Muscle::new(tube, braid, terminals, friction).unwrap()
+    }
+}
+
+proptest! {
+    #[test]
+    fn what_is_written_reads_back_as_the_same_muscle(muscle in muscle()) {
+        let text = to_toml(&muscle);
+        prop_assert_eq!(parse_muscle(&text).map_err(|e| format!("{e}\n{text}")), Ok(muscle.clone()));
+        prop_assert_eq!(parse_muscle(&text.replace('\n', "\r\n")).map_err(|e| e.to_string()), Ok(muscle));
+    }
+
+    #[test]
+    fn no_text_makes_it_panic(text in any::<String>()) {
+        let _ = parse_muscle(&text).map_err(|e| e.to_string());
+    }
+
+    #[test]
+    fn no_damage_to_a_file_makes_it_panic(
+        muscle in muscle(),
+        cuts in prop::collection::vec((any::<prop::sample::Index>(), 0..9usize, "\\PC{0,3}|[\\[\\]{}=\"',.#\n\r\u{0}-]{0,3}|nan|1e999"), 1..4),
+    ) {
+        let mut chars: Vec<char> = to_toml(&muscle).chars().collect();
+        for (at, removed, added) in cuts {
+            let at = at.index(chars.len());
+            let end = (at + removed).min(chars.len());
+            chars.splice(at..end, added.chars());
+        }
+        let text: String = chars.into_iter().collect();
+        if let Err(error) = parse_muscle(&text) {
+            let message = error.to_string();
+            prop_assert!(message.len() < 2000 && !message.contains('\n'), "{}", message);
+            prop_assert!(error.place.is_some(), "{}", message);
+        }
+    }
+}
+
+#[test]
+fn nothing_written_means_the_prototype() {
+    for text in ["", "\u{feff}", "# nothing\n", "[tube]\n[braid]\r\n[terminals]\n[friction]\n"] {
+        assert_eq!(parse_muscle(text).unwrap(), Muscle::prototype(), "{text:?}");
+    }
+    assert_eq!(parse_muscle("name = \"left leg\"\nnotes = \"first try\"\n").unwrap(), Muscle::prototype());
+}
+
+/// The example of the documentation, with every unit and every form a value can take.
+#[test]
+fn every_key_is_understood() {
+    let muscle = parse_muscle(
+        r#"
+        [tube]
+        outer_diameter = "3 cm"
+        wall_thickness = 3
+        length = 285.0                   # between the terminals
+        [tube.material]
+        law = "ogden"
+        mu = ["620 kPa", 0.0012, "-0.0098 MPa"]
+        alpha = [1.3, 5, -2.0]
+        bulk_modulus = "1.5 GPa"
+        [braid]
+        angle = "28 deg"
+        strands = 48
+        strand_area = "0.3 mm2"
+        strand_modulus = "2500 MPa"
+        strand_strength = "40 N"
+        strand_length = "340 mm"
+        turns = 1.6
+        compression = true
+        [terminals]
+        insertion = "2 cm"
+        end_factor = { a = 0.2, b = 1 }
+        cone_factor = 0
+        [friction]
+        coefficient = 61
+        exponent = 0.57
+        "#,
+    )
+    .unwrap();
+    let terms = vec![(0.62, 1.3), (0.0012, 5.0), (-0.0098, -2.0)];
+    let rubber = Rubber { bulk: Bulk::Modulus(1500.0), ..Rubber::of(Law::Ogden(Ogden { terms })) };
+    assert_eq!(muscle.tube().rubber, rubber);
+    let strands = Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: Some(40.0) };
+    assert_eq!(muscle.braid().strands, Some(strands));
+    assert_eq!(muscle.braid().stiffness, BraidStiffness::OfStrands);
+    assert!(muscle.braid().compression);
+    let measured = MeasuredStrand { strand_length_mm: 340.0, turns: 1.6 };
+    assert_eq!(muscle.braid().measured, Some(measured));
+    let terminals = Terminals {
+        insertion_mm: 20.0,
+        end_factor: Some(EndFactor::OfPressure { a: 0.2, b: 1.0 }),
+        cone_factor: Some(0.0),
+    };
+    assert_eq!(muscle.terminals(), &terminals);
+    assert_eq!(muscle.friction(), Some(&Friction { coefficient: 61.0, exponent: 0.57 }));
+    // A count beside a stiffness only informs; dotted keys and inline tables are TOML like any other.
+    let muscle = parse_muscle("braid.stiffness = \"inextensible\"\nbraid.strands = 96\n").unwrap();
+    assert_eq!(muscle.braid().stiffness, BraidStiffness::Inextensible);
+    let muscle = parse_muscle("tube = { rubber = \"Dragon Skin 30:mooney-rivlin\" }").unwrap();
+    assert_eq!(muscle.tube().rubber.fitted_to_stretch, Some(3.0));
+}
+
+/// What users see and keep; a change of this text is a change of the format.
+#[test]
+fn the_prototype_is_written_for_people() {
+    let text = format!(
+        r#"# McKibben muscle, written by mckibben {}.
+# A number without unit is in mm, MPa, N, N/mm, mm2 or degrees.
+
+[tube]
+outer_diameter = "30 mm"
+wall_thickness = "3 mm"
+length = "285 mm"                # between the terminals
+rubber = "paper"                 # or [tube.material] with a law and its constants
+
+[braid]
+angle = "28 deg"                 # strands to the muscle's axis, at rest
+stiffness = "paper"              # k of one strand family: "321 N/mm", "inextensible", or "paper"
+
+[terminals]
+insertion = "20 mm"              # tube and braid clamped on each plug
+"#,
+        env!("CARGO_PKG_VERSION")
+    );
+    assert_eq!(to_toml(&Muscle::prototype()), text);
+}
+
+/// A cross-section beside a stiffness is what a file may not say; it stays as a comment.
+#[test]
+fn an_unused_strand_section_is_written_as_a_comment() {
+    let strands = Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None };
+    let braid = Braid { strands: Some(strands), ..Braid::paper() };
+    let text = to_toml(&Muscle::prototype().with_braid(braid).unwrap());
+    assert!(text.contains("\n# strand_area = \"0.3 mm2\""), "{text}");
+    let strands = parse_muscle(&text).unwrap().braid().strands;
+    assert_eq!(strands, Some(Strands { count: 48, section: None, strength_n: None }));
+}
+
+/// A named rubber stays a name, whichever of its laws is used; one whose constants were changed does not.
+#[test]
+fn named_rubbers_are_written_by_name() {
+    let with = |rubber| {
+        let tube = Tube { rubber, ..Tube::prototype() };
+        to_toml(&Muscle::prototype().with_tube(tube).unwrap())
+    };
+    for name in ["dragon-skin-30", "dragon-skin-30:mooney-rivlin", "treloar-natural-rubber:ogden"] {
+        let text = with(library::find(name).unwrap());
+        assert!(text.contains(&format!("\nrubber = \"{name}\" ")) && !text.contains("law ="), "{text}");
+    }
+    let rubber = library::find("dragon-skin-30").unwrap();
+    let text = with(Rubber { law: rubber.law.scaled(2.0), ..rubber });
+    assert!(text.contains("[tube.material]\nname = \"dragon-skin-30\""), "{text}");
+    assert!(text.contains("mu = \"0.5732 MPa\"") && text.contains("fitted_to_stretch = 3.0"), "{text}");
+}

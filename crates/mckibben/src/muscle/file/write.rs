@@ -1,0 +1,177 @@
+//! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
+
+use crate::muscle::{Braid, BraidStiffness, Bulk, EndFactor, Muscle, Rubber};
+use crate::rubber::{Law, RubberLaw, library};
+use std::fmt::Write;
+
+/// The column of the comments.
+const COMMENT: usize = 33;
+
+/// The text of a muscle file. Reading it gives the same muscle to the last bit, save that a cross-section of
+/// strands which the braid's stiffness does not use is left as a comment.
+pub fn to_toml(muscle: &Muscle) -> String {
+    let mut out = Text::default();
+    out.line(concat!("# McKibben muscle, written by mckibben ", env!("CARGO_PKG_VERSION"), "."));
+    out.line("# A number without unit is in mm, MPa, N, N/mm, mm2 or degrees.");
+    let tube = muscle.tube();
+    out.table("tube");
+    out.key("outer_diameter", &quantity(tube.outer_diameter_mm, "mm"), "");
+    out.key("wall_thickness", &quantity(tube.wall_mm, "mm"), "");
+    out.key("length", &quantity(tube.length_mm, "mm"), "between the terminals");
+    out.rubber(&tube.rubber);
+    out.braid(muscle.braid());
+    out.table("terminals");
+    let insertion = quantity(muscle.terminals().insertion_mm, "mm");
+    out.key("insertion", &insertion, "tube and braid clamped on each plug");
+    match muscle.terminals().end_factor {
+        Some(EndFactor::Constant(k)) => {
+            out.key("end_factor", &number(k), "multiplies the contraction (Tondu & Lopez 2000)");
+        }
+        Some(EndFactor::OfPressure { a, b }) => {
+            let table = format!("{{ a = {}, b = {} }}", number(a), number(b));
+            out.key("end_factor", &table, "k(P) = a·e^(−P) + b, P in bar (Tondu & Lopez 2000)");
+        }
+        None => {}
+    }
+    if let Some(kc) = muscle.terminals().cone_factor {
+        out.key("cone_factor", &number(kc), "conical tips of length kc·L0·ε (Tondu 2012)");
+    }
+    if let Some(friction) = muscle.friction() {
+        out.table("friction");
+        out.key(
+            "coefficient",
+            &number(friction.coefficient),
+            "C in N/MPa^β: half-width C·P^β of the hysteresis",
+        );
+        out.key("exponent", &number(friction.exponent), "β");
+    }
+    out.0
+}
+
+#[derive(Default)]
+struct Text(String);
+
+impl Text {
+    fn line(&mut self, line: &str) {
+        self.0.push_str(line);
+        self.0.push('\n');
+    }
+
+    fn table(&mut self, name: &str) {
+        self.line(&format!("\n[{name}]"));
+    }
+
+    fn key(&mut self, key: &str, value: &str, comment: &str) {
+        let mut line = format!("{key} = {value}");
+        if !comment.is_empty() {
+            let gap = COMMENT.saturating_sub(line.chars().count()).max(1);
+            // Writing to a string does not fail.
+            let _ = write!(line, "{:gap$}# {comment}", "");
+        }
+        self.line(&line);
+    }
+
+    fn rubber(&mut self, rubber: &Rubber) {
+        let named = rubber.name.as_deref().filter(|n| library::find(n).is_ok_and(|r| r == *rubber));
+        if let Some(name) = named {
+            self.key("rubber", &text(name), "or [tube.material] with a law and its constants");
+            return;
+        }
+        self.table("tube.material");
+        if let Some(name) = &rubber.name {
+            self.key("name", &text(name), "where the constants come from");
+        }
+        self.key("law", &text(rubber.law.name()), "");
+        if let Law::Ogden(ogden) = &rubber.law {
+            let list = |f: &dyn Fn(&(f64, f64)) -> String| {
+                format!("[{}]", ogden.terms.iter().map(f).collect::<Vec<_>>().join(", "))
+            };
+            self.key(
+                "mu",
+                &list(&|t| quantity(t.0, "MPa")),
+                "W = Σ (mu/alpha)(λ1^alpha + λ2^alpha + λ3^alpha − 3)",
+            );
+            self.key("alpha", &list(&|t| number(t.1)), "");
+        } else {
+            for (name, value, unit) in rubber.law.constants() {
+                let value = if unit.is_empty() { number(value) } else { quantity(value, unit) };
+                self.key(&name, &value, "");
+            }
+        }
+        let bulk = match rubber.bulk {
+            Bulk::Incompressible => text("incompressible"),
+            Bulk::Modulus(k) => quantity(k, "MPa"),
+        };
+        self.key("bulk_modulus", &bulk, "\"incompressible\", or a pressure");
+        if let Some(stretch) = rubber.fitted_to_stretch.filter(|s| s.is_finite() && *s > 0.0) {
+            self.key(
+                "fitted_to_stretch",
+                &number(stretch),
+                "largest stretch of the data behind the constants",
+            );
+        }
+    }
+
+    fn braid(&mut self, braid: &Braid) {
+        self.table("braid");
+        self.key("angle", &quantity(braid.angle_deg, "deg"), "strands to the muscle's axis, at rest");
+        let stiffness = match braid.stiffness {
+            BraidStiffness::Paper => Some(text("paper")),
+            BraidStiffness::Inextensible => Some(text("inextensible")),
+            BraidStiffness::NewtonPerMm(k) => Some(quantity(k, "N/mm")),
+            BraidStiffness::OfStrands => None,
+        };
+        if let Some(stiffness) = &stiffness {
+            let comment = "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"";
+            self.key("stiffness", stiffness, comment);
+        }
+        if let Some(strands) = &braid.strands {
+            self.key("strands", &strands.count.to_string(), "both families together");
+            if let Some((area, modulus)) = strands.section {
+                let unused = if stiffness.is_some() { "# " } else { "" };
+                let why =
+                    if stiffness.is_some() { "not used: `stiffness` is given" } else { "of one strand" };
+                self.key(&format!("{unused}strand_area"), &quantity(area, "mm2"), why);
+                self.key(&format!("{unused}strand_modulus"), &quantity(modulus, "MPa"), "");
+            }
+            if let Some(strength) = strands.strength_n {
+                self.key("strand_strength", &quantity(strength, "N"), "force at which one strand breaks");
+            }
+        }
+        if let Some(m) = &braid.measured {
+            let comment = "measured on the muscle, rounded ends included";
+            self.key("strand_length", &quantity(m.strand_length_mm, "mm"), comment);
+            self.key("turns", &number(m.turns), "");
+        }
+        if braid.compression {
+            self.key("compression", "true", "strands that carry compression");
+        }
+    }
+}
+
+/// A text in quotes, on one line.
+fn text(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            c if c.is_control() => {
+                let _ = write!(out, "\\u{:04X}", u32::from(c));
+            }
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// The shortest digits that read back as the same number, with a unit.
+fn quantity(value: f64, unit: &str) -> String {
+    let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
+    if plain { format!("\"{value} {unit}\"") } else { format!("\"{value:e} {unit}\"") }
+}
+
+/// The shortest digits that read back as the same number.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}
