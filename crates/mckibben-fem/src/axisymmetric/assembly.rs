@@ -254,8 +254,7 @@ fn scatter(d: &Discrete, w: &mut Work, at: &Places, i: usize, volume: f64, slab:
     let place: [usize; NODES] = std::array::from_fn(|a| at.matrix[a / 3] + 2 * (a % 3));
     for a in 0..NODES {
         let (row_r, row_z) = matrix[place[a] * size..(place[a] + 2) * size].split_at_mut(size);
-        for b in a..NODES {
-            let k = place[b];
+        for (b, &k) in place.iter().enumerate().skip(a) {
             row_r[k] += c.rr[a][b];
             row_r[k + 1] += c.rz[a][b];
             row_z[k] += c.rz[b][a];

@@ -102,7 +102,7 @@ impl Engine {
             return Err(FemError::Question { pressure_mpa: pressure, contraction });
         }
         let terminal = -contraction * self.half;
-        if self.from_kept(pressure, terminal) {
+        if self.near_kept(pressure, terminal) {
             self.keep();
             return Ok(());
         }
@@ -149,7 +149,7 @@ impl Engine {
         self.walker.walk(pressure, terminal)
     }
 
-    fn from_kept(&mut self, pressure: f64, terminal: f64) -> bool {
+    fn near_kept(&mut self, pressure: f64, terminal: f64) -> bool {
         let distance = |s: &State| {
             let p = (s.pressure - pressure).abs() / (s.pressure.abs().max(pressure.abs()) + 1e-12);
             let e = (s.terminal - terminal).abs() / self.half;

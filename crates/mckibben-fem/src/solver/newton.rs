@@ -140,7 +140,7 @@ pub fn solve<S: NewtonSystem>(
         }
         let size = system.correct()?;
         effort.iterations += 1;
-        if !(size < options.large) {
+        if size.is_nan() || size >= options.large {
             return Err(Stopped::Diverged { correction: size });
         }
         if size < options.small {
