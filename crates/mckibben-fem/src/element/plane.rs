@@ -87,6 +87,22 @@ pub trait PlaneLaw {
     fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress;
 }
 
+/// x^(−1/3). Rubber keeps its volume: near 1 a series and two Newton steps y(4 − x y³)/3 are exact to rounding and take
+/// a tenth of the time of a cube root.
+#[inline(always)]
+fn inverse_cube_root(x: f64) -> f64 {
+    let d = x - 1.0;
+    if d.abs() < 0.12 {
+        let mut y = 1.0 - d * (1.0 / 3.0 - d * (2.0 / 9.0 - d * (14.0 / 81.0 - d * (35.0 / 243.0))));
+        for _ in 0..2 {
+            y *= (4.0 - x * y * y * y) * (1.0 / 3.0);
+        }
+        y
+    } else {
+        1.0 / x.cbrt()
+    }
+}
+
 /// A law in I1 and I2.
 #[derive(Debug, Clone, Copy)]
 pub struct ByInvariants<'a, L>(pub &'a L);
@@ -97,8 +113,8 @@ impl<L: InvariantLaw> ByInvariants<'_, L> {
         let Gradient { a, b, c, d, t } = *f;
         let s = a * a + b * b + c * c + d * d;
         let area = a * d - b * c;
-        let root = (area * t).cbrt();
-        let j = 1.0 / (root * root);
+        let root = inverse_cube_root(area * t);
+        let j = root * root;
         let (j2, rd, rt) = (j * j, 1.0 / area, 1.0 / t);
         let x = j * (s + t * t);
         let y = j2 * (area * area + t * t * s);
@@ -187,5 +203,75 @@ pub fn visit<V: PlaneVisitor>(law: &Law, visitor: V) -> V::Output {
         Law::Yeoh(l) => visitor.with(&ByInvariants(l)),
         Law::Gent(l) => visitor.with(&ByInvariants(l)),
         Law::Ogden(l) => visitor.with(&ByStretches(l)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::rubber::{Gent, MooneyRivlin, NeoHookean, Ogden, Yeoh};
+
+    #[test]
+    fn the_inverse_cube_root_is_one() {
+        for i in 0..2000 {
+            let x = 0.5 + 1e-3 * f64::from(i);
+            let exact = 1.0 / x.cbrt();
+            assert!((inverse_cube_root(x) / exact - 1.0).abs() < 4.0 * f64::EPSILON, "{x}");
+        }
+    }
+
+    struct At(Gradient, f64);
+    impl PlaneVisitor for At {
+        type Output = Stress;
+        fn with<L: PlaneLaw>(self, law: &L) -> Stress {
+            law.stress::<true>(&self.0, self.1)
+        }
+    }
+
+    fn laws() -> Vec<Law> {
+        vec![
+            Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }),
+            Law::NeoHookean(NeoHookean { mu_mpa: 0.24 }),
+            Law::Yeoh(Yeoh { c10_mpa: 0.1789, c20_mpa: -0.001219, c30_mpa: 3.678e-5 }),
+            Law::Gent(Gent { mu_mpa: 0.24, jm: 30.0 }),
+            Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] }),
+        ]
+    }
+
+    /// Every law: stress is the derivative of the energy, the tangent that of the stress, also where two stretches are one.
+    #[test]
+    fn stress_and_tangent_are_those_of_finite_differences() {
+        let states = [[1.3, 0.2, -0.3, 0.7, 1.2], [0.8, 0.0, 0.0, 0.8, 1.5], [1.0, 0.0, 0.0, 1.0, 1.0]];
+        for law in laws() {
+            for x in states {
+                let p = 0.3;
+                let at = |x: [f64; 5]| {
+                    let f = Gradient { a: x[0], b: x[1], t: x[2], c: x[3], d: x[4] };
+                    let s = visit(&law, At(f, p));
+                    (s, s.w + p * (f.volume() - 1.0), [s.r[0], s.r[1], s.r[2], s.z[0], s.z[1]])
+                };
+                // Order (a, b, t, c, d).
+                let x = [x[0], x[1], x[4], x[2], x[3]];
+                let (s, _, first) = at(x);
+                let k = |i: usize, j: usize| match (i, j) {
+                    (0..3, 0..3) => s.rr[i][j],
+                    (0..3, _) => s.rz[i][j - 3],
+                    (_, 0..3) => s.rz[j][i - 3],
+                    _ => s.zz[i - 3][j - 3],
+                };
+                let h = 1e-4;
+                for i in 0..5 {
+                    let (mut up, mut down) = (x, x);
+                    up[i] += h;
+                    down[i] -= h;
+                    let (up, down) = (at(up), at(down));
+                    assert!(((up.1 - down.1) / (2.0 * h) - first[i]).abs() < 1e-7, "stress {i}");
+                    for j in 0..5 {
+                        let difference = (up.2[j] - down.2[j]) / (2.0 * h);
+                        assert!((difference - k(j, i)).abs() < 2e-7, "tangent {j} {i} {x:?}: {difference} {}", k(j, i));
+                    }
+                }
+            }
+        }
     }
 }
