@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 
 /// Nodes of an element.
 pub const NODES: usize = 9;
-/// Rows are padded to an even length for vector instructions.
-pub const PADDED: usize = 10;
+/// Rows are padded to a length that vector instructions like.
+pub const PADDED: usize = 12;
 /// Gauss points of an element.
 pub const POINTS: usize = 9;
 /// Pressure modes of an element.
