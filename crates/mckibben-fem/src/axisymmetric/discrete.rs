@@ -1,0 +1,196 @@
+//! A tube under a braid, divided into elements: everything that does not change while it deforms.
+
+use super::error::FemError;
+use super::layout::Layout;
+use super::mesh::Mesh;
+use crate::element::q2::{Geometry, NODES};
+use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
+use mckibben::muscle::{Bulk, Muscle};
+use mckibben::rubber::{Law, RubberLaw};
+
+/// What holds the last station.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ends {
+    /// Bonded to a rigid terminal: r fixed, all z together.
+    Bonded,
+    /// A slice of an endless muscle: r free, all z together.
+    Sliding,
+    /// A pole on the axis: r fixed, z free.
+    Pole,
+}
+
+/// The braid of a model.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BraidSpec {
+    /// θ0 in radians.
+    pub angle_rad: f64,
+    /// k of one family in N/mm; `None` for strands that do not stretch.
+    pub stiffness: Option<f64>,
+    /// Whether strands carry compression.
+    pub compression: bool,
+}
+
+/// Rubber, braid and ends of a model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Make {
+    /// The law of the rubber.
+    pub law: Law,
+    /// Incompressible or a bulk modulus.
+    pub bulk: Bulk,
+    /// The braid, where there is one.
+    pub braid: Option<BraidSpec>,
+    /// What holds the last station.
+    pub ends: Ends,
+}
+
+impl Make {
+    /// Rubber and braid of a muscle between bonded terminals.
+    pub fn of(muscle: &Muscle) -> Self {
+        let braid = BraidSpec {
+            angle_rad: muscle.braid().angle_rad(),
+            stiffness: muscle.family_stiffness_n_per_mm(),
+            compression: muscle.braid().compression,
+        };
+        let rubber = &muscle.tube().rubber;
+        Self { law: rubber.law.clone(), bulk: rubber.bulk, braid: Some(braid), ends: Ends::Bonded }
+    }
+}
+
+/// A body divided into elements.
+#[derive(Debug, Clone)]
+pub struct Discrete {
+    /// Where unknowns stand.
+    pub layout: Layout,
+    /// The nodes at rest.
+    pub mesh: Mesh,
+    /// Rubber, braid, ends.
+    pub make: Make,
+    /// Elements, slab by slab, each from the bore outwards.
+    pub elements: Vec<Geometry>,
+    /// Points of the braid, slab by slab; empty without a braid.
+    pub strands: Vec<[StrandPoint; STRAND_POINTS]>,
+    /// 1/K in 1/MPa.
+    pub compliance: f64,
+    /// γ: what the volume condition is augmented with, in MPa.
+    pub augment: f64,
+    /// The same for the strands, in N/mm.
+    pub augment_strand: f64,
+    /// Outer radius in mm.
+    pub radius: f64,
+    /// Area of rubber in the middle section in mm².
+    pub section: f64,
+    /// Shear modulus in MPa.
+    pub shear: f64,
+}
+
+/// Nodes of element `i` of slab `e`, in the element's order.
+pub(crate) fn nodes(mesh: &Mesh, slab: usize, element: usize) -> [[f64; 2]; NODES] {
+    let mut out = [[0.0; 2]; NODES];
+    for (k, j) in [2 * slab + 1, 2 * slab, 2 * slab + 2].into_iter().enumerate() {
+        for i in 0..3 {
+            out[3 * k + i] = mesh.node(2 * element + i, j);
+        }
+    }
+    out
+}
+
+impl Discrete {
+    /// Divides a body.
+    ///
+    /// # Errors
+    /// [`FemError::Element`] where an element is turned inside out.
+    pub fn new(mesh: Mesh, make: Make) -> Result<Self, FemError> {
+        let multipliers = matches!(make.braid, Some(BraidSpec { stiffness: None, .. }));
+        let layout = mesh.layout(multipliers);
+        let mut elements = Vec::with_capacity(mesh.through * mesh.along);
+        for slab in 0..mesh.along {
+            for i in 0..mesh.through {
+                let geometry = Geometry::new(&nodes(&mesh, slab, i))
+                    .ok_or(FemError::Element { element: slab * mesh.through + i })?;
+                elements.push(geometry);
+            }
+        }
+        let outer = 2 * mesh.through;
+        let mut strands = Vec::new();
+        if let Some(braid) = make.braid {
+            for slab in 0..mesh.along {
+                let (left, right) = (mesh.node(outer, 2 * slab), mesh.node(outer, 2 * slab + 2));
+                strands.push(strand::points(left[1], right[1], left[0], braid.angle_rad));
+            }
+        }
+        let (inner, radius) = (mesh.node(0, 0)[0], mesh.node(outer, 0)[0]);
+        let shear = make.law.shear_modulus_mpa();
+        let (compliance, augment) = match make.bulk {
+            Bulk::Incompressible => (0.0, 20.0 * shear),
+            Bulk::Modulus(k) => (1.0 / k, (20.0 * shear).min(0.5 * k)),
+        };
+        Ok(Self {
+            layout,
+            elements,
+            strands,
+            compliance,
+            augment,
+            augment_strand: 30.0 * shear * (radius - inner),
+            radius,
+            section: std::f64::consts::PI * (radius * radius - inner * inner),
+            shear,
+            mesh,
+            make,
+        })
+    }
+
+    /// Size of a force that is to be told from zero, in N, at a pressure in MPa. Stiff strands add what rounding
+    /// leaves of their tension.
+    pub fn force_scale(&self, pressure: f64) -> f64 {
+        let k = self.make.braid.and_then(|b| b.stiffness).unwrap_or(0.0);
+        let inside = std::f64::consts::PI * self.radius * self.radius;
+        pressure.abs() * inside + self.shear * self.section + 1e-4 * k * self.radius
+    }
+
+    /// Half length at rest in mm.
+    pub fn half_length(&self) -> f64 {
+        self.mesh.node(0, 2 * self.mesh.along)[1]
+    }
+}
+
+/// A state of deformation with its pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    /// All unknowns in the order of [`Layout`].
+    pub x: Vec<f64>,
+    /// Tension per width of every strand point as the last step extrapolated it, N/mm (strands that stretch).
+    pub q: Vec<f64>,
+    /// P in MPa.
+    pub pressure: f64,
+    /// u_z of the terminal in mm: −ε L0/2.
+    pub terminal: f64,
+}
+
+impl State {
+    /// The body at rest.
+    pub fn rest(d: &Discrete) -> Self {
+        Self {
+            x: vec![0.0; d.layout.unknowns()],
+            q: vec![0.0; STRAND_POINTS * d.strands.len()],
+            pressure: 0.0,
+            terminal: 0.0,
+        }
+    }
+
+    /// Becomes another state without allocating.
+    pub fn copy_from(&mut self, other: &State) {
+        self.x.copy_from_slice(&other.x);
+        self.q.copy_from_slice(&other.q);
+        (self.pressure, self.terminal) = (other.pressure, other.terminal);
+    }
+
+    /// Unknowns (r, z of middle, left, right) of node `i` of the stations of a slab.
+    #[inline(always)]
+    pub fn line(&self, layout: &Layout, slab: usize, i: usize) -> [f64; 6] {
+        let (m, left) = (layout.station(), slab * layout.stride());
+        let right = left + layout.stride();
+        let at = |k: usize| [self.x[k + 2 * i], self.x[k + 2 * i + 1]];
+        let ([a, b], [c, d], [e, f]) = (at(left + m), at(left), at(right));
+        [a, b, c, d, e, f]
+    }
+}

@@ -1,0 +1,380 @@
+//! Equilibrium of a body at given pressure and length, at given pressure and pull, or at given length and pull.
+//!
+//! All unknowns but those of the last station are condensed along the chain; what is left is the terminal's own
+//! displacement w with
+//!
+//!   F(w + dw) = S dw − b,
+//!
+//! S = dF/dw from the factorised tangent, b the condensed right-hand side. Length control prescribes dw, so the end moves
+//! together with everything behind it; force control takes dw = (F + b)/S from it; pressure control the same with the
+//! condensed ∂V/∂x.
+
+use super::assembly::{Totals, Work, assemble};
+use super::discrete::{Discrete, Ends, State};
+use crate::element::q2::{MODES, NODES};
+use crate::element::strand::STRAND_POINTS;
+use crate::solver::Singular;
+use crate::solver::dense;
+use crate::solver::newton::{NewtonSystem, Stopped};
+
+/// What is held while the rest finds its equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// Pressure and the terminal's displacement (mm).
+    Length(f64),
+    /// Pressure and the pull in N.
+    Force(f64),
+    /// The terminal's displacement (mm) and the pull in N; the pressure is sought.
+    Pressure {
+        /// u_z of the terminal in mm.
+        terminal: f64,
+        /// Pull in N.
+        force: f64,
+    },
+}
+
+/// The last station after everything else was condensed.
+#[derive(Debug, Clone)]
+struct EndSystem {
+    /// Unknowns of the last station that are free.
+    free: Vec<usize>,
+    /// Those that follow the terminal.
+    tied: Vec<usize>,
+    /// Factorised (free, w).
+    matrix: Vec<f64>,
+    y: Vec<f64>,
+}
+
+impl EndSystem {
+    fn new(d: &Discrete) -> Self {
+        let (r, z): (Vec<_>, Vec<_>) = (0..d.layout.station()).partition(|i| i % 2 == 0);
+        let (free, tied) = match d.make.ends {
+            Ends::Bonded => (vec![], z),
+            Ends::Sliding => (r, z),
+            Ends::Pole => (z, vec![]),
+        };
+        let size = free.len() + 1;
+        Self { free, tied, matrix: vec![0.0; size * size], y: vec![0.0; size] }
+    }
+
+    fn size(&self) -> usize {
+        self.free.len() + 1
+    }
+
+    /// Condenses the Schur complement of the last station; gives the number of negative pivots.
+    fn factorise(&mut self, end: &[f64], m: usize) -> Result<usize, usize> {
+        let at = |i: usize, j: usize| end[i.min(j) * m + i.max(j)];
+        let (n, size) = (self.free.len(), self.size());
+        for (i, &p) in self.free.iter().enumerate() {
+            for (j, &q) in self.free.iter().enumerate() {
+                self.matrix[i * size + j] = at(p, q);
+            }
+            self.matrix[i * size + n] = self.tied.iter().map(|&q| at(p, q)).sum();
+        }
+        self.matrix[n * size + n] =
+            self.tied.iter().flat_map(|&p| self.tied.iter().map(move |&q| at(p, q))).sum();
+        dense::eliminate(&mut self.matrix, size, n)
+    }
+
+    /// S = dF/dw.
+    fn stiffness(&self) -> f64 {
+        self.matrix[self.matrix.len() - 1]
+    }
+
+    /// The condensed right-hand side b of the terminal; keeps the rest for [`Self::backward`].
+    fn forward(&mut self, end: &[f64]) -> f64 {
+        let n = self.free.len();
+        for (i, &p) in self.free.iter().enumerate() {
+            self.y[i] = end[p];
+        }
+        self.y[n] = self.tied.iter().map(|&p| end[p]).sum();
+        dense::forward(&self.matrix, n + 1, n, &mut self.y);
+        self.y[n]
+    }
+
+    /// Writes the solution of the last station for a given dw.
+    fn backward(&mut self, end: &mut [f64], dw: f64) {
+        let n = self.free.len();
+        self.y[n] = dw;
+        dense::backward(&self.matrix, n + 1, n, &mut self.y);
+        end.fill(0.0);
+        for (i, &p) in self.free.iter().enumerate() {
+            end[p] = self.y[i];
+        }
+        for &p in &self.tied {
+            end[p] = dw;
+        }
+    }
+}
+
+/// A body with its memory, ready to be solved.
+#[derive(Debug, Clone)]
+pub struct Body {
+    /// What does not change.
+    pub discrete: Discrete,
+    /// The present iterate.
+    pub state: State,
+    /// What is held.
+    pub control: Control,
+    /// Sums of the last assembly.
+    pub totals: Totals,
+    work: Work,
+    end: EndSystem,
+    step: Vec<f64>,
+    step_q: Vec<f64>,
+    /// Last step of (terminal, pressure).
+    step_load: [f64; 2],
+    /// For sensitivities and pressure control.
+    second: Vec<f64>,
+}
+
+impl Body {
+    /// A body at rest.
+    pub fn new(discrete: Discrete) -> Self {
+        let state = State::rest(&discrete);
+        Self {
+            work: Work::new(&discrete),
+            end: EndSystem::new(&discrete),
+            step: vec![0.0; state.x.len()],
+            step_q: vec![0.0; state.q.len()],
+            step_load: [0.0; 2],
+            second: vec![0.0; state.x.len()],
+            control: Control::Length(0.0),
+            totals: Totals::default(),
+            state,
+            discrete,
+        }
+    }
+
+    fn station(&self) -> usize {
+        self.discrete.layout.station()
+    }
+
+    /// Residual of the present state, without a tangent.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
+        self.totals = assemble::<false>(&self.discrete, &self.state, &mut self.work)?;
+        Ok(self.totals)
+    }
+
+    /// Residual and factorised tangent of the present state.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn factorise(&mut self) -> Result<Totals, Stopped> {
+        self.totals = assemble::<true>(&self.discrete, &self.state, &mut self.work)?;
+        let (m, block) = (self.station(), self.discrete.layout.along);
+        self.end
+            .factorise(self.work.chain.end(), m)
+            .map_err(|pivot| Stopped::Singular(Singular { block, pivot }))?;
+        Ok(self.totals)
+    }
+
+    /// ∂Π/∂x as of the last assembly.
+    pub fn residual_vector(&self) -> &[f64] {
+        &self.work.residual
+    }
+
+    /// ∂V/∂x as of the last assembly.
+    pub fn volume_gradient(&self) -> &[f64] {
+        &self.work.volume
+    }
+
+    /// Number of negative eigenvalues of the tangent beyond those of the multipliers, with the terminal held:
+    /// zero for a stable equilibrium.
+    pub fn unstable_directions(&self) -> usize {
+        let l = self.discrete.layout;
+        let negative_end =
+            (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
+        let multipliers = l.inside() - l.station();
+        (self.work.chain.negative() + negative_end).saturating_sub(multipliers * l.along)
+    }
+
+    /// dF/dw of the last tangent: twice the stiffness ∂F/∂L, in N/mm.
+    pub fn terminal_stiffness(&self) -> f64 {
+        self.end.stiffness()
+    }
+
+    /// ∂F/∂P at fixed length in mm², of the last tangent: one forward substitution.
+    pub fn force_per_pressure(&mut self) -> f64 {
+        let mut rhs = std::mem::take(&mut self.second);
+        rhs.copy_from_slice(&self.work.volume);
+        let b = self.condense(&mut rhs);
+        self.second = rhs;
+        -b
+    }
+
+    /// ∂F at fixed length for a change of the residual: `change` = ∂(∂Π/∂x); its last station counts as a change of the
+    /// reaction. Overwrites `change`.
+    pub fn force_change(&mut self, change: &mut [f64]) -> f64 {
+        change.iter_mut().for_each(|x| *x = -*x);
+        -self.condense(change)
+    }
+
+    /// Solves with the last tangent and the terminal moved by `dw`; the right-hand side becomes the solution.
+    pub fn solve_linear(&mut self, rhs: &mut [f64], dw: f64) {
+        self.condense(rhs);
+        let last = self.discrete.layout.end();
+        self.end.backward(&mut rhs[last..], dw);
+        self.work.chain.backward(rhs);
+    }
+
+    /// Augments and forward-substitutes a right-hand side; gives what arrives at the terminal.
+    fn condense(&mut self, rhs: &mut [f64]) -> f64 {
+        self.augment(rhs);
+        for i in 0..self.discrete.layout.nodes() {
+            rhs[2 * i + 1] = 0.0;
+        }
+        self.work.chain.forward(rhs);
+        let last = self.discrete.layout.end();
+        self.end.forward(&rhs[last..])
+    }
+
+    /// The tangent is that of the augmented system; so must be the right-hand side.
+    fn augment(&self, rhs: &mut [f64]) {
+        let (d, l) = (&self.discrete, self.discrete.layout);
+        let beta = 1.0 - d.augment * d.compliance;
+        for slab in 0..l.along {
+            let start = slab * l.stride();
+            let stations = [start + l.station(), start, start + l.stride()];
+            for i in 0..l.through {
+                let index = slab * l.through + i;
+                let share = d.augment / d.elements[index].volume;
+                let at = l.pressure(slab, i);
+                for k in 0..MODES {
+                    let value = share * rhs[at + k];
+                    rhs[at + k] *= beta;
+                    let [br, bz] = [&self.work.coupling[index][0][k], &self.work.coupling[index][1][k]];
+                    for a in 0..NODES {
+                        let place = stations[a / 3] + 2 * (2 * i + a % 3);
+                        rhs[place] += value * br[a];
+                        rhs[place + 1] += value * bz[a];
+                    }
+                }
+            }
+            if l.multipliers {
+                for g in 0..STRAND_POINTS {
+                    let value = d.augment_strand * rhs[l.tension(slab) + g];
+                    let first = &self.work.strand[slab * STRAND_POINTS + g];
+                    for i in 0..6 {
+                        rhs[stations[i / 2] + 4 * l.through + i % 2] += value * first[i];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Relative residual of the last assembly together with what is held.
+    fn norm(&self) -> f64 {
+        let d = &self.discrete;
+        let scale = d.force_scale(self.state.pressure);
+        let last = d.layout.end();
+        let free = self.end.free.iter().map(|&i| self.work.residual[last + i].abs()).fold(0.0, f64::max);
+        let held = match self.control {
+            Control::Length(w) => (w - self.state.terminal).abs() / d.radius,
+            Control::Force(f) => (self.totals.pull - f).abs() / scale,
+            Control::Pressure { terminal, force } => {
+                (terminal - self.state.terminal).abs() / d.radius + (self.totals.pull - force).abs() / scale
+            }
+        };
+        self.totals.norm.max(free / scale).max(held)
+    }
+
+    /// Adds `share` of the last step.
+    fn add_step(&mut self, share: f64) {
+        for (x, dx) in self.state.x.iter_mut().zip(&self.step) {
+            *x += share * dx;
+        }
+        for (q, dq) in self.state.q.iter_mut().zip(&self.step_q) {
+            *q += share * dq;
+        }
+        self.state.terminal += share * self.step_load[0];
+        self.state.pressure += share * self.step_load[1];
+    }
+
+    /// q := k (c + ∂λf/∂u du) at every strand point, with the derivatives of the last tangent.
+    fn extrapolate_tensions(&mut self) {
+        let (d, l) = (&self.discrete, self.discrete.layout);
+        let Some(k) = d.make.braid.and_then(|b| b.stiffness) else { return };
+        for (slab, points) in d.strands.iter().enumerate() {
+            let u = self.state.line(&l, slab, 2 * l.through);
+            let start = slab * l.stride();
+            let stations = [start + l.station(), start, start + l.stride()];
+            for (g, point) in points.iter().enumerate() {
+                let index = slab * STRAND_POINTS + g;
+                let first = &self.work.strand[index];
+                let change: f64 =
+                    (0..6).map(|i| first[i] * self.step[stations[i / 2] + 4 * l.through + i % 2]).sum();
+                let q = k * (point.stretch(&u).value - 1.0 + change);
+                self.step_q[index] = q - self.state.q[index];
+            }
+        }
+    }
+}
+
+impl NewtonSystem for Body {
+    fn residual(&mut self) -> Result<f64, Stopped> {
+        self.evaluate()?;
+        Ok(self.norm())
+    }
+
+    fn linearise(&mut self) -> Result<f64, Stopped> {
+        self.factorise()?;
+        Ok(self.norm())
+    }
+
+    fn correct(&mut self) -> Result<f64, Stopped> {
+        let mut rhs = std::mem::take(&mut self.step);
+        for (x, r) in rhs.iter_mut().zip(&self.work.residual) {
+            *x = -r;
+        }
+        let b = self.condense(&mut rhs);
+        let s = self.end.stiffness();
+        let mut dp = 0.0;
+        let dw = match self.control {
+            Control::Length(w) => w - self.state.terminal,
+            Control::Force(f) => (f + b) / s,
+            Control::Pressure { terminal, force } => {
+                let dw = terminal - self.state.terminal;
+                let mut second = std::mem::take(&mut self.second);
+                second.copy_from_slice(&self.work.volume);
+                let v = self.condense(&mut second);
+                dp = (s * dw - b - force) / v;
+                for (x, y) in rhs.iter_mut().zip(&second) {
+                    *x += dp * y;
+                }
+                self.second = second;
+                dw
+            }
+        };
+        let last = self.discrete.layout.end();
+        // With the right-hand side complete, the last station once more.
+        self.end.forward(&rhs[last..]);
+        self.end.backward(&mut rhs[last..], dw);
+        self.work.chain.backward(&mut rhs);
+        self.step = rhs;
+        self.step_load = [dw, dp];
+        self.extrapolate_tensions();
+        self.add_step(1.0);
+        let l = self.discrete.layout;
+        let m = l.station();
+        let largest = (0..l.along)
+            .flat_map(|slab| &self.step[slab * l.stride()..][..2 * m])
+            .fold(0.0_f64, |a, x| a.max(x.abs()));
+        let size = largest / self.discrete.radius;
+        if size.is_finite() && dw.is_finite() && dp.is_finite() {
+            Ok(size)
+        } else {
+            Err(Stopped::Diverged { correction: f64::INFINITY })
+        }
+    }
+
+    fn retreat(&mut self, keep: f64) {
+        self.add_step(keep - 1.0);
+        for x in self.step.iter_mut().chain(&mut self.step_q).chain(&mut self.step_load) {
+            *x *= keep;
+        }
+    }
+}

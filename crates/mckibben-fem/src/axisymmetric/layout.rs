@@ -1,0 +1,66 @@
+//! Where unknowns stand.
+
+use crate::element::q2::MODES;
+use crate::element::strand::STRAND_POINTS;
+
+/// A tube of `through` elements through the wall and `along` elements along the half length.
+///
+/// Unknowns are laid out [station 0 | inside 0 | station 1 | …]: a station holds (u_r, u_z) of its 2·through + 1 nodes
+/// from the bore outwards; the inside of a slab holds its middle station, the pressure modes of its elements and, for
+/// strands that do not stretch, their tensions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    /// Elements through the wall.
+    pub through: usize,
+    /// Elements along the half length.
+    pub along: usize,
+    /// Whether strand tensions are unknowns.
+    pub multipliers: bool,
+}
+
+impl Layout {
+    /// Nodes of a station.
+    pub fn nodes(&self) -> usize {
+        2 * self.through + 1
+    }
+
+    /// Unknowns of a station.
+    pub fn station(&self) -> usize {
+        2 * self.nodes()
+    }
+
+    /// Unknowns inside of a slab.
+    pub fn inside(&self) -> usize {
+        self.station() + MODES * self.through + if self.multipliers { STRAND_POINTS } else { 0 }
+    }
+
+    /// Distance from one slab to the next.
+    pub fn stride(&self) -> usize {
+        self.station() + self.inside()
+    }
+
+    /// All unknowns, prescribed ones included.
+    pub fn unknowns(&self) -> usize {
+        self.along * self.stride() + self.station()
+    }
+
+    /// Offset of station `j` = 0 … 2·along.
+    pub fn at(&self, j: usize) -> usize {
+        (j / 2) * self.stride() + (j % 2) * self.station()
+    }
+
+    /// Offset of the last station.
+    pub fn end(&self) -> usize {
+        self.along * self.stride()
+    }
+
+    /// Offset of the pressure modes of an element.
+    pub fn pressure(&self, slab: usize, element: usize) -> usize {
+        slab * self.stride() + 2 * self.station() + MODES * element
+    }
+
+    /// Offset of the strand tensions of a slab, where they are unknowns.
+    pub fn tension(&self, slab: usize) -> usize {
+        self.pressure(slab, self.through)
+    }
+}

@@ -1,0 +1,98 @@
+//! Meshes of the section (R, Z) of a tube.
+
+use super::error::FemError;
+use super::layout::Layout;
+
+/// How a tube is divided; what is `None` the program chooses.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MeshSpec {
+    /// Elements through the wall.
+    pub through: Option<usize>,
+    /// Elements along the half length.
+    pub along: Option<usize>,
+    /// Exponent g of the places Z = (L0/2)(1 − (1−t)^g) of the stations: 1 is uniform, larger is finer at the terminal.
+    pub grading: Option<f64>,
+}
+
+/// Most elements along and through that are accepted.
+pub const MOST_ELEMENTS: usize = 4096;
+
+impl MeshSpec {
+    /// Fills in what is not said, for a tube of outer radius, wall and half length in mm.
+    ///
+    /// # Errors
+    /// [`FemError::Mesh`] where numbers make no mesh.
+    pub fn resolve(&self, outer: f64, wall: f64, half: f64) -> Result<(usize, usize, f64), FemError> {
+        let chosen = default_mesh(outer, wall, half);
+        let through = self.through.unwrap_or(chosen.0);
+        let along = self.along.unwrap_or(chosen.1);
+        let grading = self.grading.unwrap_or(chosen.2);
+        for (name, value) in [("through", through), ("along", along)] {
+            if value == 0 || value > MOST_ELEMENTS {
+                return Err(FemError::Mesh { name, value: value as f64 });
+            }
+        }
+        if !(0.5..=8.0).contains(&grading) {
+            return Err(FemError::Mesh { name: "grading", value: grading });
+        }
+        Ok((through, along, grading))
+    }
+}
+
+/// The mesh the program chooses: (through, along, grading).
+///
+/// One element through the wall up to s/Ro = 0.4. Along the half length six for the paper's muscles (L0/D0 5.7–9.5; error
+/// at most 0.009 % of the blocked force there) and one more for every 5 diameters beyond ten.
+fn default_mesh(outer: f64, wall: f64, half: f64) -> (usize, usize, f64) {
+    let thickness = wall / outer;
+    let through = if thickness <= 0.4 { 1 } else { 1 + (thickness * 3.0) as usize };
+    let beyond = (half / outer - 10.0).max(0.0) / 5.0;
+    (through, 6 + (beyond.ceil() as usize).min(MOST_ELEMENTS - 6), 2.0)
+}
+
+/// Nodes of a mesh, station by station along the muscle, each from the bore outwards.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// Elements through the wall.
+    pub through: usize,
+    /// Elements along the half length.
+    pub along: usize,
+    /// (R, Z) of the (2·through + 1)(2·along + 1) nodes in mm.
+    pub nodes: Vec<[f64; 2]>,
+}
+
+impl Mesh {
+    /// Maps the unit square of (through, along) to the section.
+    pub fn mapped(through: usize, along: usize, place: impl Fn(f64, f64) -> [f64; 2]) -> Self {
+        let mut nodes = Vec::with_capacity((2 * through + 1) * (2 * along + 1));
+        for j in 0..=2 * along {
+            for i in 0..=2 * through {
+                nodes.push(place(i as f64 / (2 * through) as f64, j as f64 / (2 * along) as f64));
+            }
+        }
+        Self { through, along, nodes }
+    }
+
+    /// A tube between radii `inner` and `outer`, of half length `half` in mm; middle nodes stand in the middle of their
+    /// elements.
+    pub fn tube(inner: f64, outer: f64, half: f64, division: (usize, usize, f64)) -> Self {
+        let (through, along, grading) = division;
+        let corner = |e: f64| half * (1.0 - (1.0 - e / along as f64).max(0.0).powf(grading));
+        Self::mapped(through, along, |x, y| {
+            let e = y * along as f64;
+            let below = e.floor();
+            let z = if e > below { 0.5 * (corner(below) + corner(below + 1.0)) } else { corner(e) };
+            [inner + (outer - inner) * x, z]
+        })
+    }
+
+    /// Where its unknowns stand.
+    pub fn layout(&self, multipliers: bool) -> Layout {
+        Layout { through: self.through, along: self.along, multipliers }
+    }
+
+    /// Node `i` of station `j`.
+    pub fn node(&self, i: usize, j: usize) -> [f64; 2] {
+        self.nodes[j * (2 * self.through + 1) + i]
+    }
+}

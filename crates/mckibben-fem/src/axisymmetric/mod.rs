@@ -1,0 +1,23 @@
+//! The axisymmetric muscle.
+
+pub mod assembly;
+mod curves;
+pub mod discrete;
+mod engine;
+pub mod equilibrium;
+mod error;
+pub mod layout;
+pub mod mesh;
+mod model;
+pub mod path;
+mod results;
+mod sensitivity;
+pub mod sweep;
+
+pub use curves::{Curve, CurvePoint};
+pub use engine::{Along, Engine};
+pub use error::{FemError, LastConverged};
+pub use mesh::{Mesh, MeshSpec};
+pub use model::Axisymmetric;
+pub use results::{Energies, ProfilePoint, Solution, StrandState, StretchAt};
+pub use sensitivity::Sensitivity;

@@ -1,0 +1,198 @@
+//! The axisymmetric muscle as a force model.
+
+use super::engine::Engine;
+use super::equilibrium::Control;
+use super::error::FemError;
+use super::mesh::MeshSpec;
+use super::results::Solution;
+use crate::solver::newton::{Effort, Stopped};
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use mckibben::muscle::Muscle;
+use std::cell::RefCell;
+
+/// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families bonded to the outer
+/// surface, rigid terminals, pressure as −P·V.
+///
+/// Keeps the last equilibria, so that neighbouring questions are cheap; may be sent to another thread, not shared.
+#[derive(Debug, Clone)]
+pub struct Axisymmetric {
+    muscle: Muscle,
+    engine: RefCell<Engine>,
+}
+
+impl Axisymmetric {
+    /// The model of a muscle with a mesh of the program's choice.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none.
+    pub fn new(muscle: &Muscle) -> Result<Self, FemError> {
+        Self::with_mesh(muscle, &MeshSpec::default())
+    }
+
+    /// The model of a muscle with a mesh that is said.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none.
+    pub fn with_mesh(muscle: &Muscle, mesh: &MeshSpec) -> Result<Self, FemError> {
+        let engine = RefCell::new(Engine::new(muscle, mesh)?);
+        Ok(Self { muscle: muscle.clone(), engine })
+    }
+
+    /// Runs something with the elements.
+    pub(crate) fn engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
+        work(&mut self.engine.borrow_mut())
+    }
+
+    /// Newton iterations, factorisations and residuals since it was made.
+    pub fn effort(&self) -> Effort {
+        self.engine(|e| e.walker.effort)
+    }
+
+    /// Forgets every equilibrium: the next question starts from rest.
+    pub fn forget(&self) {
+        self.engine(Engine::forget);
+    }
+
+    /// Everything known at a pressure in MPa and a contraction.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn solve(&self, pressure_mpa: f64, contraction: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            e.reach(pressure_mpa, contraction)?;
+            Solution::of(&mut e.walker.body, &self.muscle)
+        })
+    }
+
+    /// The equilibrium with a given pull in N at a pressure in MPa; its contraction is sought.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn at_force(&self, force_n: f64, pressure_mpa: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            self.reach_force(e, force_n, pressure_mpa)?;
+            Solution::of(&mut e.walker.body, &self.muscle)
+        })
+    }
+
+    /// Goes to the equilibrium with a given pull and pressure.
+    pub(crate) fn reach_force(&self, e: &mut Engine, force: f64, pressure: f64) -> Result<(), FemError> {
+        let highest = 1.2 * self.muscle.max_ideal_contraction();
+        let guess = e.guessed_contraction(force, pressure, highest).unwrap_or(0.0);
+        // The ends take a share of the endless muscle's contraction.
+        let mut contraction = 0.85 * guess;
+        let length = 2.0 * e.half_length();
+        close_in(e, force, |e| {
+            e.reach(pressure, contraction)?;
+            let (pull, stiffness) = (e.walker.body.totals.pull, 0.5 * e.tangent_stiffness()?);
+            // dF/dε = −L0 ∂F/∂L; a step of at most a twentieth of the length.
+            let step = (pull - force) / (length * stiffness.max(1e-3 * pull.abs() / length));
+            contraction += step.clamp(-0.05, 0.05);
+            Ok(Control::Force(force))
+        })
+    }
+
+    /// The equilibrium with a given pull in N at a contraction; its pressure is sought. P′ is the one without a pull.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn at_pressure_for(&self, force_n: f64, contraction: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            self.reach_pressure(e, force_n, contraction)?;
+            Solution::of(&mut e.walker.body, &self.muscle)
+        })
+    }
+
+    fn reach_pressure(&self, e: &mut Engine, force: f64, contraction: f64) -> Result<(), FemError> {
+        let ideal = mckibben::model::Ideal::new(&self.muscle).pull(1.0, contraction).max(1.0);
+        let start = e.pulling_pressure(contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
+        let scale = 1e-3 * e.walker.body.discrete.shear;
+        let mut pressure = 1.4 * start + scale;
+        let terminal = -contraction * e.half_length();
+        close_in(e, force, |e| {
+            e.reach(pressure, contraction)?;
+            let (pull, slope) = (e.walker.body.totals.pull, e.tangent_per_pressure()?);
+            let step = (force - pull) / slope;
+            let largest = 0.5 * pressure.abs() + scale;
+            pressure += if slope > 0.0 { step.clamp(-largest, largest) } else { largest };
+            Ok(Control::Pressure { terminal, force })
+        })
+    }
+}
+
+/// Steps towards a pull by single equilibria until Newton's method with the pull held takes over.
+fn close_in(
+    e: &mut Engine,
+    force: f64,
+    mut step: impl FnMut(&mut Engine) -> Result<Control, FemError>,
+) -> Result<(), FemError> {
+    const STEPS: usize = 12;
+    let mut reason = Stopped::Iterations { iterations: STEPS, residual: f64::INFINITY };
+    for _ in 0..STEPS {
+        let control = step(e)?;
+        match e.walker.solve(control) {
+            Ok(_) if e.stable() => {
+                e.keep();
+                return Ok(());
+            }
+            Ok(_) => {}
+            Err(stop) => reason = stop,
+        }
+    }
+    Err(FemError::Force { force_n: force, reason })
+}
+
+impl ForceModel for Axisymmetric {
+    fn name(&self) -> &str {
+        "fe"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "axisymmetric finite elements (Q2/P−1, two strand families bonded to the outer surface, rigid terminals)"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::share(
+            0.0005,
+            "discretisation alone, against meshes four times as fine over the paper's range; how well the muscle is described is another matter",
+        )
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        self.engine(|e| {
+            e.reach(pressure_mpa, contraction)?;
+            Solution::response(&mut e.walker.body, &self.muscle)
+        })
+        .map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+    }
+
+    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        self.engine(|e| e.reach(pressure_mpa, contraction).map(|()| e.walker.body.totals.pull))
+            .map_err(|e| e.into_model(pressure_mpa, contraction))
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        self.engine(|e| self.reach_pressure(e, force_n, contraction).map(|()| e.walker.body.state.pressure))
+            .ok()
+            .filter(|p| *p >= 0.0)
+            .map(Ok)
+    }
+
+    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+        self.engine(|e| {
+            self.reach_force(e, force_n, pressure_mpa)
+                .map(|()| -e.walker.body.state.terminal / e.half_length())
+        })
+        .ok()
+        .filter(|e| *e >= 0.0)
+        .map(Ok)
+    }
+}

@@ -1,0 +1,180 @@
+//! Ways through the plane of pressure and length.
+//!
+//! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is followed by one twice
+//! as large; from the second step on the last two states extrapolate the next. From rest, the tensions that carry the
+//! pressure are guessed from the ideal muscle, q = P Ro/(2 sin²θ0) and p = −P: without them the first tangent would lack
+//! the very stiffness that holds the tube.
+
+use super::discrete::{BraidSpec, Discrete, State};
+use super::equilibrium::{Body, Control};
+use super::error::LastConverged;
+use crate::element::q2::MODES;
+use crate::solver::newton::{self, Effort, NewtonOptions, Stopped};
+
+/// Settings of a path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathOptions {
+    /// Settings of every solve.
+    pub newton: NewtonOptions,
+    /// Smallest share of a leg that is tried.
+    pub smallest_step: f64,
+    /// Newton iterations after which a question is given up.
+    pub budget: usize,
+}
+
+impl Default for PathOptions {
+    fn default() -> Self {
+        let newton = NewtonOptions { iterations: 14, ..NewtonOptions::default() };
+        Self { newton, smallest_step: 1.0 / 512.0, budget: 250 }
+    }
+}
+
+/// A body that walks from equilibrium to equilibrium.
+#[derive(Debug, Clone)]
+pub struct Walker {
+    /// The body; its state is an equilibrium whenever a method has returned `Ok`.
+    pub body: Body,
+    /// Settings.
+    pub options: PathOptions,
+    /// Cost so far.
+    pub effort: Effort,
+    base: State,
+    before: State,
+}
+
+/// Why a walk ended, and the last equilibrium on it.
+pub type Halt = (Stopped, LastConverged);
+
+impl Walker {
+    /// A body at rest.
+    pub fn new(discrete: Discrete) -> Self {
+        let rest = State::rest(&discrete);
+        Self {
+            body: Body::new(discrete),
+            options: PathOptions::default(),
+            effort: Effort::default(),
+            base: rest.clone(),
+            before: rest,
+        }
+    }
+
+    /// Back to the body at rest.
+    pub fn reset(&mut self) {
+        let state = &mut self.body.state;
+        state.x.fill(0.0);
+        state.q.fill(0.0);
+        (state.pressure, state.terminal) = (0.0, 0.0);
+    }
+
+    /// Takes over a state that is an equilibrium.
+    pub fn start_from(&mut self, state: &State) {
+        self.body.state.copy_from(state);
+    }
+
+    /// One Newton solve from the present iterate under `control`.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn solve(&mut self, control: Control) -> Result<Effort, Stopped> {
+        self.body.control = control;
+        let result = newton::solve(&mut self.body, &self.options.newton, |_| ());
+        match &result {
+            Ok(effort) => self.effort.add(*effort),
+            Err(_) => {
+                self.effort.iterations += self.options.newton.iterations / 2;
+                self.effort.factorisations += self.options.newton.iterations / 2;
+            }
+        }
+        result
+    }
+
+    fn last(&self, state: &State, pull: f64, smallest_j: f64) -> LastConverged {
+        LastConverged {
+            pressure_mpa: state.pressure,
+            contraction: -state.terminal / self.body.discrete.half_length(),
+            force_n: pull,
+            smallest_j,
+        }
+    }
+
+    /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal in mm.
+    ///
+    /// # Errors
+    /// [`Halt`]; the body then is back at the last equilibrium.
+    pub fn walk(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
+        self.base.copy_from(&self.body.state);
+        let (p0, w0) = (self.base.pressure, self.base.terminal);
+        let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.x.iter().all(|x| *x == 0.0);
+        let spent = self.effort.iterations;
+        let (mut done, mut step, mut step_before) = (0.0_f64, 1.0_f64, 0.0_f64);
+        let (mut pull, mut smallest) = (0.0, 1.0);
+        loop {
+            let next = (done + step).min(1.0);
+            let p = p0 + next * (pressure - p0);
+            let w = w0 + next * (terminal - w0);
+            self.body.state.copy_from(&self.base);
+            self.body.state.pressure = p;
+            if done > 0.0 {
+                self.extrapolate((next - done) / step_before);
+            } else if at_rest {
+                guess(&self.body.discrete, &mut self.body.state);
+            }
+            match self.solve(Control::Length(w)) {
+                Ok(_) => {
+                    (pull, smallest) = (self.body.totals.pull, self.body.totals.smallest_j);
+                    if next >= 1.0 {
+                        return Ok(());
+                    }
+                    self.before.copy_from(&self.base);
+                    self.base.copy_from(&self.body.state);
+                    step_before = next - done;
+                    done = next;
+                    step = 2.0 * step_before;
+                }
+                Err(stop) => {
+                    step = 0.5 * (next - done);
+                    let broke = self.effort.iterations - spent > self.options.budget;
+                    if step < self.options.smallest_step || broke {
+                        let base = std::mem::replace(&mut self.base, self.before.clone());
+                        self.body.state.copy_from(&base);
+                        let last = self.last(&base, pull, smallest);
+                        self.base = base;
+                        return Err((stop, last));
+                    }
+                }
+            }
+        }
+    }
+
+    /// x := x + ratio (x − x before), of everything but pressure and length.
+    fn extrapolate(&mut self, ratio: f64) {
+        let state = &mut self.body.state;
+        for ((x, a), b) in state.x.iter_mut().zip(&self.base.x).zip(&self.before.x) {
+            *x = a + ratio * (a - b);
+        }
+        for ((x, a), b) in state.q.iter_mut().zip(&self.base.q).zip(&self.before.q) {
+            *x = a + ratio * (a - b);
+        }
+        // The terminal's own unknowns must fit what the state says of it.
+        state.terminal = self.base.terminal + ratio * (self.base.terminal - self.before.terminal);
+    }
+}
+
+/// Tensions and pressures of the ideal muscle at rest.
+fn guess(d: &Discrete, state: &mut State) {
+    let Some(BraidSpec { angle_rad, .. }) = d.make.braid else { return };
+    let sin = angle_rad.sin();
+    let q = state.pressure * d.radius / (2.0 * sin * sin);
+    state.q.fill(q);
+    let l = d.layout;
+    for slab in 0..l.along {
+        for i in 0..l.through {
+            state.x[l.pressure(slab, i)] = -state.pressure;
+        }
+        if l.multipliers {
+            let at = l.tension(slab);
+            state.x[at..at + 2].fill(q);
+        }
+    }
+    let _ = MODES;
+}

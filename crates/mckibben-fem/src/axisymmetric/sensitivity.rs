@@ -1,0 +1,160 @@
+//! How the pull answers to the muscle's constants and measures, at fixed pressure and contraction.
+//!
+//! With x the unknowns and R(x, θ) = ∂Π/∂x, equilibrium gives dx/dθ = −K⁻¹ ∂R/∂θ, and dF/dθ = ∂F/∂θ + ∂F/∂x dx/dθ is
+//! what arrives at the terminal when ∂R/∂θ is forward-substituted with the factorised tangent: one substitution each.
+//! ∂R/∂θ itself comes from fourth-order central differences of the residual at the fixed state; it is exact but for
+//! rounding in constants that enter linearly.
+
+use super::assembly::{Work, assemble};
+use super::discrete::{BraidSpec, Discrete, Make, State};
+use super::equilibrium::Body;
+use super::error::FemError;
+use super::mesh::Mesh;
+use mckibben::muscle::Muscle;
+use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, RubberLaw, Yeoh};
+
+/// ∂F of one constant or measure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// Key as in the muscle file: `tube.material.c10`, `tube.outer_diameter`, `braid.stiffness`, …
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Its unit.
+    pub unit: &'static str,
+    /// ∂F in N per that unit, all others (k among them) held.
+    pub force_n_per_unit: f64,
+}
+
+/// A law with its constant number `index` changed by `factor`·value + `shift`.
+fn changed(law: &Law, index: usize, change: f64) -> Law {
+    let add = |i: usize, x: f64| if i == index { x + change } else { x };
+    match law {
+        Law::MooneyRivlin(l) => {
+            Law::MooneyRivlin(MooneyRivlin { c10_mpa: add(0, l.c10_mpa), c01_mpa: add(1, l.c01_mpa) })
+        }
+        Law::NeoHookean(l) => Law::NeoHookean(NeoHookean { mu_mpa: add(0, l.mu_mpa) }),
+        Law::Yeoh(l) => Law::Yeoh(Yeoh {
+            c10_mpa: add(0, l.c10_mpa),
+            c20_mpa: add(1, l.c20_mpa),
+            c30_mpa: add(2, l.c30_mpa),
+        }),
+        Law::Gent(l) => Law::Gent(Gent { mu_mpa: add(0, l.mu_mpa), jm: add(1, l.jm) }),
+        Law::Ogden(l) => {
+            let mut l = l.clone();
+            for (i, (mu, alpha)) in l.terms.iter_mut().enumerate() {
+                *mu = add(2 * i, *mu);
+                *alpha = add(2 * i + 1, *alpha);
+            }
+            Law::Ogden(l)
+        }
+    }
+}
+
+/// The measures of a muscle that are varied.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Measures {
+    outer_diameter: f64,
+    wall: f64,
+    length: f64,
+    angle_deg: f64,
+    stiffness: Option<f64>,
+}
+
+/// The body with other measures; the mesh keeps its proportions.
+fn rebuilt(d: &Discrete, law: Law, from: &Measures, to: &Measures) -> Result<Discrete, FemError> {
+    let mut mesh: Mesh = d.mesh.clone();
+    let (outer, stretch) = (0.5 * to.outer_diameter, to.length / from.length);
+    let inner = outer - to.wall;
+    for node in &mut mesh.nodes {
+        let share = (node[0] - (0.5 * from.outer_diameter - from.wall)) / from.wall;
+        *node = [inner + share * (outer - inner), node[1] * stretch];
+    }
+    let braid = d.make.braid.map(|b| BraidSpec {
+        angle_rad: to.angle_deg.to_radians(),
+        stiffness: to.stiffness,
+        ..b
+    });
+    let mut out = Discrete::new(mesh, Make { law, braid, ..d.make.clone() })?;
+    // The scale of the multipliers' equations must not change with the law.
+    (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
+    Ok(out)
+}
+
+/// Steps of the fourth-order difference: (step, weight).
+const STENCIL: [(f64, f64); 4] =
+    [(-2.0, 1.0 / 12.0), (-1.0, -8.0 / 12.0), (1.0, 8.0 / 12.0), (2.0, -1.0 / 12.0)];
+const STEP: f64 = 1e-3;
+
+/// All sensitivities at the body's equilibrium, whose tangent must stand factorised.
+///
+/// # Errors
+/// [`FemError`] where a neighbouring muscle cannot be assembled.
+pub fn all(body: &mut Body, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+    let d = body.discrete.clone();
+    let state = body.state.clone();
+    let law = d.make.law.clone();
+    let here = Measures {
+        outer_diameter: muscle.outer_diameter_mm(),
+        wall: muscle.wall_mm(),
+        length: muscle.length_mm(),
+        angle_deg: muscle.braid().angle_deg,
+        stiffness: muscle.family_stiffness_n_per_mm(),
+    };
+    let mut out = Vec::new();
+    let mut add = |name: String, value: f64, unit: &'static str, make: &dyn Fn(f64) -> (Law, Measures)| {
+        let step = STEP * if value == 0.0 { d.shear } else { value.abs() };
+        let mut change = vec![0.0; state.x.len()];
+        for (k, weight) in STENCIL {
+            let (law, to) = make(k * step);
+            let residual = residual(&d, &state, law, &here, &to)?;
+            for (c, r) in change.iter_mut().zip(&residual) {
+                *c += weight * r / step;
+            }
+        }
+        out.push(Sensitivity { name, value, unit, force_n_per_unit: body.force_change(&mut change) });
+        Ok::<(), FemError>(())
+    };
+    for (index, (name, value, unit)) in law.constants().into_iter().enumerate() {
+        add(format!("tube.material.{name}"), value, unit, &|h| (changed(&law, index, h), here))?;
+    }
+    let same = |to: Measures| (law.clone(), to);
+    if let Some(k) = here.stiffness {
+        let make = |h: f64| same(Measures { stiffness: Some(k + h), ..here });
+        add("braid.stiffness".into(), k, "N/mm", &make)?;
+    }
+    let make = |h: f64| same(Measures { outer_diameter: here.outer_diameter + h, ..here });
+    add("tube.outer_diameter".into(), here.outer_diameter, "mm", &make)?;
+    let make = |h: f64| same(Measures { wall: here.wall + h, ..here });
+    add("tube.wall_thickness".into(), here.wall, "mm", &make)?;
+    let make = |h: f64| same(Measures { length: here.length + h, ..here });
+    add("tube.length".into(), here.length, "mm", &make)?;
+    let make = |h: f64| same(Measures { angle_deg: here.angle_deg + h, ..here });
+    add("braid.angle".into(), here.angle_deg, "deg", &make)?;
+    Ok(out)
+}
+
+/// The residual of a neighbouring muscle at the same unknowns and the same contraction.
+fn residual(
+    d: &Discrete,
+    state: &State,
+    law: Law,
+    from: &Measures,
+    to: &Measures,
+) -> Result<Vec<f64>, FemError> {
+    let other = rebuilt(d, law, from, to)?;
+    let mut state = state.clone();
+    // At fixed ε the terminal moves with L0. All axial displacements go with it: what is added to free unknowns does
+    // not change what arrives at the terminal, and the terminal's move alone would be too rough for differences.
+    let ratio = to.length / from.length;
+    for j in 0..=2 * d.layout.along {
+        let at = d.layout.at(j);
+        for i in 0..d.layout.nodes() {
+            state.x[at + 2 * i + 1] *= ratio;
+        }
+    }
+    let mut work = Work::new(&other);
+    assemble::<false>(&other, &state, &mut work)
+        .map_err(|reason| FemError::Force { force_n: f64::NAN, reason })?;
+    Ok(work.residual)
+}

@@ -1,0 +1,174 @@
+//! A seeded sweep of random muscles: what share of the questions that have an answer is answered.
+
+use super::model::Axisymmetric;
+use mckibben::model::{ForceModel, ThickWall};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
+
+/// SplitMix64 (Steele, Lea & Flood 2014): the same muscles everywhere.
+#[derive(Debug, Clone)]
+struct Random(u64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    fn log(&mut self, low: f64, high: f64) -> f64 {
+        (self.between(low.ln(), high.ln())).exp()
+    }
+}
+
+/// A question of the sweep.
+#[derive(Debug, Clone)]
+pub struct SweepCase {
+    /// The muscle.
+    pub muscle: Muscle,
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction.
+    pub contraction: f64,
+}
+
+/// What became of a question.
+#[derive(Debug, Clone)]
+pub struct SweepRow {
+    /// The question.
+    pub case: SweepCase,
+    /// Whether the endless muscle pulls with a strand strain under 5 %: then there must be an answer.
+    pub required: bool,
+    /// Pull of the endless muscle in N, where it has one.
+    pub endless_n: Option<f64>,
+    /// The pull in N, or why there is none.
+    pub answer: Result<f64, String>,
+    /// Whether the equilibrium is stable with the terminals held.
+    pub stable: bool,
+    /// Newton iterations spent.
+    pub iterations: usize,
+    /// Seconds spent.
+    pub seconds: f64,
+}
+
+/// Result of a sweep.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// One row per muscle.
+    pub rows: Vec<SweepRow>,
+}
+
+impl Sweep {
+    /// (answered, asked) of the questions that must have an answer.
+    pub fn required(&self) -> (usize, usize) {
+        let asked = self.rows.iter().filter(|r| r.required);
+        (asked.clone().filter(|r| r.answer.is_ok()).count(), asked.count())
+    }
+
+    /// (answered, asked) of all other questions.
+    pub fn others(&self) -> (usize, usize) {
+        let asked = self.rows.iter().filter(|r| !r.required);
+        (asked.clone().filter(|r| r.answer.is_ok()).count(), asked.count())
+    }
+
+    /// Largest of the iterations.
+    pub fn most_iterations(&self) -> usize {
+        self.rows.iter().map(|r| r.iterations).max().unwrap_or(0)
+    }
+
+    /// Median seconds of the answered required questions.
+    pub fn median_seconds(&self) -> f64 {
+        let mut times: Vec<f64> =
+            self.rows.iter().filter(|r| r.required && r.answer.is_ok()).map(|r| r.seconds).collect();
+        times.sort_by(f64::total_cmp);
+        times.get(times.len() / 2).copied().unwrap_or(0.0)
+    }
+
+    /// Longest time of any question in seconds.
+    pub fn longest_seconds(&self) -> f64 {
+        self.rows.iter().map(|r| r.seconds).fold(0.0, f64::max)
+    }
+}
+
+/// The law number `kind` with a shear modulus at rest.
+fn law(kind: usize, mu: f64, random: &mut Random) -> Law {
+    match kind {
+        0 => {
+            let share = random.between(0.0, 0.3);
+            Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu * (1.0 - share), c01_mpa: 0.5 * mu * share })
+        }
+        1 => Law::NeoHookean(NeoHookean { mu_mpa: mu }),
+        2 => {
+            let c10 = 0.5 * mu;
+            Law::Yeoh(Yeoh { c10_mpa: c10, c20_mpa: -0.007 * c10, c30_mpa: 2e-4 * c10 })
+        }
+        3 => Law::Gent(Gent { mu_mpa: mu, jm: random.between(20.0, 80.0) }),
+        _ => {
+            // Ogden 1972, Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
+            let scale = mu / 0.414_319;
+            let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
+            Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * scale, a)).collect() })
+        }
+    }
+}
+
+/// Question number `index` of a seed.
+fn case(seed: u64, index: usize) -> Option<SweepCase> {
+    let mut r = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ (index as u64) << 20);
+    r.unit();
+    let outer_diameter_mm = r.log(5.0, 80.0);
+    let wall_mm = outer_diameter_mm * r.log(0.02, 0.20);
+    let length_mm = outer_diameter_mm * r.log(3.0, 25.0);
+    let angle_deg = r.log(15.0, 45.0);
+    let mu = r.log(0.05, 1.5);
+    let rubber = Rubber::of(law(index % 5, mu, &mut r));
+    let stiffness = if r.unit() < 0.2 {
+        BraidStiffness::Inextensible
+    } else {
+        BraidStiffness::NewtonPerMm(outer_diameter_mm * r.log(5.0, 100.0))
+    };
+    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber };
+    let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
+    let muscle = Muscle::new(tube, braid, Terminals::default(), None).ok()?;
+    let pressure_mpa = r.between(0.0, 0.8);
+    let contraction = r.between(0.0, 0.95) * muscle.max_ideal_contraction();
+    Some(SweepCase { muscle, pressure_mpa, contraction })
+}
+
+/// Asks one random question of each of `n` random muscles: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
+/// θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa,
+/// contraction up to 95 % of the ideal maximum.
+pub fn sweep(n: usize, seed: u64) -> Sweep {
+    Sweep { rows: (0..n).filter_map(|i| case(seed, i)).map(ask).collect() }
+}
+
+fn ask(case: SweepCase) -> SweepRow {
+    let endless = ThickWall::new(&case.muscle).response(case.pressure_mpa, case.contraction).ok();
+    let strain = endless.and_then(|r| {
+        let k = case.muscle.family_stiffness_n_per_mm();
+        let width = 2.0
+            * std::f64::consts::PI
+            * case.muscle.outer_diameter_mm()
+            * case.muscle.braid().angle_rad().cos();
+        r.braid_tension_n.map(|t| k.map_or(0.0, |k| t / (width * k)))
+    });
+    let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);
+    let start = std::time::Instant::now();
+    let (answer, stable, iterations) = match Axisymmetric::new(&case.muscle) {
+        Err(e) => (Err(e.to_string()), false, 0),
+        Ok(model) => {
+            let answer = model
+                .engine(|e| e.reach(case.pressure_mpa, case.contraction).map(|()| e.walker.body.totals.pull))
+                .map_err(|e| e.to_string());
+            (answer, model.engine(|e| e.stable()), model.effort().iterations)
+        }
+    };
+    let seconds = start.elapsed().as_secs_f64();
+    SweepRow { required, endless_n: endless.map(|r| r.force_n), answer, stable, iterations, seconds, case }
+}

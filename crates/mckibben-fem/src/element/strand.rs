@@ -1,0 +1,100 @@
+//! Two strand families ±θ0 on a line element of the tube's outer surface.
+//!
+//!   λf² = cos²θ0 λm² + sin²θ0 λθ²,   λm² = r'² + z'² (per length at rest),  λθ = r/R
+//!
+//! i.e. λf = |v| with v = (cosθ0 r', cosθ0 z', sinθ0 r/R), linear in the unknowns. Per family and area at rest the
+//! energy is ½k (λf − 1)², written with the tension q per width as a variable of its own:
+//!
+//!   Π_s = Σ_points 2 w [q c − q²/(2k)],   c = λf − 1,  w = 2πR dZ.
+//!
+//! For k → ∞ q is the Lagrange multiplier of λf = 1. Two Gauss points: as many conditions as a quadratic line can
+//! follow without locking. The tangent takes the curvature of λf with q as it was extrapolated by the last step, not
+//! with k c: Newton's method then takes far larger steps with stiff strands (Magisano, Leonetti & Garcea 2017).
+
+use super::q2::{GAUSS2, along};
+use std::f64::consts::PI;
+
+/// Integration points of a line element.
+pub const STRAND_POINTS: usize = 2;
+
+/// A point of the line at rest.
+#[derive(Debug, Clone, Copy)]
+pub struct StrandPoint {
+    /// cosθ0 dN/dZ, nodes in the order middle, left, right.
+    pub slope: [f64; 3],
+    /// sinθ0 N/R
+    pub hoop: [f64; 3],
+    /// Values at rest of the vector v: (0, cosθ0, sinθ0).
+    pub rest: [f64; 3],
+    /// 2πR dZ in mm².
+    pub area: f64,
+    /// Place Z at rest in mm.
+    pub place: f64,
+}
+
+/// λf at a point and its derivatives in the six unknowns (r, z of middle, left, right).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Stretch {
+    /// λf
+    pub value: f64,
+    /// ∂λf/∂u
+    pub first: [f64; 6],
+    /// v
+    pub vector: [f64; 3],
+}
+
+/// The points of a line element between Z = `left` and `right` at radius R in mm.
+pub fn points(left: f64, right: f64, radius: f64, angle_rad: f64) -> [StrandPoint; STRAND_POINTS] {
+    let half = 0.5 * (right - left);
+    let (sin, cos) = angle_rad.sin_cos();
+    GAUSS2.map(|(eta, weight)| {
+        let (n, d) = along(eta);
+        StrandPoint {
+            slope: d.map(|x| cos * x / half),
+            hoop: n.map(|x| sin * x / radius),
+            rest: [0.0, cos, sin],
+            area: 2.0 * PI * radius * half * weight,
+            place: 0.5 * (left + right) + eta * half,
+        }
+    })
+}
+
+impl StrandPoint {
+    /// λf for the displacements `u` = (r, z of middle, left, right).
+    #[inline(always)]
+    pub fn stretch(&self, u: &[f64; 6]) -> Stretch {
+        let mut v = self.rest;
+        for a in 0..3 {
+            v[0] += self.slope[a] * u[2 * a];
+            v[1] += self.slope[a] * u[2 * a + 1];
+            v[2] += self.hoop[a] * u[2 * a];
+        }
+        let value = (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).sqrt();
+        let e = v.map(|x| x / value);
+        let mut first = [0.0; 6];
+        for a in 0..3 {
+            first[2 * a] = e[0] * self.slope[a] + e[2] * self.hoop[a];
+            first[2 * a + 1] = e[1] * self.slope[a];
+        }
+        Stretch { value, first, vector: v }
+    }
+
+    /// ∂²λf/∂u_i∂u_j = (∂v/∂u_i·∂v/∂u_j − ∂λf/∂u_i ∂λf/∂u_j)/λf.
+    #[inline(always)]
+    pub fn curvature(&self, s: &Stretch, i: usize, j: usize) -> f64 {
+        let (a, b) = (i / 2, j / 2);
+        let mut product = 0.0;
+        if i % 2 == j % 2 {
+            product = self.slope[a] * self.slope[b];
+            if i.is_multiple_of(2) {
+                product += self.hoop[a] * self.hoop[b];
+            }
+        }
+        (product - s.first[i] * s.first[j]) / s.value
+    }
+
+    /// Angle of the strands to the axis now, in radians: tanθ = sinθ0 λθ/(cosθ0 λm).
+    pub fn angle_rad(&self, s: &Stretch) -> f64 {
+        s.vector[2].atan2(s.vector[0].hypot(s.vector[1]))
+    }
+}

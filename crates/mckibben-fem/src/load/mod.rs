@@ -1,0 +1,3 @@
+//! Loads that are potentials.
+
+pub mod cavity;

@@ -1,0 +1,80 @@
+//! Partial LDLᵀ of small dense symmetric matrices.
+
+/// Eliminates the first `eliminated` unknowns of a symmetric matrix of which the upper triangle is stored by rows.
+///
+/// Afterwards row k < `eliminated` holds the pivot d_k on the diagonal and l_ki = a_ki/d_k behind it; the rest holds the
+/// Schur complement. Gives the number of negative pivots, or the pivot that is zero or no number.
+///
+/// No pivots are exchanged: systems are ordered and augmented so that none need be.
+///
+/// # Errors
+/// The index of the pivot.
+pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        // SAFETY: the processor has just been asked for what the function needs.
+        return unsafe { wide(a, size, eliminated) };
+    }
+    sized(a, size, eliminated)
+}
+
+/// The same code compiled for four numbers at a time; no products are fused.
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn wide(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
+    sized(a, size, eliminated)
+}
+
+#[inline(always)]
+fn sized(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
+    match (size, eliminated) {
+        // One element through the wall, rows with and without strand multipliers.
+        (21, 15) => run(a, 21, 15),
+        (23, 17) => run(a, 23, 17),
+        _ => run(a, size, eliminated),
+    }
+}
+
+#[inline(always)]
+fn run(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
+    let mut negative = 0;
+    for k in 0..eliminated {
+        let (head, tail) = a.split_at_mut((k + 1) * size);
+        let row = &mut head[k * size..];
+        let pivot = row[k];
+        if !(pivot.abs() > f64::MIN_POSITIVE && pivot.is_finite()) {
+            return Err(k);
+        }
+        negative += usize::from(pivot < 0.0);
+        let inverse = 1.0 / pivot;
+        for (i, other) in (k + 1..size).zip(tail.chunks_exact_mut(size)) {
+            let factor = row[i] * inverse;
+            if factor != 0.0 {
+                for (x, y) in other[i..size].iter_mut().zip(&row[i..size]) {
+                    *x -= factor * y;
+                }
+            }
+        }
+        row[k + 1..size].iter_mut().for_each(|x| *x *= inverse);
+    }
+    Ok(negative)
+}
+
+/// First half of a solve with what [`eliminate`] left: y := L⁻¹ y, on the eliminated unknowns and what they act on.
+pub fn forward(a: &[f64], size: usize, eliminated: usize, y: &mut [f64]) {
+    for k in 0..eliminated {
+        let value = y[k];
+        for (x, l) in y[k + 1..size].iter_mut().zip(&a[k * size + k + 1..(k + 1) * size]) {
+            *x -= l * value;
+        }
+    }
+}
+
+/// Second half: the eliminated unknowns from those that were kept.
+pub fn backward(a: &[f64], size: usize, eliminated: usize, y: &mut [f64]) {
+    for k in (0..eliminated).rev() {
+        let row = &a[k * size..(k + 1) * size];
+        let sum: f64 = y[k + 1..size].iter().zip(&row[k + 1..]).map(|(x, l)| l * x).sum();
+        y[k] = y[k] / row[k] - sum;
+    }
+}

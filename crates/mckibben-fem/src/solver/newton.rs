@@ -1,0 +1,191 @@
+//! Newton's method with a tangent that may serve twice.
+//!
+//! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then looked at
+//! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
+
+use super::Singular;
+use thiserror::Error;
+
+/// A system of equations at its present iterate.
+pub trait NewtonSystem {
+    /// Size of the residual relative to what it is made of.
+    ///
+    /// # Errors
+    /// [`Stopped`] where the iterate is not admissible.
+    fn residual(&mut self) -> Result<f64, Stopped>;
+
+    /// The same, with the tangent factorised.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    fn linearise(&mut self) -> Result<f64, Stopped>;
+
+    /// Solves with the last tangent and moves on; gives the relative size of the correction.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    fn correct(&mut self) -> Result<f64, Stopped>;
+
+    /// Takes back a share of the last correction: `keep` = ½ leaves half of it, and so on from there.
+    fn retreat(&mut self, keep: f64);
+}
+
+/// Why an iterate is not admissible or the iteration ended without an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum Stopped {
+    /// An element is turned inside out.
+    #[error("element {element} is turned inside out (J = {smallest_j:.3e})")]
+    Inverted {
+        /// Which element.
+        element: usize,
+        /// Its smallest volume ratio.
+        smallest_j: f64,
+    },
+    /// A number that is not finite: a law beyond its limit.
+    #[error("the rubber law has no finite stress in element {element}")]
+    NotFinite {
+        /// Which element.
+        element: usize,
+    },
+    /// A singular tangent.
+    #[error(transparent)]
+    Singular(#[from] Singular),
+    /// Corrections that do not become smaller.
+    #[error("no convergence after {iterations} iterations, residual {residual:.3e}")]
+    Iterations {
+        /// Iterations done.
+        iterations: usize,
+        /// Last residual.
+        residual: f64,
+    },
+    /// Corrections beyond any sense.
+    #[error("the iteration ran away (correction of {correction:.3e} of the radius)")]
+    Diverged {
+        /// Size of the correction.
+        correction: f64,
+    },
+}
+
+/// Settings of [`solve`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NewtonOptions {
+    /// Largest relative residual of an answer.
+    pub tolerance: f64,
+    /// Most corrections.
+    pub iterations: usize,
+    /// Below this correction the residual is looked at before a new tangent is made.
+    pub small: f64,
+    /// Above this correction the iteration is given up.
+    pub large: f64,
+    /// A correction below this is rounding: the residual may then stand at `rounding_residual`.
+    pub rounding: f64,
+    /// See `rounding`.
+    pub rounding_residual: f64,
+}
+
+impl Default for NewtonOptions {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-10,
+            iterations: 20,
+            small: 2e-3,
+            large: 50.0,
+            rounding: 1e-11,
+            rounding_residual: 1e-8,
+        }
+    }
+}
+
+/// What a solve cost.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Effort {
+    /// Corrections.
+    pub iterations: usize,
+    /// Tangents assembled and factorised.
+    pub factorisations: usize,
+    /// Residuals assembled without a tangent.
+    pub residuals: usize,
+    /// Last relative residual.
+    pub residual: f64,
+}
+
+impl Effort {
+    /// Adds the cost of another solve.
+    pub fn add(&mut self, other: Effort) {
+        self.iterations += other.iterations;
+        self.factorisations += other.factorisations;
+        self.residuals += other.residuals;
+        self.residual = other.residual;
+    }
+}
+
+const RETREATS: usize = 6;
+
+/// Runs Newton's method until the residual is below the tolerance. `watch` sees every residual.
+///
+/// # Errors
+/// [`Stopped`]; the system then holds an iterate that is no answer.
+pub fn solve<S: NewtonSystem>(
+    system: &mut S,
+    options: &NewtonOptions,
+    mut watch: impl FnMut(f64),
+) -> Result<Effort, Stopped> {
+    let mut effort = Effort { factorisations: 1, ..Effort::default() };
+    let mut norm = system.linearise()?;
+    watch(norm);
+    while effort.iterations < options.iterations {
+        if norm <= options.tolerance {
+            effort.residual = norm;
+            return Ok(effort);
+        }
+        let size = system.correct()?;
+        effort.iterations += 1;
+        if size.is_nan() || size >= options.large {
+            return Err(Stopped::Diverged { correction: size });
+        }
+        if size < options.small {
+            effort.residuals += 1;
+            if let Ok(next) = system.residual() {
+                watch(next);
+                let gain = next / norm;
+                norm = next;
+                // One more turn with the old tangent where that is likely to be the last.
+                if norm <= options.tolerance || gain * norm <= options.tolerance {
+                    if norm > options.tolerance {
+                        system.correct()?;
+                        effort.iterations += 1;
+                        effort.residuals += 1;
+                        norm = system.residual()?;
+                        watch(norm);
+                    }
+                    if norm <= options.tolerance {
+                        continue;
+                    }
+                }
+            }
+        }
+        effort.factorisations += 1;
+        let mut retreats = 0;
+        norm = loop {
+            match system.linearise() {
+                Ok(norm) => break norm,
+                Err(Stopped::Inverted { .. } | Stopped::NotFinite { .. }) if retreats < RETREATS => {
+                    retreats += 1;
+                    system.retreat(0.5);
+                }
+                Err(stop) => return Err(stop),
+            }
+        };
+        watch(norm);
+        if size < options.rounding && norm <= options.rounding_residual {
+            break;
+        }
+    }
+    if norm <= options.tolerance
+        || (effort.iterations < options.iterations && norm <= options.rounding_residual)
+    {
+        effort.residual = norm;
+        return Ok(effort);
+    }
+    Err(Stopped::Iterations { iterations: effort.iterations, residual: norm })
+}

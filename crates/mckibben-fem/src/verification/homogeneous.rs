@@ -1,0 +1,84 @@
+//! A. Homogeneous states (Rivlin 1948; Treloar 1975), at a point and on a distorted patch.
+
+use super::{Row, at, body, rubber};
+use crate::axisymmetric::discrete::Ends;
+use crate::axisymmetric::equilibrium::Body;
+use crate::axisymmetric::mesh::Mesh;
+use crate::element::plane::{Gradient, PlaneLaw, PlaneVisitor, visit};
+use std::f64::consts::PI;
+
+const SOURCE: &str = "A: Rivlin 1948; Treloar 1975";
+
+/// A mesh of an annulus 1 ≤ R ≤ 2, 0 ≤ Z ≤ 3 whose inner nodes are moved about.
+fn distorted() -> Mesh {
+    let mut mesh = Mesh::mapped(2, 3, |x, y| [1.0 + x, 3.0 * y]);
+    let (rows, stations) = (5, 7);
+    for j in 1..stations - 1 {
+        for i in 1..rows - 1 {
+            let turn = (7 * i + 3 * j) as f64;
+            let node = &mut mesh.nodes[j * rows + i];
+            node[0] += 0.06 * turn.sin();
+            node[1] += 0.09 * turn.cos();
+        }
+    }
+    mesh
+}
+
+/// Largest distance of the nodes from the homogeneous state (λ^(−1/2) R, λ Z), in mm.
+fn distance(body: &Body, stretch: f64) -> f64 {
+    let (d, s) = (&body.discrete, &body.state);
+    let across = stretch.powf(-0.5);
+    let mut worst = 0.0_f64;
+    for j in 0..=2 * d.layout.along {
+        for i in 0..d.layout.nodes() {
+            let ([r, z], k) = (d.mesh.node(i, j), d.layout.at(j) + 2 * i);
+            worst = worst.max((s.x[k] - (across - 1.0) * r).abs());
+            worst = worst.max((s.x[k + 1] - (stretch - 1.0) * z).abs());
+        }
+    }
+    worst
+}
+
+/// Cauchy stresses (rr, zz, θθ, rz) at a deformation gradient, without the pressure.
+struct Cauchy(Gradient);
+
+impl PlaneVisitor for Cauchy {
+    type Output = [f64; 4];
+    fn with<L: PlaneLaw>(self, law: &L) -> [f64; 4] {
+        let Gradient { a, b, c, d, t } = self.0;
+        let s = law.stress::<false>(&self.0, 0.0);
+        [s.r[0] * a + s.r[1] * b, s.z[0] * c + s.z[1] * d, s.r[2] * t, s.r[0] * c + s.r[1] * d]
+    }
+}
+
+/// The rows of A.
+pub fn homogeneous() -> Vec<Row> {
+    let mut rows = Vec::new();
+    let section = PI * 3.0;
+    for (name, stretch, nominal, factor) in [
+        ("uniaxial tension, λ = 2, distorted patch", 2.0, 0.385, 1.0),
+        // λz = 1/4 is equibiaxial λ = 2: the true stresses differ by the sign alone.
+        ("equibiaxial tension, λ = 2, distorted patch", 0.25, 0.70875, -0.125),
+    ] {
+        let mut walker = body(distorted(), None, Ends::Sliding).ok();
+        let solved = walker.as_mut().and_then(|w| at(w, 0.0, stretch));
+        let stress = solved.as_ref().map(|b| factor * b.totals.pull / section);
+        rows.push(Row::new(format!("{name}: nominal stress (MPa)"), SOURCE, nominal, stress, 1e-11));
+        let off = solved.map(|b| distance(b, stretch));
+        rows.push(Row::new(format!("{name}: distance from the linear field (mm)"), SOURCE, 0.0, off, 1e-11));
+    }
+    let rest = Gradient { a: 1.0, b: 0.0, c: 0.0, d: 1.0, t: 1.0 };
+    let planar = visit(&rubber(), Cauchy(Gradient { a: 2.0, d: 0.5, ..rest }));
+    let nominal = Some((planar[0] - planar[1]) / 2.0);
+    rows.push(Row::new("planar tension, λ = 2: nominal stress (MPa)".into(), SOURCE, 0.45, nominal, 1e-12));
+    let g = 0.7;
+    let shear = visit(&rubber(), Cauchy(Gradient { b: g, ..rest }));
+    for (name, reference, ours) in [
+        ("σ12 (MPa)", 0.24 * g, shear[3]),
+        ("σ11 − σ33 (MPa)", 0.2 * g * g, shear[0] - shear[2]),
+        ("σ22 − σ33 (MPa)", -0.04 * g * g, shear[1] - shear[2]),
+    ] {
+        rows.push(Row::new(format!("simple shear, γ = 0.7: {name}"), SOURCE, reference, Some(ours), 1e-12));
+    }
+    rows
+}

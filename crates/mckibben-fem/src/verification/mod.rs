@@ -1,0 +1,114 @@
+//! Cases with exact values: are the equations solved right?
+//!
+//! Each case is a row of the table that `mckibben validate` prints and a test named by its source. Where nothing else is
+//! said the rubber is Mooney–Rivlin with C1 = 0.10, C2 = 0.02 MPa, incompressible; mm, MPa, N.
+
+mod endless;
+mod homogeneous;
+mod muscle;
+mod numerics;
+mod pressure;
+mod sphere;
+mod tube;
+
+pub use endless::{endless_braid, long_muscles};
+pub use homogeneous::homogeneous;
+pub use muscle::{identities, prototype};
+pub use numerics::numerics;
+pub use pressure::follower_pressure;
+pub use sphere::thick_sphere;
+pub use tube::thick_tube;
+
+use crate::axisymmetric::FemError;
+use crate::axisymmetric::discrete::{BraidSpec, Discrete, Ends, Make};
+use crate::axisymmetric::equilibrium::{Body, Control};
+use crate::axisymmetric::mesh::Mesh;
+use crate::axisymmetric::path::Walker;
+use mckibben::muscle::Bulk;
+use mckibben::rubber::{Law, MooneyRivlin};
+
+/// Whether equations are solved right or are the right equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Against exact values.
+    Verification,
+    /// Against measurements.
+    Validation,
+}
+
+/// A row of the table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// What is computed.
+    pub name: String,
+    /// Which of the two it is.
+    pub kind: Kind,
+    /// Where the reference comes from.
+    pub source: &'static str,
+    /// The reference.
+    pub reference: f64,
+    /// Our value; `None` where there was no answer.
+    pub ours: Option<f64>,
+    /// |ours − reference|, relative where the reference is not zero.
+    pub error: Option<f64>,
+    /// Largest error that passes.
+    pub tolerance: f64,
+    /// Whether it passes.
+    pub ok: bool,
+}
+
+impl Row {
+    fn new(name: String, source: &'static str, reference: f64, ours: Option<f64>, tolerance: f64) -> Self {
+        let scale = if reference == 0.0 { 1.0 } else { reference.abs() };
+        let ours = ours.filter(|x| x.is_finite());
+        let error = ours.map(|x| (x - reference).abs() / scale);
+        let ok = error.is_some_and(|e| e <= tolerance);
+        Self { name, kind: Kind::Verification, source, reference, ours, error, tolerance, ok }
+    }
+}
+
+/// Every case.
+pub fn cases() -> Vec<Row> {
+    [
+        homogeneous(),
+        thick_tube(),
+        thick_sphere(),
+        follower_pressure(),
+        endless_braid(),
+        long_muscles(),
+        identities(),
+        prototype(),
+        numerics(),
+    ]
+    .concat()
+}
+
+/// The rubber of the cases.
+fn rubber() -> Law {
+    Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 })
+}
+
+/// A body of that rubber.
+fn body(mesh: Mesh, braid: Option<BraidSpec>, ends: Ends) -> Result<Walker, FemError> {
+    let make = Make { law: rubber(), bulk: Bulk::Incompressible, braid, ends };
+    Ok(Walker::new(Discrete::new(mesh, make)?))
+}
+
+/// Goes to a pressure and an axial stretch of the whole; gives the body where that succeeds.
+fn at(walker: &mut Walker, pressure: f64, stretch: f64) -> Option<&mut Body> {
+    let terminal = (stretch - 1.0) * walker.body.discrete.half_length();
+    walker.walk(0.0, terminal).ok()?;
+    walker.walk(pressure, terminal).ok()?;
+    // To the last digit.
+    let tight = walker.options.newton;
+    walker.options.newton.tolerance = 1e-13;
+    let done = walker.solve(Control::Length(terminal));
+    walker.options.newton = tight;
+    done.ok().map(|_| &mut walker.body)
+}
+
+/// Radius now of node `i` of station `j`.
+fn radius(body: &Body, i: usize, j: usize) -> f64 {
+    let d = &body.discrete;
+    d.mesh.node(i, j)[0] + body.state.x[d.layout.at(j) + 2 * i]
+}

@@ -1,0 +1,66 @@
+//! E. Follower pressure: derivatives of the volume, forces in balance, and the energy along a path.
+
+use super::Row;
+use crate::axisymmetric::Axisymmetric;
+use crate::load::cavity::volume;
+use mckibben::muscle::Muscle;
+
+const SOURCE: &str = "E: pressure as −P·V of a closed cavity";
+
+/// The rows of E.
+pub fn follower_pressure() -> Vec<Row> {
+    let x = [13.1, 10.3, 12.0, 4.9, 12.6, 16.2];
+    let v = volume::<true>(&x);
+    let h = 1e-3;
+    let (mut slope, mut curvature, mut skew) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for i in 0..6 {
+        let (mut up, mut down) = (x, x);
+        up[i] += h;
+        down[i] -= h;
+        let (up, down) = (volume::<true>(&up), volume::<true>(&down));
+        // The volume is a cubic: central differences leave its third derivative h²/6.
+        slope = slope.max(((up.value - down.value) / (2.0 * h) - v.first[i]).abs() / v.first[4].abs());
+        for j in 0..6 {
+            curvature = curvature.max(((up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i]).abs());
+            // Parts that integrate to the ends of the line are not symmetric inside of it; the sum is.
+            skew = skew.max((v.second[i][j] - v.second[j][i]).abs());
+        }
+    }
+    let together: f64 = (0..3).map(|a| v.first[2 * a + 1]).sum();
+    vec![
+        Row::new("∂V/∂x against differences".into(), SOURCE, 0.0, Some(slope), 1e-8),
+        Row::new("∂²V/∂x∂x against differences (mm)".into(), SOURCE, 0.0, Some(curvature), 1e-8),
+        Row::new("asymmetry of the pressure's tangent (mm)".into(), SOURCE, 0.0, Some(skew), 1e-12),
+        Row::new("sum of the axial forces of the cavity (mm²)".into(), SOURCE, 0.0, Some(together), 1e-11),
+        energy(),
+    ]
+}
+
+/// ∫P dV + ∫F dL = ΔW from (0.10 MPa, ε 0.02) to (0.25 MPa, ε 0.10), by Simpson's rule on ∫P dV = [PV] − ∫V dP.
+fn energy() -> Row {
+    const STEPS: usize = 32;
+    let muscle = Muscle::prototype();
+    let balance = (|| {
+        let model = Axisymmetric::new(&muscle).ok()?;
+        let (p, e) = (|t: f64| 0.10 + 0.15 * t, |t: f64| 0.02 + 0.08 * t);
+        let (mut work, mut stored) = (0.0, [0.0; 2]);
+        for i in 0..=STEPS {
+            let t = i as f64 / STEPS as f64;
+            let s = model.solve(p(t), e(t)).ok()?;
+            let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
+            let weight = match i {
+                0 | STEPS => 1.0,
+                _ if i % 2 == 1 => 4.0,
+                _ => 2.0,
+            } / (3.0 * STEPS as f64);
+            work += weight * (-volume * 0.15 - force * 0.08 * muscle.length_mm());
+            if i == 0 || i == STEPS {
+                let sign = if i == 0 { -1.0 } else { 1.0 };
+                work += sign * p(t) * volume;
+                stored[usize::from(i == STEPS)] = s.energies.rubber + s.energies.braid;
+            }
+        }
+        Some(work / (stored[1] - stored[0]))
+    })();
+    Row::new("(∫P dV + ∫F dL)/ΔW along a path".into(), SOURCE, 1.0, balance, 1e-7)
+}

@@ -1,0 +1,67 @@
+//! C. Thick sphere under inside pressure: A = 1, B = 2.
+
+use super::{Row, at, body, radius};
+use crate::axisymmetric::discrete::{Discrete, Ends, Make};
+use crate::axisymmetric::mesh::Mesh;
+use crate::axisymmetric::path::Walker;
+use mckibben::muscle::Bulk;
+use mckibben::rubber::{Law, NeoHookean};
+use std::f64::consts::FRAC_PI_2;
+
+const SOURCE: &str = "C: Green & Zerna 1954, thick sphere";
+
+/// The rows of C: half a sphere from the equator to the pole.
+pub fn thick_sphere() -> Vec<Row> {
+    let (through, along) = (8, 20);
+    let mut rows: Vec<Row> = [(1.1, 0.070_218_021_7), (1.5, 0.199_702_676_3), (2.0, 0.239_043_099_0)]
+        .into_iter()
+        .map(|(swell, pressure)| {
+            let mesh = Mesh::mapped(through, along, |x, y| {
+                let (sin, cos) = (FRAC_PI_2 * y).sin_cos();
+                [(1.0 + x) * if y < 1.0 { cos } else { 0.0 }, (1.0 + x) * sin]
+            });
+            let mut walker = body(mesh, None, Ends::Pole).ok();
+            let ours = walker.as_mut().and_then(|w| at(w, pressure, 1.0)).map(|b| radius(b, 0, 0));
+            Row::new(format!("thick sphere 1/2, p {pressure}: a/A"), SOURCE, swell, ours, 1e-5)
+        })
+        .collect();
+    rows.push(balloon());
+    rows
+}
+
+/// A thin neo-Hookean balloon, p = 2μ (t/A)(1/λ − 1/λ⁷): the largest pressure stands at λ = 7^(1/6). Found as the limit
+/// between pressures with and without an equilibrium.
+fn balloon() -> Row {
+    let (mu, thin) = (0.24, 1e-3);
+    let limit = 7.0_f64.powf(1.0 / 6.0);
+    let exact = 2.0 * mu * thin * (1.0 / limit - limit.powi(-7));
+    let ours = (|| {
+        let mesh = Mesh::mapped(1, 12, |x, y| {
+            let ((sin, cos), rho) = ((FRAC_PI_2 * y).sin_cos(), 1.0 + thin * (x - 0.5));
+            [rho * if y < 1.0 { cos } else { 0.0 }, rho * sin]
+        });
+        let law = Law::NeoHookean(NeoHookean { mu_mpa: mu });
+        let make = Make { law, bulk: Bulk::Incompressible, braid: None, ends: Ends::Pole };
+        let mut walker = Walker::new(Discrete::new(mesh, make).ok()?);
+        let mut low = 0.5 * exact;
+        walker.walk(low, 0.0).ok()?;
+        let mut step = 0.4 * exact;
+        while step > 1e-5 * exact {
+            let before = walker.body.state.clone();
+            if walker.walk(low + step, 0.0).is_ok() && walker.body.unstable_directions() == 0 {
+                low += step;
+            } else {
+                walker.start_from(&before);
+                step *= 0.5;
+            }
+        }
+        Some(low)
+    })();
+    Row::new(
+        "thin neo-Hookean balloon: largest pressure (MPa)".into(),
+        "C: limit point at λ = 7^(1/6)",
+        exact,
+        ours,
+        2e-3,
+    )
+}

@@ -1,0 +1,54 @@
+//! The exact cases, each named by its source.
+
+use mckibben_fem::verification::{self, Row};
+
+fn holds(rows: Vec<Row>) {
+    assert!(!rows.is_empty());
+    let bad: Vec<&Row> = rows.iter().filter(|r| !r.ok).collect();
+    assert!(bad.is_empty(), "{bad:#?}");
+}
+
+#[test]
+fn a_rivlin_1948_homogeneous_states_and_a_distorted_patch() {
+    holds(verification::homogeneous());
+}
+
+#[test]
+fn b_rivlin_1949_haughton_ogden_1979_thick_tube() {
+    holds(verification::thick_tube());
+}
+
+#[test]
+fn c_green_zerna_1954_thick_sphere_and_thin_balloon() {
+    holds(verification::thick_sphere());
+}
+
+#[test]
+fn e_follower_pressure_of_a_closed_cavity() {
+    holds(verification::follower_pressure());
+}
+
+#[test]
+fn f_g_liu_rahn_2003_endless_muscle() {
+    holds(verification::endless_braid());
+}
+
+#[test]
+fn g_long_muscles_tend_to_the_endless_one_like_1_over_l0() {
+    holds(verification::long_muscles());
+}
+
+#[test]
+fn i_maxwell_relation_and_outer_diameter_limit() {
+    holds(verification::identities());
+}
+
+#[test]
+fn i_independent_prototype_and_felupe() {
+    holds(verification::prototype());
+}
+
+#[test]
+fn j_numerical_conduct() {
+    holds(verification::numerics());
+}
