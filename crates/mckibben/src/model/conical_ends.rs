@@ -34,7 +34,7 @@ impl ConicalEnds {
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
             model: "conical-ends",
-            missing: "a cone factor: `cone_factor = 0.4` under [terminals] in the muscle file",
+            missing: "a cone factor: give `--cone-factor 0.4`, or `cone_factor = 0.4` under [terminals] in the muscle file",
         })?;
         let e_max = muscle.max_ideal_contraction();
         let high = (1.0 - e_max) / (2.0 * e_max);
