@@ -4,7 +4,7 @@ use crate::cli::{ContractionArgs, ForceArgs, PressureArgs};
 use crate::failure::Failure;
 use crate::flags::{Format, OutputFlags, PressureUnit};
 use crate::output::text::{Pressures, muscle_line, number, pairs, percent, plus_minus};
-use crate::output::{csv, emit, json};
+use crate::output::{csv, emit, json, warn};
 use crate::resolve;
 use mckibben::answer::{self, Answer};
 use mckibben::model::ForceModel;
@@ -53,7 +53,7 @@ fn print(
         Format::Text => {
             let unit = output.units.or(PressureUnit::typed(typed)).unwrap_or(PressureUnit::Mpa);
             for warning in &answer.warnings {
-                eprintln!("warning: {warning}");
+                warn(warning);
             }
             text(model, answer, Pressures(unit))
         }
