@@ -21,8 +21,9 @@ pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
     let default_p = if test == Test::Isobaric { "0.05..0.25:0.05" } else { "0..0.25:0.01" };
     let default_e = if test == Test::Isobaric { "0..0.2:0.01" } else { "0..0.2:0.05" };
     let p = resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, default_p, 25)?;
-    let e = resolve::points("--contraction", args.contraction.as_deref(), Dimension::Ratio, default_e, 20)?;
+    let e = resolve::contractions(args.contraction.as_deref(), default_e)?;
     let f = resolve::points("--force", args.force.as_deref(), Dimension::Force, "20,80,150N", 5)?;
+    f.iter().try_for_each(|&f| resolve::pull("--force", f, &args.model.asking))?;
     let ends = (p.iter().copied().fold(f64::INFINITY, f64::min), p.iter().copied().fold(0.0, f64::max));
     let model = resolve::model(&args.model, &muscle, ends)?;
     let (fixed, along) = match test {

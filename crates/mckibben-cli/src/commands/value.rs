@@ -14,7 +14,7 @@ use mckibben::units::Dimension;
 pub fn force(args: &ForceArgs) -> Result<u8, Failure> {
     let muscle = resolve::muscle(&args.muscle)?;
     let p = resolve::required("--pressure", args.pressure.as_deref(), Dimension::Pressure)?;
-    let e = resolve::quantity("--contraction", args.contraction.as_deref(), Dimension::Ratio)?.unwrap_or(0.0);
+    let e = resolve::contraction("--contraction", args.contraction.as_deref())?.unwrap_or(0.0);
     let model = resolve::model(&args.model, &muscle, (p, p))?;
     let answer = answer::force(model.as_ref(), p, e, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, args.pressure.as_deref())
@@ -24,7 +24,8 @@ pub fn force(args: &ForceArgs) -> Result<u8, Failure> {
 pub fn pressure(args: &PressureArgs) -> Result<u8, Failure> {
     let muscle = resolve::muscle(&args.muscle)?;
     let f = resolve::required("--force", args.force.as_deref(), Dimension::Force)?;
-    let e = resolve::quantity("--contraction", args.contraction.as_deref(), Dimension::Ratio)?.unwrap_or(0.0);
+    resolve::pull("--force", f, &args.model.asking)?;
+    let e = resolve::contraction("--contraction", args.contraction.as_deref())?.unwrap_or(0.0);
     let model = resolve::model(&args.model, &muscle, (0.0, 0.0))?;
     let answer = answer::pressure(model.as_ref(), f, e, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, None)
@@ -35,6 +36,7 @@ pub fn contraction(args: &ContractionArgs) -> Result<u8, Failure> {
     let muscle = resolve::muscle(&args.muscle)?;
     let p = resolve::required("--pressure", args.pressure.as_deref(), Dimension::Pressure)?;
     let f = resolve::quantity("--force", args.force.as_deref(), Dimension::Force)?.unwrap_or(0.0);
+    resolve::pull("--force", f, &args.model.asking)?;
     let model = resolve::model(&args.model, &muscle, (p, p))?;
     let answer = answer::contraction(model.as_ref(), f, p, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, args.pressure.as_deref())
