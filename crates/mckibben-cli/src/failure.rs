@@ -49,8 +49,9 @@ impl Failure {
     /// A command line that clap refuses.
     pub fn usage(error: &clap::Error) -> Self {
         let text = error.render().to_string();
-        let first = text.lines().next().unwrap_or("").trim_start_matches("error: ").to_owned();
-        Self::input("usage", first, "see `mckibben --help`")
+        // The sentence and the indented lines below it; usage follows after an empty line.
+        let lines: Vec<&str> = text.lines().take_while(|l| !l.trim().is_empty()).map(str::trim).collect();
+        Self::input("usage", lines.join(" ").trim_start_matches("error: "), "see `mckibben --help`")
     }
 
     /// A file that cannot be read.

@@ -14,6 +14,44 @@ pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
     text.map(|t| parse_quantity(t, dimension).map_err(|e| Failure::flag(flag, &e))).transpose()
 }
 
+/// A contraction ratio from a flag. No muscle shortens by its whole length, so that `15` was meant as 15 %.
+pub fn contraction(flag: &str, text: Option<&str>) -> Result<Option<f64>, Failure> {
+    let found = quantity(flag, text, Dimension::Ratio)?;
+    if let (Some(e), Some(text)) = (found.filter(|e| e.abs() >= 1.0), text) {
+        return Err(no_ratio(flag, text, e));
+    }
+    Ok(found)
+}
+
+fn no_ratio(flag: &str, text: &str, e: f64) -> Failure {
+    let text = text.trim();
+    let message = format!("{flag}: \"{text}\" is no contraction ratio ΔL/L0, which lies below 1");
+    let hint = if e > 1.0 && e < 100.0 && !text.contains('%') {
+        format!("write {e}% or {}", e / 100.0)
+    } else {
+        "write 15% or 0.15".to_owned()
+    };
+    Failure::input("quantity", message, hint)
+}
+
+/// Contraction ratios as points; see [`points`].
+pub fn contractions(text: Option<&str>, default: &str) -> Result<Vec<f64>, Failure> {
+    let list = points("--contraction", text, Dimension::Ratio, default, 20)?;
+    match (list.iter().find(|e| e.abs() >= 1.0), text) {
+        (Some(&e), Some(text)) => Err(no_ratio("--contraction", text, if list.len() == 1 { e } else { 0.0 })),
+        _ => Ok(list),
+    }
+}
+
+/// Refuses a push where the muscle is allowed to lie slack instead.
+pub fn pull(flag: &str, force_n: f64, flags: &AskFlags) -> Result<(), Failure> {
+    if force_n >= 0.0 || flags.two_sided {
+        return Ok(());
+    }
+    let message = format!("{flag}: {force_n} N is a push, and a muscle only pulls");
+    Err(Failure::input("quantity", message, "add --two-sided for the negative forces of the formula"))
+}
+
 /// A quantity that must be there.
 pub fn required(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<f64, Failure> {
     let missing =

@@ -135,13 +135,7 @@ fn grid(args: &CompareArgs, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f
                 "0.05..0.25:0.05",
                 5,
             )?,
-            resolve::points(
-                "--contraction",
-                args.contraction.as_deref(),
-                Dimension::Ratio,
-                "0..0.2:0.01",
-                20,
-            )?,
+            resolve::contractions(args.contraction.as_deref(), "0..0.2:0.01")?,
         )),
     }
 }

@@ -5,7 +5,7 @@ use crate::failure::{Failure, NO_ANSWER, NOT_CONVERGED, WRONG_INPUT};
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
 use crate::output::text::{Pressures, muscle_line, number, percent, table};
-use crate::output::{csv, emit, json};
+use crate::output::{csv, emit, json, warn};
 use crate::resolve;
 use mckibben::curve::{Curve, Test, curves};
 use mckibben::units::Dimension;
@@ -21,8 +21,9 @@ pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
     let default_p = if test == Test::Isobaric { "0.05..0.25:0.05" } else { "0..0.25:0.01" };
     let default_e = if test == Test::Isobaric { "0..0.2:0.01" } else { "0..0.2:0.05" };
     let p = resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, default_p, 25)?;
-    let e = resolve::points("--contraction", args.contraction.as_deref(), Dimension::Ratio, default_e, 20)?;
+    let e = resolve::contractions(args.contraction.as_deref(), default_e)?;
     let f = resolve::points("--force", args.force.as_deref(), Dimension::Force, "20,80,150N", 5)?;
+    f.iter().try_for_each(|&f| resolve::pull("--force", f, &args.model.asking))?;
     let ends = (p.iter().copied().fold(f64::INFINITY, f64::min), p.iter().copied().fold(0.0, f64::max));
     let model = resolve::model(&args.model, &muscle, ends)?;
     let (fixed, along) = match test {
@@ -50,7 +51,7 @@ pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
             if let Some(failure) = failed {
                 return Err(failure);
             }
-            warn(&list);
+            warnings(&list);
             let head = format!("{} test, model {}\n{}\n\n", test.name(), model.name(), muscle_line(&muscle));
             format!("{head}{}", as_table(test, &list, pressures))
         }
@@ -81,27 +82,24 @@ fn all_failed(list: &[Curve]) -> Option<Failure> {
     worst
 }
 
-fn warn(list: &[Curve]) {
+fn warnings(list: &[Curve]) {
     let mut seen: Vec<&str> = vec![];
-    let warnings = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok());
-    for warning in warnings.flat_map(|a| &a.warnings) {
+    let answers = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok());
+    for warning in answers.flat_map(|a| &a.warnings) {
         if !seen.contains(&warning.as_str()) {
             if seen.len() < 5 {
-                eprintln!("warning: {warning}");
+                warn(warning);
             }
             seen.push(warning);
         }
     }
     if seen.len() > 5 {
-        eprintln!(
-            "warning: and {} more like these (--format json shows them with their points)",
-            seen.len() - 5
-        );
+        warn(format!("and {} more like these (--format json shows them with their points)", seen.len() - 5));
     }
     let failed = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().err());
     let failed: Vec<_> = failed.collect();
     if let Some(first) = failed.first() {
-        eprintln!("warning: {} points have no answer (–); the first: {first}", failed.len());
+        warn(format!("{} points have no answer (–); the first: {first}", failed.len()));
     }
 }
 

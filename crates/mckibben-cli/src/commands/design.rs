@@ -165,7 +165,7 @@ fn points(args: &DesignArgs) -> Result<Vec<OperatingPoint>, Failure> {
         return text.split(',').map(|one| at(one.trim())).collect();
     }
     let force_n = resolve::required("--force", args.force.as_deref(), Dimension::Force)?;
-    let contraction = resolve::quantity("--contraction", args.contraction.as_deref(), Dimension::Ratio)?;
+    let contraction = resolve::contraction("--contraction", args.contraction.as_deref())?;
     match (contraction, &args.stroke) {
         (Some(contraction), _) => Ok(vec![OperatingPoint { force_n, contraction }]),
         (None, Some(_)) => Ok(vec![OperatingPoint { force_n, contraction: f64::NAN }]),
@@ -184,11 +184,9 @@ fn at(text: &str) -> Result<OperatingPoint, Failure> {
         );
         return Err(Failure::input("quantity", message, ""));
     };
-    let read = |text, dimension| parse_quantity(text, dimension).map_err(|e| Failure::flag("--at", &e));
-    Ok(OperatingPoint {
-        force_n: read(force, Dimension::Force)?,
-        contraction: read(contraction, Dimension::Ratio)?,
-    })
+    let force_n = parse_quantity(force, Dimension::Force).map_err(|e| Failure::flag("--at", &e))?;
+    let contraction = resolve::contraction("--at", Some(contraction))?.unwrap_or(0.0);
+    Ok(OperatingPoint { force_n, contraction })
 }
 
 /// The muscle around the search: file, flags and defaults. Diameter and wall are searched, so a file's are not checked

@@ -11,6 +11,7 @@ mod value;
 
 use crate::cli::{Cli, Command, MuscleCommand, RubberCommand};
 use crate::failure::Failure;
+use crate::output::emit;
 use clap::CommandFactory;
 
 /// Runs a command; the exit code where it ends well.
@@ -28,7 +29,10 @@ pub fn run(command: Command) -> Result<u8, Failure> {
         Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args),
         Command::Models(args) => models::run(&args),
         Command::Completions { shell } => {
-            clap_complete::generate(shell, &mut Cli::command(), "mckibben", &mut std::io::stdout());
+            // Into memory first: clap_complete panics where it cannot write.
+            let mut script = vec![];
+            clap_complete::generate(shell, &mut Cli::command(), "mckibben", &mut script);
+            emit(&String::from_utf8_lossy(&script), None)?;
             Ok(0)
         }
     }

@@ -4,7 +4,7 @@ use crate::cli::MuscleShowArgs;
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::text::{braid_name, law_text, number, pairs, percent, rubber_name};
-use crate::output::{csv, emit, json};
+use crate::output::{csv, emit, json, warn};
 use crate::resolve;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::{RubberLaw, library};
@@ -21,7 +21,7 @@ pub fn show(args: &MuscleShowArgs) -> Result<u8, Failure> {
         Format::Csv => csv::rows(&[flat(&value)])?,
         Format::Text => {
             for warning in library::warnings(&muscle.tube().rubber) {
-                eprintln!("warning: {warning}");
+                warn(warning);
             }
             as_text(&muscle)
         }

@@ -4,7 +4,7 @@ use crate::cli::{RubberListArgs, RubberShowArgs};
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::text::{law_text, number, or_dash, pairs, percent, table};
-use crate::output::{csv, emit, json};
+use crate::output::{csv, emit, json, warn};
 use crate::resolve;
 use mckibben::rubber::library::{self, RubberEntry};
 use mckibben::rubber::{Law, RubberLaw};
@@ -69,7 +69,7 @@ pub fn show(args: &RubberShowArgs) -> Result<u8, Failure> {
         Format::Csv => csv::rows(value["fits"].as_array().map_or(&[][..], |v| v))?,
         Format::Text => {
             for warning in library::warnings(&taken) {
-                eprintln!("warning: {warning}");
+                warn(warning);
             }
             entry_text(entry, &taken.law)
         }

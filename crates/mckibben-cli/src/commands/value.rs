@@ -4,7 +4,7 @@ use crate::cli::{ContractionArgs, ForceArgs, PressureArgs};
 use crate::failure::Failure;
 use crate::flags::{Format, OutputFlags, PressureUnit};
 use crate::output::text::{Pressures, muscle_line, number, pairs, percent, plus_minus};
-use crate::output::{csv, emit, json};
+use crate::output::{csv, emit, json, warn};
 use crate::resolve;
 use mckibben::answer::{self, Answer};
 use mckibben::model::ForceModel;
@@ -14,7 +14,7 @@ use mckibben::units::Dimension;
 pub fn force(args: &ForceArgs) -> Result<u8, Failure> {
     let muscle = resolve::muscle(&args.muscle)?;
     let p = resolve::required("--pressure", args.pressure.as_deref(), Dimension::Pressure)?;
-    let e = resolve::quantity("--contraction", args.contraction.as_deref(), Dimension::Ratio)?.unwrap_or(0.0);
+    let e = resolve::contraction("--contraction", args.contraction.as_deref())?.unwrap_or(0.0);
     let model = resolve::model(&args.model, &muscle, (p, p))?;
     let answer = answer::force(model.as_ref(), p, e, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, args.pressure.as_deref())
@@ -24,7 +24,8 @@ pub fn force(args: &ForceArgs) -> Result<u8, Failure> {
 pub fn pressure(args: &PressureArgs) -> Result<u8, Failure> {
     let muscle = resolve::muscle(&args.muscle)?;
     let f = resolve::required("--force", args.force.as_deref(), Dimension::Force)?;
-    let e = resolve::quantity("--contraction", args.contraction.as_deref(), Dimension::Ratio)?.unwrap_or(0.0);
+    resolve::pull("--force", f, &args.model.asking)?;
+    let e = resolve::contraction("--contraction", args.contraction.as_deref())?.unwrap_or(0.0);
     let model = resolve::model(&args.model, &muscle, (0.0, 0.0))?;
     let answer = answer::pressure(model.as_ref(), f, e, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, None)
@@ -35,6 +36,7 @@ pub fn contraction(args: &ContractionArgs) -> Result<u8, Failure> {
     let muscle = resolve::muscle(&args.muscle)?;
     let p = resolve::required("--pressure", args.pressure.as_deref(), Dimension::Pressure)?;
     let f = resolve::quantity("--force", args.force.as_deref(), Dimension::Force)?.unwrap_or(0.0);
+    resolve::pull("--force", f, &args.model.asking)?;
     let model = resolve::model(&args.model, &muscle, (p, p))?;
     let answer = answer::contraction(model.as_ref(), f, p, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, args.pressure.as_deref())
@@ -53,7 +55,7 @@ fn print(
         Format::Text => {
             let unit = output.units.or(PressureUnit::typed(typed)).unwrap_or(PressureUnit::Mpa);
             for warning in &answer.warnings {
-                eprintln!("warning: {warning}");
+                warn(warning);
             }
             text(model, answer, Pressures(unit))
         }

@@ -5,4 +5,4 @@ pub mod json;
 pub mod text;
 mod write;
 
-pub use write::{emit, save};
+pub use write::{emit, save, warn};

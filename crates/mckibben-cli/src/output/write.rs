@@ -15,6 +15,11 @@ pub fn emit(text: &str, path: Option<&Path>) -> Result<(), Failure> {
     }
 }
 
+/// A line for the user beside the result; nothing better can be done if nobody can read it.
+pub fn warn(message: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr(), "warning: {message}");
+}
+
 /// Writes a file under a temporary name beside its place and renames it.
 pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let fail = |e: std::io::Error| Failure::unwritable(path, &e);
@@ -29,6 +34,10 @@ pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
+    if !folder.is_dir() {
+        let message = format!("the folder {} does not exist", folder.display());
+        return Err(fail(std::io::Error::new(std::io::ErrorKind::NotFound, message)));
+    }
     let mut file = tempfile::Builder::new().prefix(".mckibben-").tempfile_in(folder).map_err(fail)?;
     file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(fail)?;
     #[cfg(unix)]

@@ -76,7 +76,8 @@ pub enum MeasuredError {
     Csv(#[from] csv::Error),
 }
 
-/// Reads measured points from CSV with a header line. Lines that start with `#` are comments.
+/// Reads measured points from CSV with a header line. Lines that start with `#` are comments; lines whose `status` is
+/// not `ok` (points without answer, as `curve` writes them) are left out.
 ///
 /// # Errors
 /// [`MeasuredError`] names line and column.
@@ -96,10 +97,15 @@ pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, MeasuredErr
     let contraction = find(&[("contraction", 1.0)]).ok_or_else(|| missing("contraction"))?;
     let force = find(&[("force_n", 1.0)]).ok_or_else(|| missing("force_n"))?;
     let branch = find(&[("branch", 1.0)]);
+    let status = find(&[("status", 1.0)]);
     let mut points = Vec::new();
     for record in reader.records() {
         let record = record?;
         let line = record.position().map_or(0, csv::Position::line);
+        // A point of `curve --format csv` that has no answer.
+        if status.and_then(|(i, _)| record.get(i)).is_some_and(|s| !s.is_empty() && s != "ok") {
+            continue;
+        }
         let number = |(i, den): (usize, f64)| -> Result<f64, MeasuredError> {
             let text = record.get(i).unwrap_or("");
             match text.parse::<f64>() {

@@ -5,6 +5,7 @@ use super::{
     KluteHannaford, ModelError, Paper, RoundedEnds, ThickWall, TonduLopez,
 };
 use crate::muscle::Muscle;
+use crate::nearest::nearest;
 use std::fmt;
 use std::str::FromStr;
 use thiserror::Error;
@@ -42,10 +43,16 @@ pub enum ModelKind {
 
 /// A word that names no model.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("there is no model `{given}`; the models are {}", ModelKind::NAMES.join(", "))]
+#[error("there is no model `{given}`{}; the models are {}", meant(*.nearest), ModelKind::NAMES.join(", "))]
 pub struct UnknownModel {
     /// What was given.
     pub given: String,
+    /// The name that was probably meant.
+    pub nearest: Option<&'static str>,
+}
+
+fn meant(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
 }
 
 /// Kind, name, one line for `--help`.
@@ -156,7 +163,10 @@ impl FromStr for ModelKind {
 
     fn from_str(s: &str) -> Result<Self, UnknownModel> {
         let kind = Self::ALL.into_iter().find(|k| k.name() == s);
-        kind.ok_or_else(|| UnknownModel { given: s.into() })
+        kind.ok_or_else(|| UnknownModel {
+            given: s.chars().take(60).collect(),
+            nearest: nearest(s, Self::NAMES),
+        })
     }
 }
 
@@ -176,7 +186,10 @@ mod tests {
             }
         }
         let error = "idael".parse::<ModelKind>().unwrap_err().to_string();
-        assert!(error.contains("idael") && error.contains("festo-dmsp-20-200"), "{error}");
+        assert!(
+            error.contains("idael` (did you mean ideal?)") && error.contains("festo-dmsp-20-200"),
+            "{error}"
+        );
     }
 
     #[test]

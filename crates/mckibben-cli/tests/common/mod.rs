@@ -1,0 +1,103 @@
+//! Runs the built command, as a user would from the root of the repository.
+#![allow(dead_code)]
+
+use serde_json::Value;
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// No command in these tests may take longer.
+pub const LIMIT: Duration = Duration::from_secs(60);
+
+/// The root of the repository.
+pub fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
+}
+
+/// What a command ended with.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Ran {
+    pub code: i32,
+    pub out: Vec<u8>,
+    pub err: String,
+}
+
+impl Ran {
+    pub fn text(&self) -> &str {
+        std::str::from_utf8(&self.out).expect("standard output is UTF-8")
+    }
+
+    /// Standard output as JSON.
+    pub fn json(&self) -> Value {
+        serde_json::from_slice(&self.out).unwrap_or_else(|e| panic!("{e}: {self:?}"))
+    }
+
+    /// The error object on standard error.
+    pub fn error(&self) -> Value {
+        let value: Value =
+            serde_json::from_str(self.err.trim()).unwrap_or_else(|e| panic!("{e}: {}", self.err));
+        value["error"].clone()
+    }
+
+    /// Ended well.
+    pub fn ok(self) -> Self {
+        assert_eq!(self.code, 0, "{}", self.err);
+        self
+    }
+}
+
+/// A command in a folder, not yet started.
+pub fn command(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mckibben"));
+    command.current_dir(folder).stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
+    command
+}
+
+/// What an output was; a panic is never one.
+pub fn ran(output: Output) -> Ran {
+    let err = String::from_utf8_lossy(&output.stderr).into_owned();
+    let code = output.status.code().unwrap_or(-1);
+    assert!(!err.contains("panicked") && !err.contains("RUST_BACKTRACE"), "a panic: {err}");
+    Ran { code, out: output.stdout, err }
+}
+
+/// Runs with these arguments in a folder.
+pub fn run_in<S: AsRef<OsStr>>(folder: &Path, args: &[S]) -> Ran {
+    let from = Instant::now();
+    let result = ran(command(folder).args(args).output().unwrap());
+    assert!(from.elapsed() < LIMIT, "took {:?}", from.elapsed());
+    result
+}
+
+/// Runs with these arguments at the root of the repository.
+pub fn run<S: AsRef<OsStr>>(args: &[S]) -> Ran {
+    run_in(&root(), args)
+}
+
+/// Words separated by spaces, run at the root of the repository.
+pub fn mckibben(line: &str) -> Ran {
+    run(&line.split_whitespace().collect::<Vec<_>>())
+}
+
+/// The same with `--format json`, ended well.
+pub fn json(line: &str) -> Value {
+    mckibben(&format!("{line} --format json")).ok().json()
+}
+
+/// A number that is there.
+pub fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or_else(|| panic!("{key} is no number in {value:#}"))
+}
+
+/// A fresh folder.
+pub fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+/// Every number in the text of a result is a number: no NaN, no infinity.
+pub fn assert_finite(text: &str) {
+    for word in text.split(|c: char| !c.is_alphanumeric()) {
+        assert!(!matches!(word.to_ascii_lowercase().as_str(), "nan" | "inf" | "infinity"), "{text}");
+    }
+}
