@@ -332,6 +332,9 @@ pub struct DesignArgs {
     /// Force model [paper where the search stays in its box, else thick-wall]
     #[arg(long, value_name = "NAME", help_heading = "Model")]
     pub model: Option<String>,
+    /// Mesh of `fe`, as for the other commands [chosen]
+    #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
+    pub mesh: Option<String>,
     /// Answer outside of the model's range, with a warning
     #[arg(long, help_heading = "Model")]
     pub extrapolate: bool,

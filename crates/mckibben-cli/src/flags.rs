@@ -63,6 +63,9 @@ pub struct AskFlags {
     /// Negative force instead of slack where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
+    /// Mesh of `fe`: elements along the half length, or through the wall x along, or with :grading [chosen]
+    #[arg(long, value_name = "N or MxN:G")]
+    pub mesh: Option<String>,
     /// Branch of the friction hysteresis (needs [friction] in the muscle file)
     #[arg(long, value_enum, default_value_t = MotionWord::Mean)]
     pub motion: MotionWord,

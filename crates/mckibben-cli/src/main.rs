@@ -8,6 +8,7 @@ mod commands;
 mod failure;
 mod figure;
 mod flags;
+mod kind;
 mod output;
 mod resolve;
 

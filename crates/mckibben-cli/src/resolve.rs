@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{AskFlags, ModelFlags, MotionWord, MuscleFlags};
+use crate::kind::{self, Kind};
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Hysteresis, ModelError, ModelKind};
 use mckibben::muscle::file::read_muscle;
@@ -153,21 +154,21 @@ pub fn rubber(name: &str) -> Result<Rubber, Failure> {
 }
 
 /// Which model, from its name or by default.
-pub fn kind(name: Option<&str>, muscle: &Muscle, pressure_mpa: (f64, f64)) -> Result<ModelKind, Failure> {
+pub fn kind(
+    name: Option<&str>,
+    asking: &AskFlags,
+    muscle: &Muscle,
+    pressure_mpa: (f64, f64),
+) -> Result<Kind, Failure> {
+    let mesh = kind::mesh(asking.mesh.as_deref())?;
     match name {
-        None => Ok(ModelKind::default_for(muscle, pressure_mpa)),
-        Some(name) => parse_kind(name),
+        None => Ok(Kind::Closed(ModelKind::default_for(muscle, pressure_mpa))),
+        Some(name) => Kind::parse(name, mesh),
     }
 }
 
-/// A model's name.
-pub fn parse_kind(name: &str) -> Result<ModelKind, Failure> {
-    name.parse::<ModelKind>()
-        .map_err(|e| Failure::input("model", e.to_string(), "`mckibben models` describes them"))
-}
-
 /// The model of a muscle with the hysteresis branch that was asked for.
-pub fn build(kind: ModelKind, muscle: &Muscle, motion: Motion) -> Result<Box<dyn ForceModel>, ModelError> {
+pub fn build(kind: Kind, muscle: &Muscle, motion: Motion) -> Result<Box<dyn ForceModel>, ModelError> {
     let model = kind.build(muscle)?;
     Ok(match muscle.friction() {
         Some(&friction) if motion != Motion::Mean => Box::new(Hysteresis::new(model, friction, motion)),
@@ -182,7 +183,7 @@ pub fn model(
     pressure_mpa: (f64, f64),
 ) -> Result<Box<dyn ForceModel>, Failure> {
     let motion = motion(&flags.asking, muscle)?;
-    Ok(build(kind(flags.model.as_deref(), muscle, pressure_mpa)?, muscle, motion)?)
+    Ok(build(kind(flags.model.as_deref(), &flags.asking, muscle, pressure_mpa)?, muscle, motion)?)
 }
 
 /// The hysteresis branch; refuses one that the muscle knows nothing of.

@@ -4,6 +4,7 @@ use crate::cli::{BranchWord, CompareArgs};
 use crate::failure::Failure;
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
+use crate::kind::{self, Kind};
 use crate::output::text::{Pressures, muscle_line, number, percent, table};
 use crate::output::{csv, emit, json};
 use crate::resolve;
@@ -69,15 +70,16 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
     Ok(0)
 }
 
-fn kinds(args: &CompareArgs) -> Result<Vec<ModelKind>, Failure> {
+fn kinds(args: &CompareArgs) -> Result<Vec<Kind>, Failure> {
     let names: Vec<&str> = match (&args.model, args.models.as_slice()) {
         (Some(one), _) => vec![one],
         (None, []) => vec!["ideal", "thick-wall", "paper"],
         (None, list) => list.iter().map(String::as_str).collect(),
     };
-    let mut kinds: Vec<ModelKind> = vec![];
+    let mesh = kind::mesh(args.asking.mesh.as_deref())?;
+    let mut kinds: Vec<Kind> = vec![];
     for name in names {
-        let kind = resolve::parse_kind(name.trim())?;
+        let kind = Kind::parse(name.trim(), mesh)?;
         if !kinds.contains(&kind) {
             kinds.push(kind);
         }
@@ -142,7 +144,7 @@ fn grid(args: &CompareArgs, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f
 
 fn against_points(
     args: &CompareArgs,
-    kinds: &[ModelKind],
+    kinds: &[Kind],
     muscle: &Muscle,
     motion: Motion,
     options: Options,
@@ -167,12 +169,17 @@ trait Takes {
     fn takes(self, parameters: &[FitParameter]) -> bool;
 }
 
-impl Takes for ModelKind {
+impl Takes for Kind {
     fn takes(self, parameters: &[FitParameter]) -> bool {
-        parameters.iter().all(|p| match p {
-            FitParameter::Modulus => matches!(self, ModelKind::ThickWall | ModelKind::KluteHannaford),
-            FitParameter::EndFactor => matches!(self, ModelKind::ThickWall | ModelKind::TonduLopez),
-            FitParameter::Stiffness => matches!(self, ModelKind::ThickWall),
+        use ModelKind::{KluteHannaford, ThickWall, TonduLopez};
+        parameters.iter().all(|p| {
+            matches!(
+                (p, self),
+                (FitParameter::Modulus, Kind::Closed(ThickWall | KluteHannaford))
+                    | (FitParameter::EndFactor, Kind::Closed(ThickWall | TonduLopez))
+                    | (FitParameter::Stiffness, Kind::Closed(ThickWall))
+                    | (FitParameter::Modulus | FitParameter::Stiffness, Kind::Fe(_))
+            )
         })
     }
 }
@@ -195,7 +202,7 @@ fn parameters(words: &[String]) -> Result<Vec<FitParameter>, Failure> {
 
 /// Without data: every model against the first.
 fn against_first(
-    kinds: &[ModelKind],
+    kinds: &[Kind],
     muscle: &Muscle,
     motion: Motion,
     options: Options,

@@ -4,6 +4,7 @@ use crate::cli::{DesignArgs, ObjectiveWord};
 use crate::failure::{Failure, NO_ANSWER};
 use crate::figure;
 use crate::flags::{Format, MuscleFlags, PressureUnit};
+use crate::kind::Kind;
 use crate::output::text::Pressures;
 use crate::output::{csv, emit, json, save};
 use crate::resolve;
@@ -81,7 +82,7 @@ fn colour() -> bool {
 
 type Drawn<'a> = Vec<(&'a Candidate, Box<dyn ForceModel>)>;
 
-fn drawn<'a>(outcome: &'a Outcome, kind: ModelKind) -> Result<Drawn<'a>, Failure> {
+fn drawn<'a>(outcome: &'a Outcome, kind: Kind) -> Result<Drawn<'a>, Failure> {
     let some = outcome.candidates.iter().take(DRAWN);
     Ok(some.map(|c| Ok((c, kind.build(&c.muscle)?))).collect::<Result<_, mckibben::model::ModelError>>()?)
 }
@@ -91,7 +92,7 @@ fn picture(spec: &Spec, drawn: &Drawn<'_>, p: Pressures) -> mckibben_report::Fig
     figure::design(drawn, &spec.points, spec.max_pressure_mpa, options, p)
 }
 
-fn specification(args: &DesignArgs) -> Result<(Spec, ModelKind), Failure> {
+fn specification(args: &DesignArgs) -> Result<(Spec, Kind), Failure> {
     let points = points(args)?;
     let max_pressure_mpa =
         resolve::required("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?;
@@ -132,11 +133,11 @@ fn specification(args: &DesignArgs) -> Result<(Spec, ModelKind), Failure> {
         extrapolate: args.extrapolate,
     };
     let kind = match &args.model {
-        Some(name) => resolve::parse_kind(name)?,
-        None if inside_paper(&spec) => ModelKind::Paper,
-        None => ModelKind::ThickWall,
+        Some(name) => Kind::parse(name, crate::kind::mesh(args.mesh.as_deref())?)?,
+        None if inside_paper(&spec) => Kind::Closed(ModelKind::Paper),
+        None => Kind::Closed(ModelKind::ThickWall),
     };
-    if kind != ModelKind::Paper {
+    if kind != Kind::Closed(ModelKind::Paper) {
         spec.outer_diameter_mm = diameter.unwrap_or(Values::Interval(5.0, 80.0));
         spec.wall_mm = wall.unwrap_or(Values::Interval(0.5, 10.0));
     }

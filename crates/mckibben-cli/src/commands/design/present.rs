@@ -1,9 +1,9 @@
 //! A design as text and as JSON.
 
+use crate::kind::Kind;
 use crate::output::json as shapes;
 use crate::output::text::{Pressures, number, or_dash, percent, plus_minus, rubber_name, table};
 use mckibben::design::{Candidate, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread};
-use mckibben::model::ModelKind;
 use serde_json::{Map, Value, json};
 
 /// One candidate with all it knows.
@@ -78,7 +78,7 @@ fn points_json(points: &[OperatingPoint]) -> Vec<Value> {
 }
 
 /// The whole design.
-pub fn as_json(spec: &Spec, kind: ModelKind, outcome: &Outcome, spreads: &[Spread]) -> Value {
+pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -> Value {
     let p_mpa = Pressures(crate::flags::PressureUnit::Mpa);
     let mut out = json!({
         "model": kind.name(),
@@ -114,7 +114,7 @@ pub fn as_json(spec: &Spec, kind: ModelKind, outcome: &Outcome, spreads: &[Sprea
 }
 
 /// The design for people.
-pub fn as_text(spec: &Spec, kind: ModelKind, outcome: &Outcome, spreads: &[Spread], p: Pressures) -> String {
+pub fn as_text(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], p: Pressures) -> String {
     let wanted: Vec<String> = spec
         .points
         .iter()

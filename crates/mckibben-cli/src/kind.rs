@@ -1,0 +1,81 @@
+//! Every model there is, by name: the closed forms of the library and the finite elements.
+
+use crate::failure::Failure;
+use mckibben::model::{ForceModel, ModelError, ModelKind};
+use mckibben::muscle::Muscle;
+use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+
+/// A model by name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A closed form.
+    Closed(ModelKind),
+    /// Axisymmetric finite elements.
+    Fe(MeshSpec),
+}
+
+const FE: &str = "fe";
+const FE_ABOUT: &str = "axisymmetric finite elements: any rubber, wall, braid and length, with the ends";
+
+impl Kind {
+    /// Name and one line of every model.
+    pub fn all() -> Vec<(&'static str, &'static str)> {
+        let closed = ModelKind::ALL.into_iter().map(|k| (k.name(), k.description()));
+        closed.chain([(FE, FE_ABOUT)]).collect()
+    }
+
+    /// A model's name; `fe` is built on `mesh`.
+    pub fn parse(name: &str, mesh: MeshSpec) -> Result<Self, Failure> {
+        if name.trim() == FE {
+            return Ok(Kind::Fe(mesh));
+        }
+        let known = name.parse::<ModelKind>();
+        known.map(Kind::Closed).map_err(|e| {
+            let message = e.to_string().replace("; the models are ", &format!("; the models are {FE}, "));
+            Failure::input("model", message, "`mckibben models` describes them")
+        })
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Closed(kind) => kind.name(),
+            Kind::Fe(_) => FE,
+        }
+    }
+
+    /// The model of a muscle.
+    pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        match self {
+            Kind::Closed(kind) => kind.build(muscle),
+            Kind::Fe(mesh) => match Axisymmetric::with_mesh(muscle, &mesh) {
+                Ok(model) => Ok(Box::new(model)),
+                Err(error) => Err(error.into_model(0.0, 0.0)),
+            },
+        }
+    }
+}
+
+/// `--mesh`: 8, 2x8 (through x along), or 2x8:2 with the grading towards the terminal.
+pub fn mesh(text: Option<&str>) -> Result<MeshSpec, Failure> {
+    let Some(text) = text else { return Ok(MeshSpec::default()) };
+    let wrong = || {
+        let message = format!(
+            "--mesh: \"{text}\" is no mesh; expected elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal if you like (2x8:2)"
+        );
+        Failure::input("mesh", message, "leave it out and the program chooses")
+    };
+    let (elements, grading) = match text.split_once(':') {
+        Some((elements, grading)) => (elements, Some(grading.trim().parse::<f64>().map_err(|_| wrong())?)),
+        None => (text, None),
+    };
+    let count = |t: &str| t.trim().parse::<usize>().map_err(|_| wrong());
+    let (through, along) = match elements.split_once('x') {
+        Some((through, along)) => (Some(count(through)?), count(along)?),
+        None => (None, count(elements)?),
+    };
+    let spec = MeshSpec { through, along: Some(along), grading };
+    // The numbers themselves are checked where the mesh is made; here only for the message.
+    spec.resolve(10.0, 1.0, 100.0).map_err(|e| Failure::input("mesh", format!("--mesh: {e}"), ""))?;
+    Ok(spec)
+}
