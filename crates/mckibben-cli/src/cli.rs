@@ -31,7 +31,7 @@ pub enum Command {
     #[command(after_help = "Example:\n  mckibben pressure -D 40 -s 2 -F 300N -e 10% --units bar")]
     Pressure(Box<PressureArgs>),
     /// Contraction at which a pressure gives a pull: ε(F, P)
-    #[command(after_help = "Example:\n  mckibben contraction -D 40 -s 2 -F 300N -p 2.5bar")]
+    #[command(after_help = "Example:\n  mckibben contraction -D 40 -s 2 -F 600N -p 2.5bar")]
     Contraction(Box<ContractionArgs>),
     /// A family of curves: isometric, isotonic or isobaric
     #[command(after_help = CURVE_EXAMPLES)]
@@ -56,21 +56,28 @@ pub enum Command {
     },
 }
 
+// Lines of at most 78 characters, continued by a backslash: the help is wrapped to the terminal, and a wrapped command
+// cannot be pasted.
 const DESIGN_EXAMPLES: &str = "Examples:
   mckibben design --force 700N --contraction 15% --max-pressure 2.5bar
-  mckibben design --at 700N@15%,1200N@5% --max-pressure 2.5bar --max-bulged-diameter 80mm --plot muscle.svg
-  mckibben design -F 300N --stroke 40mm --length 285 --max-pressure 3bar -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
-  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml";
+  mckibben design --at 700N@15%,1200N@5% --max-pressure 2.5bar \\
+    --max-bulged-diameter 80mm --plot muscle.svg
+  mckibben design -F 300N --stroke 40mm --length 285 --max-pressure 3bar \\
+    -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
+  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
+    --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml";
 
 const CURVE_EXAMPLES: &str = "Examples:
-  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 --plot f.svg
+  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
+    --plot f.svg
   mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
   mckibben curve isotonic -F 20,80,150N --model thick-wall
   mckibben curve --study thickness --model thick-wall --plot study.svg";
 
 const COMPARE_EXAMPLES: &str = "Examples:
   mckibben compare --models ideal,paper,thick-wall -p 1,2bar
-  mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor";
+  mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
+    --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor";
 
 /// `force`.
 #[derive(Debug, Args)]

@@ -6,8 +6,8 @@ use crate::flags::Format;
 use crate::output::text::{law_text, number, or_dash, pairs, percent, table};
 use crate::output::{csv, emit, json, warn};
 use crate::resolve;
-use mckibben::rubber::library::{self, RubberEntry};
-use mckibben::rubber::{Law, RubberLaw};
+use mckibben::rubber::RubberLaw;
+use mckibben::rubber::library::{self, RubberEntry, RubberFit};
 use serde_json::{Map, Value, json};
 
 fn entries() -> Result<&'static [RubberEntry], Failure> {
@@ -61,9 +61,15 @@ fn list_text(entries: &[RubberEntry]) -> Result<String, Failure> {
 /// One rubber.
 pub fn show(args: &RubberShowArgs) -> Result<u8, Failure> {
     let taken = resolve::rubber(&args.name)?;
-    let plain = args.name.split(':').next().unwrap_or(&args.name);
+    let (plain, law) = match args.name.split_once(':') {
+        Some((plain, law)) => (plain, Some(law.trim())),
+        None => (args.name.as_str(), None),
+    };
     let entry = library::entry(plain).map_err(|e| Failure::input("rubber", e.to_string(), ""))?;
-    let value = entry_json(entry, &taken.law);
+    // Fits up to different strains may have the same constants: the one that is taken is one of them.
+    let fit = law.map_or_else(|| entry.default_fit(), |law| entry.fit(law));
+    let is_taken = |f: &RubberFit| fit.is_some_and(|taken| std::ptr::eq(taken, f));
+    let value = entry_json(entry, &is_taken);
     let text = match args.output.format {
         Format::Json => json::print(&value),
         Format::Csv => csv::rows(value["fits"].as_array().map_or(&[][..], |v| v))?,
@@ -71,21 +77,21 @@ pub fn show(args: &RubberShowArgs) -> Result<u8, Failure> {
             for warning in library::warnings(&taken) {
                 warn(warning);
             }
-            entry_text(entry, &taken.law)
+            entry_text(entry, taken.name.as_deref().unwrap_or(&entry.name), &is_taken)
         }
     };
     emit(&text, args.output.output.as_deref())?;
     Ok(0)
 }
 
-fn entry_json(entry: &RubberEntry, taken: &Law) -> Value {
+fn entry_json(entry: &RubberEntry, is_taken: &dyn Fn(&RubberFit) -> bool) -> Value {
     let fits: Vec<Value> = entry
         .fits
         .iter()
         .map(|fit| {
             let mut map = Map::new();
             map.insert("law".into(), json!(fit.law.name()));
-            map.insert("taken".into(), json!(&fit.law == taken));
+            map.insert("taken".into(), json!(is_taken(fit)));
             for (name, value, unit) in fit.law.constants() {
                 let key = if unit == "MPa" { format!("{name}_mpa") } else { name };
                 map.insert(key, json!(value));
@@ -102,7 +108,7 @@ fn entry_json(entry: &RubberEntry, taken: &Law) -> Value {
     })
 }
 
-fn entry_text(entry: &RubberEntry, taken: &Law) -> String {
+fn entry_text(entry: &RubberEntry, name: &str, is_taken: &dyn Fn(&RubberFit) -> bool) -> String {
     let mut head = vec![("name", entry.name.clone()), ("title", entry.title.clone())];
     if let Some(strain) = entry.max_strain {
         let stress = or_dash(entry.max_stress_mpa, |s| format!(" at {} MPa", number(s, 3)));
@@ -117,7 +123,7 @@ fn entry_text(entry: &RubberEntry, taken: &Law) -> String {
         .iter()
         .map(|fit| {
             vec![
-                if &fit.law == taken { "→".into() } else { String::new() },
+                if is_taken(fit) { "→".into() } else { String::new() },
                 law_text(&fit.law),
                 number(fit.law.shear_modulus_mpa(), 3),
                 or_dash(fit.up_to_strain, percent),
@@ -126,5 +132,5 @@ fn entry_text(entry: &RubberEntry, taken: &Law) -> String {
         })
         .collect();
     let header = ["", "law and constants", "μ [MPa]", "fitted up to", "R²"];
-    format!("{}\n{}\n→ is taken for --rubber {}\n", pairs(&head), table(&header, rows), entry.name)
+    format!("{}\n{}\n→ is taken for --rubber {}\n", pairs(&head), table(&header, rows), name)
 }

@@ -43,7 +43,10 @@ fn points(study: &Study) -> Vec<Value> {
                     map.insert("test".into(), json!(panel.test.name()));
                     map.insert("fixed".into(), json!(panel.fixed));
                     map.insert("curve".into(), json!(curve.label));
-                    map.insert("wall_mm".into(), json!(curve.wall_mm));
+                    // The curves without wall have none.
+                    if let Some(wall_mm) = curve.wall_mm {
+                        map.insert("wall_mm".into(), json!(wall_mm));
+                    }
                 }
                 out.push(value);
             }

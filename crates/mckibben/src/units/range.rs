@@ -159,8 +159,10 @@ fn range(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Valu
 /// The unit of each part: its own, or the last one's where only that carries one.
 fn factors(parts: &[(f64, &str)], text: &str, dimension: Dimension) -> Result<Vec<(f64, f64)>, RangeError> {
     let last = parts.last().map_or("", |p| p.1);
-    let bare = parts.iter().filter(|p| p.1.is_empty()).count();
-    if bare != 0 && bare != parts.len() && (last.is_empty() || bare != parts.len() - 1) {
+    // Zero is zero in every unit.
+    let bare = parts.iter().any(|p| p.1.is_empty() && p.0 != 0.0);
+    let units = parts.iter().filter(|p| !p.1.is_empty()).count();
+    if bare && units > usize::from(!last.is_empty()) {
         return Err(RangeError::MixedUnits { text: shortened(text) });
     }
     parts
@@ -203,6 +205,16 @@ mod tests {
             parse_values("1bar,2,3bar", Dimension::Pressure),
             Err(RangeError::MixedUnits { .. })
         ));
+        assert!(matches!(parse_values("1bar,2", Dimension::Pressure), Err(RangeError::MixedUnits { .. })));
+        assert!(matches!(parse_values("0..2bar:1", Dimension::Pressure), Err(RangeError::MixedUnits { .. })));
+    }
+
+    #[test]
+    fn zero_needs_no_unit() {
+        assert_eq!(parse_values("0,10%,20%", Dimension::Ratio), Ok(Values::List(vec![0.0, 0.1, 0.2])));
+        assert_eq!(parse_values("0..10%:5%", Dimension::Ratio), Ok(Values::List(vec![0.0, 0.05, 0.1])));
+        assert_eq!(parse_values("-1bar,0", Dimension::Pressure), Ok(Values::List(vec![-0.1, 0.0])));
+        assert_eq!(parse_values("0,1,2", Dimension::Pressure), Ok(Values::List(vec![0.0, 1.0, 2.0])));
     }
 
     #[test]
