@@ -36,6 +36,12 @@ pub enum Command {
     /// A family of curves: isometric, isotonic or isobaric
     #[command(after_help = CURVE_EXAMPLES)]
     Curve(Box<CurveArgs>),
+    /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
+    #[command(after_help = SIMULATE_EXAMPLES)]
+    Simulate(Box<SimulateArgs>),
+    /// Verification against exact values and validation against measured muscles
+    #[command(after_help = VALIDATE_EXAMPLES)]
+    Validate(ValidateArgs),
     /// Several models, and measured points, on one figure with their errors
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(Box<CompareArgs>),
@@ -73,6 +79,15 @@ const CURVE_EXAMPLES: &str = "Examples:
   mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
   mckibben curve isotonic -F 20,80,150N --model thick-wall
   mckibben curve --study thickness --model thick-wall --plot study.svg";
+
+const SIMULATE_EXAMPLES: &str = "Examples:
+  mckibben simulate examples/prototype.toml --test isometric -e 10% -p 0..0.25:0.05
+  mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar --plot shape.svg
+  mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
+
+const VALIDATE_EXAMPLES: &str = "Examples:
+  mckibben validate
+  mckibben validate --sweep 50";
 
 const COMPARE_EXAMPLES: &str = "Examples:
   mckibben compare --models ideal,paper,thick-wall -p 1,2bar
@@ -172,6 +187,57 @@ pub struct CurveArgs {
     pub force: Option<String>,
     #[command(flatten)]
     pub plot: PlotFlag,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// `simulate`.
+#[derive(Debug, Args)]
+pub struct SimulateArgs {
+    /// Muscle file (TOML)
+    #[arg(value_name = "FILE", conflicts_with = "muscle")]
+    pub file: Option<PathBuf>,
+    /// Which test
+    #[arg(long, value_enum, default_value_t = TestWord::Isometric)]
+    pub test: TestWord,
+    /// Pressures [0.05..0.25:0.05]
+    #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
+    /// Contraction ratios of an isometric or isobaric test [0..0.2:0.1]
+    #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub contraction: Option<String>,
+    /// Contractions are shares of the free contraction at the highest pressure
+    #[arg(long)]
+    pub of_largest: bool,
+    /// Pulls of an isotonic test [20,80,150N]
+    #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub force: Option<String>,
+    /// Model: fe
+    #[arg(long, value_name = "NAME", default_value = "fe")]
+    pub model: String,
+    /// Mesh: elements along the half length, or through the wall x along, or with :grading [chosen]
+    #[arg(long, value_name = "N or MxN:G")]
+    pub mesh: Option<String>,
+    /// Negative force instead of slack where the muscle would have to push
+    #[arg(long)]
+    pub two_sided: bool,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// `validate`.
+#[derive(Debug, Args)]
+pub struct ValidateArgs {
+    /// Instead: ask so many random muscles one question each, and say which share is answered
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub sweep: Option<u32>,
+    /// Seed of the random muscles
+    #[arg(long, default_value_t = 1, requires = "sweep")]
+    pub seed: u64,
     #[command(flatten)]
     pub output: OutputFlags,
 }

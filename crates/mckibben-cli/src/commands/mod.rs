@@ -6,7 +6,9 @@ mod design;
 mod models;
 mod muscle;
 mod rubber;
+pub mod simulate;
 mod study;
+mod validate;
 mod value;
 
 use crate::cli::{Cli, Command, MuscleCommand, RubberCommand};
@@ -23,6 +25,8 @@ pub fn run(command: Command) -> Result<u8, Failure> {
         Command::Contraction(args) => value::contraction(&args),
         Command::Curve(args) if args.study.is_some() => study::run(&args),
         Command::Curve(args) => curve::run(&args),
+        Command::Simulate(args) => simulate::run(&args),
+        Command::Validate(args) => validate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args),

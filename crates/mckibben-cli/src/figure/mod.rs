@@ -3,11 +3,13 @@
 mod compare;
 mod curves;
 mod design;
+mod simulate;
 mod study;
 
 pub use compare::compare;
 pub use curves::curves;
 pub use design::design;
+pub use simulate::simulate;
 pub use study::study;
 
 /// The small line below every figure.

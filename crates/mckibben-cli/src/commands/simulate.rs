@@ -1,0 +1,292 @@
+//! `simulate`: one finite-element test with everything it knows.
+
+use crate::cli::{SimulateArgs, TestWord};
+use crate::failure::{Failure, NOT_CONVERGED};
+use crate::figure;
+use crate::flags::{Format, PressureUnit};
+use crate::kind;
+use crate::output::text::{Pressures, muscle_line, number, or_dash, percent, table};
+use crate::output::{csv, emit, json};
+use crate::resolve;
+use mckibben::curve::Test;
+use mckibben::model::{ForceModel, ThickWall};
+use mckibben::muscle::Muscle;
+use mckibben::units::Dimension;
+use mckibben_fem::axisymmetric::{Axisymmetric, FemError, Solution};
+use serde_json::{Map, Value, json};
+
+/// One point of the test: what was asked, and what came out.
+pub struct Point {
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction asked for.
+    pub contraction: Option<f64>,
+    /// Pull asked for in N.
+    pub force_n: Option<f64>,
+    /// The equilibrium.
+    pub solution: Result<Solution, FemError>,
+    /// Where it is slack: the free contraction at this pressure.
+    pub free_contraction: Option<f64>,
+    slack: bool,
+    collapsed: bool,
+}
+
+impl Point {
+    fn status(&self) -> &'static str {
+        match &self.solution {
+            Ok(_) => "ok",
+            Err(_) if self.collapsed => "collapsed",
+            Err(_) => "not_converged",
+        }
+    }
+}
+
+/// Runs the command.
+pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
+    let mut flags = args.muscle.clone();
+    flags.muscle = args.file.clone().or(flags.muscle);
+    let muscle = resolve::muscle(&flags)?;
+    if args.model != "fe" {
+        let message =
+            format!("`simulate` runs finite elements, and \"{}\" is none; the model is fe", args.model);
+        return Err(Failure::input("model", message, "`curve` draws the curves of every model"));
+    }
+    let mesh = kind::mesh(args.mesh.as_deref())?;
+    let model =
+        Axisymmetric::with_mesh(&muscle, &mesh).map_err(|e| Failure::input("mesh", e.to_string(), ""))?;
+    let test = match args.test {
+        TestWord::Isometric => Test::Isometric,
+        TestWord::Isotonic => Test::Isotonic,
+        TestWord::Isobaric => Test::Isobaric,
+    };
+    let points = questions(args, &model, test)?;
+    let points: Vec<Point> = points.into_iter().map(|q| answer(&model, &muscle, q, args.two_sided)).collect();
+    let typed = PressureUnit::typed(args.pressure.as_deref());
+    let p = Pressures(args.output.units.or(typed).unwrap_or(PressureUnit::Mpa));
+    let failed = points.iter().all(|q| q.solution.is_err() && !q.collapsed);
+    if let (Some(path), false) = (&args.plot.plot, failed) {
+        figure::simulate(&muscle, test, &points, p).save(path)?;
+    }
+    let list: Vec<Value> = points.iter().map(point_json).collect();
+    let text = match args.output.format {
+        Format::Json => json::print(
+            &json!({ "model": "fe", "test": test.name(), "muscle": json::muscle(&muscle), "points": list }),
+        ),
+        Format::Csv => csv::rows(&list)?,
+        Format::Text => as_text(&muscle, test, &points, p),
+    };
+    if failed && args.output.format == Format::Text {
+        let first = points.iter().find_map(|q| q.solution.as_ref().err()).map(ToString::to_string);
+        return Err(Failure::new(NOT_CONVERGED, "not_converged", first.unwrap_or_default(), ""));
+    }
+    emit(&text, args.output.output.as_deref())?;
+    Ok(if failed { NOT_CONVERGED } else { 0 })
+}
+
+/// (pressure, contraction or pull) of each point, curve by curve.
+type Question = (f64, Result<f64, f64>);
+
+fn questions(args: &SimulateArgs, model: &Axisymmetric, test: Test) -> Result<Vec<Question>, Failure> {
+    let p =
+        resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?;
+    let mut e = resolve::contractions(args.contraction.as_deref(), "0..0.2:0.1")?;
+    let f = resolve::points("--force", args.force.as_deref(), Dimension::Force, "20,80,150N", 5)?;
+    if args.of_largest {
+        let highest = p.iter().copied().fold(0.0, f64::max);
+        let largest =
+            model.free_contraction(highest).map_err(|e| Failure::from(e.into_model(highest, 0.0)))?;
+        e.iter_mut().for_each(|e| *e *= largest);
+    }
+    let second: Vec<Result<f64, f64>> = if test == Test::Isotonic {
+        f.into_iter().map(Err).collect()
+    } else {
+        e.into_iter().map(Ok).collect()
+    };
+    if p.len().saturating_mul(second.len()) > 100_000 {
+        let message = format!("{} points are more than 100000", p.len() * second.len());
+        return Err(Failure::input("range", message, "take larger steps"));
+    }
+    if let Some(low) = p.iter().copied().find(|p| *p < 0.0) {
+        return Err(Failure::input("out_of_range", format!("--pressure: {low} MPa is below zero"), ""));
+    }
+    Ok(if test == Test::Isobaric {
+        p.iter().flat_map(|&p| second.iter().map(move |&s| (p, s))).collect()
+    } else {
+        second.iter().flat_map(|&s| p.iter().map(move |&p| (p, s))).collect()
+    })
+}
+
+fn answer(model: &Axisymmetric, muscle: &Muscle, (p, second): Question, two_sided: bool) -> Point {
+    let solution = match second {
+        Ok(e) => model.solve(p, e),
+        Err(f) => model.at_force(f, p),
+    };
+    let slack = second.is_ok() && !two_sided && solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
+    let free_contraction = if slack { model.free_contraction(p).ok() } else { None };
+    // Without an equilibrium where the endless muscle would push, the tube has collapsed.
+    let collapsed = solution.is_err()
+        && second.is_ok_and(|e| ThickWall::new(muscle).force_n(p, e).map_or(true, |force| force <= 0.0));
+    Point {
+        pressure_mpa: p,
+        contraction: second.ok(),
+        force_n: second.err(),
+        solution,
+        free_contraction,
+        slack,
+        collapsed,
+    }
+}
+
+fn point_json(q: &Point) -> Value {
+    let mut map = Map::new();
+    let mut put = |key: &str, value: Value| drop(map.insert(key.into(), value));
+    put("pressure_mpa", json!(q.pressure_mpa));
+    let s = match &q.solution {
+        Ok(s) => s,
+        Err(error) => {
+            put("contraction", json!(q.contraction));
+            put("wanted_force_n", json!(q.force_n));
+            put("status", json!(q.status()));
+            put("cause", json!(error.to_string()));
+            return Value::Object(map);
+        }
+    };
+    put("contraction", json!(q.contraction.unwrap_or(s.response.contraction)));
+    put("force_n", json!(if q.slack { 0.0 } else { s.response.force_n }));
+    put("slack", json!(q.slack));
+    if q.slack {
+        put("free_contraction", json!(q.free_contraction));
+    }
+    put("status", json!("ok"));
+    json::put_response(&mut map, &s.response);
+    let mut put = |key: &str, value: Value| drop(map.insert(key.into(), value));
+    put("rubber_energy_j", json!(1e-3 * s.energies.rubber));
+    put("braid_energy_j", json!(1e-3 * s.energies.braid));
+    put("pressure_work_j", json!(1e-3 * s.energies.pressure));
+    put("unstable_directions", json!(s.unstable_directions));
+    put("smallest_volume_ratio", json!(s.smallest_j));
+    put(
+        "max_stretch_at",
+        json!({ "rest_r_mm": s.max_stretch.rest_mm[0], "rest_z_mm": s.max_stretch.rest_mm[1] }),
+    );
+    let profile = s.profile.iter().map(|x| {
+        json!({
+            "rest_z_mm": x.rest_mm, "outer_z_mm": x.outer_mm.0, "outer_r_mm": x.outer_mm.1,
+            "inner_z_mm": x.inner_mm.0, "inner_r_mm": x.inner_mm.1,
+        })
+    });
+    put("profile", json!(profile.collect::<Vec<_>>()));
+    let strands = s.strands.iter().map(|x| {
+        json!({
+            "rest_z_mm": x.rest_mm, "stretch": x.stretch, "angle_deg": x.angle_deg,
+            "tension_n_per_mm": x.tension_per_width, "strand_tension_n": x.tension_n,
+        })
+    });
+    put("strands", json!(strands.collect::<Vec<_>>()));
+    let sensitivities = s.sensitivities.iter().map(|x| {
+        json!({ "name": x.name, "value": x.value, "unit": x.unit, "force_n_per_unit": x.force_n_per_unit })
+    });
+    put("sensitivities", json!(sensitivities.collect::<Vec<_>>()));
+    Value::Object(map)
+}
+
+fn as_text(m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
+    let unit = format!("P [{}]", p.unit());
+    let strands = m.braid().strands.is_some();
+    let tension = if strands { "strand [N]" } else { "braid [N]" };
+    let header = [
+        &unit,
+        "ε",
+        "F [N]",
+        "V [cm³]",
+        "bulges to [mm]",
+        tension,
+        "stiffness [N/mm]",
+        "largest stretch",
+        "",
+    ];
+    let rows = points.iter().map(|q| {
+        let head = vec![number(p.value(q.pressure_mpa), 4)];
+        let tail = match &q.solution {
+            Err(_) => vec![
+                or_dash(q.contraction, percent),
+                or_dash(q.force_n, |f| number(f, 5)),
+                "–".into(),
+                "–".into(),
+                "–".into(),
+                "–".into(),
+                "–".into(),
+                q.status().into(),
+            ],
+            Ok(s) => {
+                let r = &s.response;
+                let tension = if strands { r.strand_tension_n } else { r.braid_tension_n };
+                let note = match (q.slack, q.free_contraction) {
+                    (true, Some(e)) => format!("slack, hangs at {}", percent(e)),
+                    (true, None) => "slack".into(),
+                    _ if s.unstable_directions > 0 => "unstable".into(),
+                    _ => String::new(),
+                };
+                vec![
+                    percent(r.contraction),
+                    if q.slack { "0".into() } else { number(r.force_n, 5) },
+                    or_dash(r.volume_mm3, |v| number(v * 1e-3, 4)),
+                    or_dash(r.bulged_diameter_mm, |v| number(v, 4)),
+                    or_dash(tension, |v| number(v, 4)),
+                    or_dash(r.stiffness_n_per_mm, |v| number(v, 4)),
+                    or_dash(r.max_stretch, |v| number(v, 3)),
+                    note,
+                ]
+            }
+        };
+        head.into_iter().chain(tail).collect()
+    });
+    let mut out = format!("{} test, model fe\n{}\n\n", test.name(), muscle_line(m));
+    out.push_str(&table(&header, rows.collect()));
+    if let Some(s) = points.iter().rev().find_map(|q| q.solution.as_ref().ok()) {
+        out.push_str(&last_text(s, p));
+    }
+    out
+}
+
+/// What is known of one equilibrium beyond the table.
+fn last_text(s: &Solution, p: Pressures) -> String {
+    let r = &s.response;
+    let mut out = format!("\nAt {} and {}\n", p.show(r.pressure_mpa), percent(r.contraction));
+    let joules = |v: f64| format!("{} J", number(1e-3 * v, 4));
+    out.push_str(&format!(
+        "  energy: rubber {}, strands {}, P·(V − V0) {}\n",
+        joules(s.energies.rubber),
+        joules(s.energies.braid),
+        joules(s.energies.pressure)
+    ));
+    let at = s.max_stretch.rest_mm;
+    out.push_str(&format!(
+        "  largest stretch {} at r {} mm, z {} mm from the middle (at rest)\n",
+        number(s.max_stretch.value, 4),
+        number(at[0], 4),
+        number(at[1], 4)
+    ));
+    if let (Some(first), Some(last)) = (s.strands.first(), s.strands.last()) {
+        out.push_str(&format!(
+            "  strands: {}° in the middle, {}° at the terminal; stretch {} to {}\n",
+            number(first.angle_deg, 4),
+            number(last.angle_deg, 4),
+            number(first.stretch, 5),
+            number(last.stretch, 5)
+        ));
+    }
+    out.push_str("\nWhat the pull gains when one of these grows by 1 %\n");
+    for x in &s.sensitivities {
+        let gain = 0.01 * x.value * x.force_n_per_unit;
+        let space = if x.unit.is_empty() { "" } else { " " };
+        out.push_str(&format!(
+            "  {:<22} {:>9}{space}{:<5} {:>9} N\n",
+            x.name,
+            number(x.value, 4),
+            x.unit,
+            number(gain, 3)
+        ));
+    }
+    out
+}
