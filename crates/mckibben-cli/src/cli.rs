@@ -446,6 +446,11 @@ pub struct MuscleShowArgs {
     /// Muscle file (TOML)
     #[arg(value_name = "FILE", conflicts_with = "muscle")]
     pub file: Option<PathBuf>,
+    /// Also what it does at this pressure: blocked force, free contraction, work, air, burst
+    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
+    #[command(flatten)]
+    pub model: ModelFlags,
     #[command(flatten)]
     pub muscle: MuscleFlags,
     #[command(flatten)]

@@ -2,12 +2,17 @@
 
 use crate::cli::MuscleShowArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
-use crate::output::text::{braid_name, law_text, number, pairs, percent, rubber_name};
+use crate::flags::{Format, PressureUnit};
+use crate::output::text::{Pressures, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
 use crate::output::{csv, emit, json, warn};
 use crate::resolve;
+use mckibben::analysis::{
+    Air, air_per_stroke, blocked_force_n, burst_pressure_mpa, free_contraction, work_per_stroke_j,
+};
+use mckibben::answer::check_range;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::{RubberLaw, library};
+use mckibben::units::Dimension;
 use serde_json::{Map, Value, json};
 
 /// Shows a muscle.
@@ -15,7 +20,14 @@ pub fn show(args: &MuscleShowArgs) -> Result<u8, Failure> {
     let mut flags = args.muscle.clone();
     flags.muscle = args.file.clone().or(flags.muscle);
     let muscle = resolve::muscle(&flags)?;
-    let value = as_json(&muscle);
+    let does = match resolve::quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)? {
+        Some(p) => Some(characteristics(args, &muscle, p)?),
+        None => None,
+    };
+    let mut value = as_json(&muscle);
+    if let (Some(map), Some(does)) = (value.as_object_mut(), &does) {
+        map.insert("characteristics".into(), does.as_json());
+    }
     let text = match args.output.format {
         Format::Json => json::print(&value),
         Format::Csv => csv::rows(&[flat(&value)])?,
@@ -23,11 +35,78 @@ pub fn show(args: &MuscleShowArgs) -> Result<u8, Failure> {
             for warning in library::warnings(&muscle.tube().rubber) {
                 warn(warning);
             }
-            as_text(&muscle)
+            let typed = PressureUnit::typed(args.pressure.as_deref());
+            let p = Pressures(args.output.units.or(typed).unwrap_or(PressureUnit::Mpa));
+            let does = does.map_or_else(String::new, |d| d.as_text(p));
+            format!("{}{does}", as_text(&muscle))
         }
     };
     emit(&text, args.output.output.as_deref())?;
     Ok(0)
+}
+
+/// What a muscle does at one pressure.
+struct Characteristics {
+    model: String,
+    pressure_mpa: f64,
+    blocked_force_n: f64,
+    free_contraction: Option<f64>,
+    work_j: Option<f64>,
+    air: Option<Air>,
+    burst_pressure_mpa: Option<f64>,
+}
+
+fn characteristics(
+    args: &MuscleShowArgs,
+    muscle: &Muscle,
+    pressure_mpa: f64,
+) -> Result<Characteristics, Failure> {
+    let model = resolve::model(&args.model, muscle, (pressure_mpa, pressure_mpa))?;
+    let model = model.as_ref();
+    let extrapolate = args.model.asking.extrapolate;
+    check_range(model, pressure_mpa, 0.0, resolve::options(&args.model.asking))?;
+    let blocked_force_n = blocked_force_n(model, pressure_mpa)?;
+    let free = free_contraction(model, pressure_mpa, extrapolate).ok();
+    Ok(Characteristics {
+        model: model.name().into(),
+        pressure_mpa,
+        blocked_force_n,
+        free_contraction: free,
+        work_j: free.and_then(|e| work_per_stroke_j(model, pressure_mpa, 0.0, e).ok()),
+        air: free.and_then(|e| air_per_stroke(model, pressure_mpa, e).ok()),
+        burst_pressure_mpa: burst_pressure_mpa(model, 0.0).ok().flatten(),
+    })
+}
+
+impl Characteristics {
+    fn as_json(&self) -> Value {
+        json!({
+            "model": self.model,
+            "pressure_mpa": self.pressure_mpa,
+            "blocked_force_n": self.blocked_force_n,
+            "free_contraction": self.free_contraction,
+            "work_j": self.work_j,
+            "volume_mm3": self.air.map(|a| a.volume_mm3),
+            "air_normal_litres": self.air.map(|a| a.normal_litres),
+            "burst_pressure_mpa": self.burst_pressure_mpa,
+        })
+    }
+
+    fn as_text(&self, p: Pressures) -> String {
+        let burst = or_dash(self.burst_pressure_mpa, |v| p.show(v));
+        let list = [
+            ("blocked force", format!("{} N", number(self.blocked_force_n, 5))),
+            ("free contraction", or_dash(self.free_contraction, percent)),
+            ("work of a free stroke", or_dash(self.work_j, |v| format!("{} J", number(v, 4)))),
+            ("cavity at its end", or_dash(self.air, |a| format!("{} cm³", number(a.volume_mm3 * 1e-3, 4)))),
+            (
+                "air of a free stroke",
+                or_dash(self.air, |a| format!("{} normal litres", number(a.normal_litres, 4))),
+            ),
+            ("strands break at", if self.burst_pressure_mpa.is_some() { burst } else { "not stated".into() }),
+        ];
+        format!("\nAt {}, model {}\n{}", p.show(self.pressure_mpa), self.model, pairs(&list))
+    }
 }
 
 fn as_json(m: &Muscle) -> Value {

@@ -27,7 +27,8 @@ pub struct Point {
     pub solution: Result<Solution, FemError>,
     /// Where it is slack: the free contraction at this pressure.
     pub free_contraction: Option<f64>,
-    slack: bool,
+    /// Whether it would have to push, and lies slack instead.
+    pub slack: bool,
     collapsed: bool,
 }
 

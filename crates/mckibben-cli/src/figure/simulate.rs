@@ -77,7 +77,7 @@ fn key(test: Test, q: &Point) -> f64 {
 
 fn coordinates(test: Test, q: &Point, p: Pressures) -> (f64, f64) {
     let r = q.solution.as_ref().ok().map(|s| s.response);
-    let pull = r.map_or(f64::NAN, |r| r.force_n);
+    let pull = r.filter(|_| !q.slack).map_or(f64::NAN, |r| r.force_n);
     match test {
         Test::Isometric => (p.value(q.pressure_mpa), pull),
         Test::Isotonic => (p.value(q.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),

@@ -42,8 +42,8 @@ pub fn number(v: f64, digits: usize) -> String {
 }
 
 /// A number or a dash.
-pub fn or_dash(v: Option<f64>, show: impl Fn(f64) -> String) -> String {
-    v.filter(|v| v.is_finite()).map_or_else(|| "–".into(), show)
+pub fn or_dash<T>(v: Option<T>, show: impl Fn(T) -> String) -> String {
+    v.map_or_else(|| "–".into(), show)
 }
 
 /// A ratio as a percentage.
