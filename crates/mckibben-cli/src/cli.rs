@@ -81,8 +81,9 @@ const CURVE_EXAMPLES: &str = "Examples:
   mckibben curve --study thickness --model thick-wall --plot study.svg";
 
 const SIMULATE_EXAMPLES: &str = "Examples:
-  mckibben simulate examples/prototype.toml --test isometric -e 10% -p 0..0.25:0.05
-  mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar --plot shape.svg
+  mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05
+  mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
+    --plot shape.svg
   mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
 
 const VALIDATE_EXAMPLES: &str = "Examples:

@@ -31,7 +31,7 @@ impl Kind {
         }
         let known = name.parse::<ModelKind>();
         known.map(Kind::Closed).map_err(|e| {
-            let message = e.to_string().replace("; the models are ", &format!("; the models are {FE}, "));
+            let message = format!("{e}, {FE}").replace(&format!("?, {FE}"), "?");
             Failure::input("model", message, "`mckibben models` describes them")
         })
     }

@@ -26,6 +26,7 @@ struct Row {
 
 /// Runs the command.
 pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
+    figure::check(args.plot.plot.as_deref())?;
     let muscle = resolve::muscle(&args.muscle)?;
     let kinds = kinds(args)?;
     let motion = resolve::motion(&args.asking, &muscle)?;

@@ -12,6 +12,7 @@ use mckibben::units::Dimension;
 
 /// Runs the command.
 pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
+    figure::check(args.plot.plot.as_deref())?;
     let test = match args.test {
         Some(TestWord::Isotonic) => Test::Isotonic,
         Some(TestWord::Isobaric) => Test::Isobaric,

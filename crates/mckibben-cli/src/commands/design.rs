@@ -24,6 +24,7 @@ const DRAWN: usize = 3;
 
 /// Runs the command.
 pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
+    figure::check(args.plot.plot.as_deref())?;
     let (spec, kind) = specification(args)?;
     let build = |m: &Muscle| resolve::build(kind, m, Motion::Mean);
     let outcome = design(&spec, &build)?;

@@ -44,6 +44,7 @@ impl Point {
 
 /// Runs the command.
 pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
+    figure::check(args.plot.plot.as_deref())?;
     let mut flags = args.muscle.clone();
     flags.muscle = args.file.clone().or(flags.muscle);
     let muscle = resolve::muscle(&flags)?;

@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 
 /// Runs the study.
 pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
+    figure::check(args.plot.plot.as_deref())?;
     let base = resolve::muscle(&args.muscle)?;
     let motion = resolve::motion(&args.model.asking, &base)?;
     let kind = resolve::kind(args.model.model.as_deref(), &args.model.asking, &base, (0.0, 0.25))?;

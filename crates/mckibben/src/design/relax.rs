@@ -4,7 +4,7 @@ use super::candidate::screen;
 use super::reason::Reason;
 use super::spec::{Build, Limits, OperatingPoint, Spec};
 use crate::analysis::{contraction_at, pressure_at};
-use crate::model::ThickWall;
+use crate::model::{ForceModel, ThickWall};
 use crate::muscle::Muscle;
 
 /// A way to make the closest muscle fit.
@@ -27,6 +27,8 @@ pub enum Relaxation {
         outer_diameter_mm: f64,
         /// The model that says so.
         model: String,
+        /// The design's model, to which that model was scaled on the closest muscle because it lies outside of its range.
+        scaled_to: Option<String>,
     },
     /// Allow this diameter when bulged.
     BulgedDiameter {
@@ -129,35 +131,43 @@ fn limit(spec: &Spec, build: &Build<'_>, muscle: &Muscle, ease: impl Fn(&mut Lim
     screen(&relaxed, build, muscle).is_ok()
 }
 
-/// The smallest diameter beyond the bound that fits, by the design's model or, outside of its range, by thick-wall.
+/// The smallest diameter beyond the bound that fits: by the design's model or, outside of its range, by the thick-wall
+/// model scaled so that both agree on `muscle`.
 fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
-    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
-    let (_, high) = spec.outer_diameter_mm.bounds();
-    for build in [build, thick] {
-        let fits = |d0: f64| {
-            let muscle = muscle.with_section(d0, muscle.wall_mm()).ok()?;
-            screen(spec, build, &muscle).ok()
-        };
-        let (mut low, mut found) = (high, None);
-        for i in 1..=40 {
-            let d0 = high * (1.0 + 0.05 * f64::from(i));
-            if fits(d0).is_some() {
-                found = Some(d0);
-                break;
-            }
-            low = d0;
-        }
-        if let Some(mut top) = found {
-            for _ in 0..30 {
-                let mid = 0.5 * (low + top);
-                if fits(mid).is_some() { top = mid } else { low = mid }
-            }
-            let model = build(muscle).map_or_else(|_| String::new(), |m| m.name().to_owned());
-            return Some(Relaxation::OuterDiameter {
-                outer_diameter_mm: (top * 100.0).ceil() / 100.0,
-                model,
-            });
-        }
+    let own = build(muscle).ok()?;
+    if let Some(outer_diameter_mm) = smallest_wider(spec, build, muscle) {
+        return Some(Relaxation::OuterDiameter {
+            outer_diameter_mm,
+            model: own.name().into(),
+            scaled_to: None,
+        });
     }
-    None
+    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+    let other = ThickWall::new(muscle);
+    let scaled = |p: &OperatingPoint| {
+        let at = |m: &dyn ForceModel| m.force_n(spec.max_pressure_mpa, p.contraction).ok();
+        let ratio = at(&other)? / at(own.as_ref())?;
+        (ratio.is_finite() && ratio > 0.0).then_some(OperatingPoint { force_n: p.force_n * ratio, ..*p })
+    };
+    let points = spec.points.iter().map(scaled).collect::<Option<Vec<_>>>()?;
+    let spec = Spec { points, ..spec.clone() };
+    let outer_diameter_mm = smallest_wider(&spec, thick, muscle)?;
+    let scaled_to = Some(own.name().into());
+    Some(Relaxation::OuterDiameter { outer_diameter_mm, model: other.name().into(), scaled_to })
+}
+
+fn smallest_wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<f64> {
+    let (_, high) = spec.outer_diameter_mm.bounds();
+    let fits = |d0: f64| {
+        let muscle = muscle.with_section(d0, muscle.wall_mm());
+        muscle.is_ok_and(|m| screen(spec, build, &m).is_ok())
+    };
+    let wide = |i: i32| high * (1.0 + 0.05 * f64::from(i));
+    let first = (1..=40).find(|&i| fits(wide(i)))?;
+    let (mut low, mut top) = (wide(first - 1), wide(first));
+    for _ in 0..30 {
+        let mid = 0.5 * (low + top);
+        if fits(mid) { top = mid } else { low = mid }
+    }
+    Some((top * 100.0).ceil() / 100.0)
 }

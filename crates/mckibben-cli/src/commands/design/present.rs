@@ -62,8 +62,8 @@ fn relaxation_json(r: &Relaxation) -> Value {
         }
         Relaxation::Force(points) => json!({ "relax": "force", "points": points_json(points) }),
         Relaxation::Contraction(points) => json!({ "relax": "contraction", "points": points_json(points) }),
-        Relaxation::OuterDiameter { outer_diameter_mm, model } => {
-            json!({ "relax": "outer_diameter", "outer_diameter_mm": outer_diameter_mm, "model": model })
+        Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => {
+            json!({ "relax": "outer_diameter", "outer_diameter_mm": outer_diameter_mm, "model": model, "scaled_to": scaled_to })
         }
         Relaxation::BulgedDiameter { diameter_mm } => {
             json!({ "relax": "max_bulged_diameter", "bulged_diameter_mm": diameter_mm })
@@ -289,8 +289,12 @@ fn nothing_fits(closest: &mckibben::design::Closest, p: Pressures) -> String {
                 };
                 points.iter().map(each).collect::<Vec<_>>().join(" and ")
             }
-            Relaxation::OuterDiameter { outer_diameter_mm, model } => {
-                format!("an outer diameter of {} mm (by the {model} model)", number(*outer_diameter_mm, 5))
+            Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => {
+                let scaled = scaled_to.as_ref().map_or_else(String::new, |m| format!(", scaled to {m} here"));
+                format!(
+                    "an outer diameter of {} mm (by the {model} model{scaled})",
+                    number(*outer_diameter_mm, 5)
+                )
             }
             Relaxation::BulgedDiameter { diameter_mm } => {
                 format!("a bulged diameter of {} mm", number((diameter_mm * 10.0).ceil() / 10.0, 4))
