@@ -107,14 +107,9 @@ impl Engine {
             return Ok(());
         }
         let before = self.walker.effort.iterations;
-        self.walker.reset();
-        let straight = self.walker.walk(pressure, terminal);
-        if straight.is_err() || !self.stable() {
+        if !self.leap(pressure, terminal) {
             self.long_way(pressure, terminal)
-                .or_else(|halt| {
-                    // An unstable equilibrium is still one; an error of the long way is the better told.
-                    if straight.is_ok() { self.again(pressure, terminal) } else { Err(halt) }
-                })
+                .or_else(|halt| self.straight(pressure, terminal).map_err(|_| halt))
                 .map_err(|(reason, last)| FemError::Path {
                     pressure_mpa: pressure,
                     contraction,
@@ -125,6 +120,12 @@ impl Engine {
         }
         self.keep();
         Ok(())
+    }
+
+    /// One step from rest to the answer.
+    fn leap(&mut self, pressure: f64, terminal: f64) -> bool {
+        self.walker.reset();
+        self.walker.leap(pressure, terminal).is_ok() && self.stable()
     }
 
     fn factorised(&mut self) -> Result<(), FemError> {
@@ -144,7 +145,7 @@ impl Engine {
         Ok(self.walker.body.force_per_pressure())
     }
 
-    fn again(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
+    fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
         self.walker.reset();
         self.walker.walk(pressure, terminal)
     }
@@ -215,6 +216,20 @@ impl Engine {
         }
         self.trail[self.trailed].copy_from(&self.walker.body.state);
         self.trailed += 1;
+    }
+
+    /// Pressure of the last point of the curve in MPa.
+    pub fn pressure_of_trail(&self) -> f64 {
+        self.trail[self.trailed.saturating_sub(1)].pressure
+    }
+
+    /// Walks on from the last point of the curve in as many steps as it takes.
+    pub fn walk_on(&mut self, pressure: f64, terminal: f64) -> bool {
+        if self.trailed == 0 {
+            return false;
+        }
+        self.walker.body.state.copy_from(&self.trail[self.trailed - 1]);
+        self.walker.walk(pressure, terminal).is_ok() && self.stable()
     }
 
     /// Solves for the next point of a curve from what the last points foretell (Lagrange's polynomial through them).

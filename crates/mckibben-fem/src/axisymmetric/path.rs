@@ -18,13 +18,13 @@ pub struct PathOptions {
     pub newton: NewtonOptions,
     /// Smallest share of a leg that is tried.
     pub smallest_step: f64,
-    /// Newton iterations after which a question is given up.
+    /// Factorisations after which a walk is given up.
     pub budget: usize,
 }
 
 impl Default for PathOptions {
     fn default() -> Self {
-        let newton = NewtonOptions { iterations: 14, ..NewtonOptions::default() };
+        let newton = NewtonOptions { iterations: 10, ..NewtonOptions::default() };
         Self { newton, smallest_step: 1.0 / 512.0, budget: 250 }
     }
 }
@@ -75,17 +75,19 @@ impl Walker {
     ///
     /// # Errors
     /// [`Stopped`].
-    pub fn solve(&mut self, control: Control) -> Result<Effort, Stopped> {
+    pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
         self.body.control = control;
-        let result = newton::solve(&mut self.body, &self.options.newton, |_| ());
-        match &result {
-            Ok(effort) => self.effort.add(*effort),
-            Err(_) => {
-                self.effort.iterations += self.options.newton.iterations / 2;
-                self.effort.factorisations += self.options.newton.iterations / 2;
-            }
-        }
-        result
+        newton::solve(&mut self.body, &self.options.newton, &mut self.effort, |_| ())
+    }
+
+    /// One step from rest to a pressure in MPa and a displacement of the terminal in mm.
+    ///
+    /// # Errors
+    /// [`Stopped`]; the body then holds no equilibrium.
+    pub fn leap(&mut self, pressure: f64, terminal: f64) -> Result<(), Stopped> {
+        self.body.state.pressure = pressure;
+        guess(&self.body.discrete, &mut self.body.state);
+        self.solve(Control::Length(terminal))
     }
 
     fn last(&self, state: &State, pull: f64, smallest_j: f64) -> LastConverged {
@@ -105,7 +107,7 @@ impl Walker {
         self.base.copy_from(&self.body.state);
         let (p0, w0) = (self.base.pressure, self.base.terminal);
         let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.x.iter().all(|x| *x == 0.0);
-        let spent = self.effort.iterations;
+        let spent = self.effort.factorisations;
         let (mut done, mut step, mut step_before) = (0.0_f64, 1.0_f64, 0.0_f64);
         let (mut pull, mut smallest) = (0.0, 1.0);
         loop {
@@ -120,7 +122,7 @@ impl Walker {
                 guess(&self.body.discrete, &mut self.body.state);
             }
             match self.solve(Control::Length(w)) {
-                Ok(_) => {
+                Ok(()) => {
                     (pull, smallest) = (self.body.totals.pull, self.body.totals.smallest_j);
                     if next >= 1.0 {
                         return Ok(());
@@ -133,7 +135,7 @@ impl Walker {
                 }
                 Err(stop) => {
                     step = 0.5 * (next - done);
-                    let broke = self.effort.iterations - spent > self.options.budget;
+                    let broke = self.effort.factorisations - spent > self.options.budget;
                     if step < self.options.smallest_step || broke {
                         let base = std::mem::replace(&mut self.base, self.before.clone());
                         self.body.state.copy_from(&base);
