@@ -124,8 +124,10 @@ impl Engine {
 
     /// One step from rest to the answer.
     fn leap(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.walker.reset();
-        self.walker.leap(pressure, terminal).is_ok() && self.stable()
+        [true, false].into_iter().any(|shaped| {
+            self.walker.reset();
+            self.walker.leap(pressure, terminal, shaped).is_ok() && self.stable()
+        })
     }
 
     fn factorised(&mut self) -> Result<(), FemError> {

@@ -6,6 +6,7 @@ pub mod discrete;
 mod engine;
 pub mod equilibrium;
 mod error;
+mod guess;
 pub mod layout;
 pub mod mesh;
 mod model;

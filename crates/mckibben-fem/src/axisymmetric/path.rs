@@ -1,14 +1,12 @@
 //! Ways through the plane of pressure and length.
 //!
 //! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is followed by one twice
-//! as large; from the second step on the last two states extrapolate the next. From rest, the tensions that carry the
-//! pressure are guessed from the ideal muscle, q = P Ro/(2 sin²θ0) and p = −P: without them the first tangent would lack
-//! the very stiffness that holds the tube.
+//! as large; from the second step on the last two states extrapolate the next.
 
-use super::discrete::{BraidSpec, Discrete, State};
+use super::discrete::{Discrete, State};
 use super::equilibrium::{Body, Control};
 use super::error::LastConverged;
-use crate::element::q2::MODES;
+use super::guess;
 use crate::solver::newton::{self, Effort, NewtonOptions, Stopped};
 
 /// Settings of a path.
@@ -80,13 +78,17 @@ impl Walker {
         newton::solve(&mut self.body, &self.options.newton, &mut self.effort, |_| ())
     }
 
-    /// One step from rest to a pressure in MPa and a displacement of the terminal in mm.
+    /// One step from rest to a pressure in MPa and a displacement of the terminal in mm; `shaped`: from a guessed shape.
     ///
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
-    pub fn leap(&mut self, pressure: f64, terminal: f64) -> Result<(), Stopped> {
-        self.body.state.pressure = pressure;
-        guess(&self.body.discrete, &mut self.body.state);
+    pub fn leap(&mut self, pressure: f64, terminal: f64, shaped: bool) -> Result<(), Stopped> {
+        let (d, state) = (&self.body.discrete, &mut self.body.state);
+        state.pressure = pressure;
+        guess::loads(d, state, 1.0 + terminal / d.half_length());
+        if shaped && !guess::shape(d, state, terminal) {
+            return Err(Stopped::Diverged { correction: 0.0 });
+        }
         self.solve(Control::Length(terminal))
     }
 
@@ -119,7 +121,7 @@ impl Walker {
             if done > 0.0 {
                 self.extrapolate((next - done) / step_before);
             } else if at_rest {
-                guess(&self.body.discrete, &mut self.body.state);
+                guess::loads(&self.body.discrete, &mut self.body.state, 1.0);
             }
             match self.solve(Control::Length(w)) {
                 Ok(()) => {
@@ -160,23 +162,4 @@ impl Walker {
         // The terminal's own unknowns must fit what the state says of it.
         state.terminal = self.base.terminal + ratio * (self.base.terminal - self.before.terminal);
     }
-}
-
-/// Tensions and pressures of the ideal muscle at rest.
-fn guess(d: &Discrete, state: &mut State) {
-    let Some(BraidSpec { angle_rad, .. }) = d.make.braid else { return };
-    let sin = angle_rad.sin();
-    let q = state.pressure * d.radius / (2.0 * sin * sin);
-    state.q.fill(q);
-    let l = d.layout;
-    for slab in 0..l.along {
-        for i in 0..l.through {
-            state.x[l.pressure(slab, i)] = -state.pressure;
-        }
-        if l.multipliers {
-            let at = l.tension(slab);
-            state.x[at..at + 2].fill(q);
-        }
-    }
-    let _ = MODES;
 }
