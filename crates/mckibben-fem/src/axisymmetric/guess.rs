@@ -68,8 +68,7 @@ impl Line {
         (0..STEPS)
             .map(|i| {
                 let z = from + h * i as f64;
-                h / 6.0
-                    * (self.slope(z).0 + 4.0 * self.slope(z + 0.5 * h).0 + self.slope(z + h).0)
+                h / 6.0 * (self.slope(z).0 + 4.0 * self.slope(z + 0.5 * h).0 + self.slope(z + h).0)
             })
             .sum()
     }
@@ -84,16 +83,10 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64) -> bool {
     let strain = stiffness.map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k).min(0.1);
     let strand2 = (1.0 + strain).powi(2);
     let station = |j: usize| d.mesh.node(outer, j)[1];
-    let mut line = Line {
-        sin2,
-        cos2: 1.0 - sin2,
-        strand2,
-        radius: d.radius,
-        half,
-        layer: LAYER * d.radius,
-        bulge: 0.0,
-    };
-    let length = |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
+    let mut line =
+        Line { sin2, cos2: 1.0 - sin2, strand2, radius: d.radius, half, layer: LAYER * d.radius, bulge: 0.0 };
+    let length =
+        |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
     let wanted = half + terminal;
     let (mut low, mut high) = (-0.3, 0.995 * (strand2 / sin2).sqrt() - 1.0);
     for _ in 0..14 {
@@ -112,7 +105,8 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64) -> bool {
         }
         let ((r, dr), (dz, meridian)) = (line.radius(at), line.slope(at));
         // The normal turns with the line, but not at the terminal, which holds the wall.
-        let tilt = (-dr / meridian).clamp(-0.7, 0.7) * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
+        let tilt = (-dr / meridian).clamp(-0.7, 0.7)
+            * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
         let upright = (dz / meridian).clamp(0.5, 1.0);
         for i in 0..=outer {
             let rest = d.mesh.node(i, j);

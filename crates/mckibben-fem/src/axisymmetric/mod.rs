@@ -13,6 +13,7 @@ mod model;
 pub mod path;
 mod results;
 mod sensitivity;
+pub mod study;
 pub mod sweep;
 
 pub use curves::{Curve, CurvePoint};

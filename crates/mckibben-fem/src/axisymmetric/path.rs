@@ -16,14 +16,12 @@ pub struct PathOptions {
     pub newton: NewtonOptions,
     /// Smallest share of a leg that is tried.
     pub smallest_step: f64,
-    /// Factorisations after which a walk is given up.
-    pub budget: usize,
 }
 
 impl Default for PathOptions {
     fn default() -> Self {
         let newton = NewtonOptions { iterations: 10, ..NewtonOptions::default() };
-        Self { newton, smallest_step: 1.0 / 512.0, budget: 250 }
+        Self { newton, smallest_step: 1.0 / 512.0 }
     }
 }
 
@@ -36,6 +34,8 @@ pub struct Walker {
     pub options: PathOptions,
     /// Cost so far.
     pub effort: Effort,
+    /// Factorisations, counted from the first, at which a walk is given up.
+    pub deadline: usize,
     base: State,
     before: State,
 }
@@ -51,6 +51,7 @@ impl Walker {
             body: Body::new(discrete),
             options: PathOptions::default(),
             effort: Effort::default(),
+            deadline: usize::MAX,
             base: rest.clone(),
             before: rest,
         }
@@ -74,6 +75,9 @@ impl Walker {
     /// # Errors
     /// [`Stopped`].
     pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
+        if self.effort.factorisations > self.deadline {
+            return Err(Stopped::Budget { factorisations: self.effort.factorisations });
+        }
         self.body.control = control;
         newton::solve(&mut self.body, &self.options.newton, &mut self.effort, |_| ())
     }
@@ -109,7 +113,6 @@ impl Walker {
         self.base.copy_from(&self.body.state);
         let (p0, w0) = (self.base.pressure, self.base.terminal);
         let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.x.iter().all(|x| *x == 0.0);
-        let spent = self.effort.factorisations;
         let (mut done, mut step, mut step_before) = (0.0_f64, 1.0_f64, 0.0_f64);
         let (mut pull, mut smallest) = (0.0, 1.0);
         loop {
@@ -137,8 +140,7 @@ impl Walker {
                 }
                 Err(stop) => {
                     step = 0.5 * (next - done);
-                    let broke = self.effort.factorisations - spent > self.options.budget;
-                    if step < self.options.smallest_step || broke {
+                    if step < self.options.smallest_step || matches!(stop, Stopped::Budget { .. }) {
                         let base = std::mem::replace(&mut self.base, self.before.clone());
                         self.body.state.copy_from(&base);
                         let last = self.last(&base, pull, smallest);

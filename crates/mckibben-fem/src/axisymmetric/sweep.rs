@@ -170,5 +170,13 @@ fn ask(case: SweepCase) -> SweepRow {
         }
     };
     let seconds = start.elapsed().as_secs_f64();
-    SweepRow { required, endless_n: endless.map(|r| r.force_n), answer, stable, factorisations, seconds, case }
+    SweepRow {
+        required,
+        endless_n: endless.map(|r| r.force_n),
+        answer,
+        stable,
+        factorisations,
+        seconds,
+        case,
+    }
 }

@@ -268,7 +268,11 @@ mod tests {
                     assert!(((up.1 - down.1) / (2.0 * h) - first[i]).abs() < 1e-7, "stress {i}");
                     for j in 0..5 {
                         let difference = (up.2[j] - down.2[j]) / (2.0 * h);
-                        assert!((difference - k(j, i)).abs() < 2e-7, "tangent {j} {i} {x:?}: {difference} {}", k(j, i));
+                        assert!(
+                            (difference - k(j, i)).abs() < 2e-7,
+                            "tangent {j} {i} {x:?}: {difference} {}",
+                            k(j, i)
+                        );
                     }
                 }
             }

@@ -58,6 +58,12 @@ pub enum Stopped {
         /// Last residual.
         residual: f64,
     },
+    /// The work that a question may cost is spent.
+    #[error("given up after {factorisations} factorisations")]
+    Budget {
+        /// Factorisations done.
+        factorisations: usize,
+    },
     /// Corrections beyond any sense.
     #[error("the iteration ran away (correction of {correction:.3e} of the radius)")]
     Diverged {
