@@ -11,7 +11,7 @@ fn main() {
         if row.required {
             let m = &row.case.muscle;
             println!(
-                "{i}: D0 {:.2} s {:.2} L0 {:.1} θ0 {:.1} k {:?} {:?} P {:.3} ε {:.3} endless {:.1} N: {reason} ({} iterations)",
+                "{i}: D0 {:.2} s {:.2} L0 {:.1} θ0 {:.1} k {:?} {:?} P {:.3} ε {:.3} endless {:.1} N: {reason} ({} factorisations)",
                 m.outer_diameter_mm(),
                 m.wall_mm(),
                 m.length_mm(),
@@ -21,14 +21,14 @@ fn main() {
                 row.case.pressure_mpa,
                 row.case.contraction,
                 row.endless_n.unwrap_or(f64::NAN),
-                row.iterations
+                row.factorisations
             );
         }
     }
     println!("must have an answer: {:?} (answered, asked); others: {:?}", result.required(), result.others());
     println!(
-        "most iterations {}, median time {:.1} µs, longest {:.1} µs",
-        result.most_iterations(),
+        "most factorisations {}, median time {:.1} µs, longest {:.1} µs",
+        result.most_factorisations(),
         1e6 * result.median_seconds(),
         1e6 * result.longest_seconds()
     );

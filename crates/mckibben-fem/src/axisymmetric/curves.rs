@@ -79,7 +79,14 @@ fn run(
         };
         let held = control(e, value);
         let foretold = running && e.next(along, place, held).is_ok() && e.stable();
-        let point = if foretold { Ok(()) } else { afresh(e, value) };
+        let walked = |e: &mut Engine| match held {
+            Control::Length(w) => {
+                let pressure = if along == Along::Pressure { value } else { e.pressure_of_trail() };
+                e.walk_on(pressure, w)
+            }
+            _ => false,
+        };
+        let point = if foretold || (running && walked(e)) { Ok(()) } else { afresh(e, value) };
         if !foretold {
             running = point.is_ok();
             if running {

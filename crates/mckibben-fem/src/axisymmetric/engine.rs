@@ -1,6 +1,6 @@
 //! Equilibria of one muscle, found from the nearest one known.
 
-use super::discrete::{Discrete, Make, State};
+use super::discrete::{BraidSpec, Discrete, Make, State};
 use super::equilibrium::Control;
 use super::error::FemError;
 use super::mesh::{Mesh, MeshSpec};
@@ -30,6 +30,12 @@ pub struct Engine {
     trail: Vec<State>,
     trailed: usize,
 }
+
+/// See [`Engine::budget`].
+const BUDGET: usize = 60;
+const BUDGET_PULLING: usize = 600;
+/// Factorisations of a point of a curve that its neighbours did not foretell.
+const BUDGET_CURVE: usize = 250;
 
 /// Along what a curve runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -107,24 +113,45 @@ impl Engine {
             return Ok(());
         }
         let before = self.walker.effort.iterations;
-        self.walker.reset();
-        let straight = self.walker.walk(pressure, terminal);
-        if straight.is_err() || !self.stable() {
+        self.walker.deadline = self.walker.effort.factorisations + self.budget(pressure, contraction);
+        let found = if self.leap(pressure, terminal) {
+            Ok(())
+        } else {
             self.long_way(pressure, terminal)
-                .or_else(|halt| {
-                    // An unstable equilibrium is still one; an error of the long way is the better told.
-                    if straight.is_ok() { self.again(pressure, terminal) } else { Err(halt) }
-                })
-                .map_err(|(reason, last)| FemError::Path {
-                    pressure_mpa: pressure,
-                    contraction,
-                    reason,
-                    iterations: self.walker.effort.iterations - before,
-                    last,
-                })?;
-        }
+                .or_else(|halt| self.straight(pressure, terminal).map_err(|_| halt))
+        };
+        self.walker.deadline = usize::MAX;
+        found.map_err(|(reason, last)| FemError::Path {
+            pressure_mpa: pressure,
+            contraction,
+            reason,
+            iterations: self.walker.effort.iterations - before,
+            last,
+        })?;
         self.keep();
         Ok(())
+    }
+
+    /// Factorisations a question may cost: many where there must be an answer, ten ordinary ones' where the endless
+    /// muscle does not pull or its strands stretch too far.
+    fn budget(&self, pressure: f64, contraction: f64) -> usize {
+        let Ok(endless) = self.thick_wall.response(pressure, contraction) else { return BUDGET };
+        let d = &self.walker.body.discrete;
+        let strain = match (d.make.braid, endless.braid_tension_n) {
+            (Some(BraidSpec { stiffness: Some(k), angle_rad, .. }), Some(tension)) => {
+                tension / (4.0 * std::f64::consts::PI * d.radius * angle_rad.cos() * k)
+            }
+            _ => 0.0,
+        };
+        if endless.force_n > 0.0 && strain < 0.05 { BUDGET_PULLING } else { BUDGET }
+    }
+
+    /// One step from rest to the answer.
+    fn leap(&mut self, pressure: f64, terminal: f64) -> bool {
+        [true, false].into_iter().any(|shaped| {
+            self.walker.reset();
+            self.walker.leap(pressure, terminal, shaped).is_ok() && self.stable()
+        })
     }
 
     fn factorised(&mut self) -> Result<(), FemError> {
@@ -144,7 +171,7 @@ impl Engine {
         Ok(self.walker.body.force_per_pressure())
     }
 
-    fn again(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
+    fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
         self.walker.reset();
         self.walker.walk(pressure, terminal)
     }
@@ -215,6 +242,23 @@ impl Engine {
         }
         self.trail[self.trailed].copy_from(&self.walker.body.state);
         self.trailed += 1;
+    }
+
+    /// Pressure of the last point of the curve in MPa.
+    pub fn pressure_of_trail(&self) -> f64 {
+        self.trail[self.trailed.saturating_sub(1)].pressure
+    }
+
+    /// Walks on from the last point of the curve in as many steps as it takes.
+    pub fn walk_on(&mut self, pressure: f64, terminal: f64) -> bool {
+        if self.trailed == 0 {
+            return false;
+        }
+        self.walker.body.state.copy_from(&self.trail[self.trailed - 1]);
+        self.walker.deadline = self.walker.effort.factorisations + BUDGET_CURVE;
+        let found = self.walker.walk(pressure, terminal).is_ok() && self.stable();
+        self.walker.deadline = usize::MAX;
+        found
     }
 
     /// Solves for the next point of a curve from what the last points foretell (Lagrange's polynomial through them).

@@ -6,12 +6,14 @@ pub mod discrete;
 mod engine;
 pub mod equilibrium;
 mod error;
+mod guess;
 pub mod layout;
 pub mod mesh;
 mod model;
 pub mod path;
 mod results;
 mod sensitivity;
+pub mod study;
 pub mod sweep;
 
 pub use curves::{Curve, CurvePoint};

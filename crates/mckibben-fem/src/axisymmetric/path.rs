@@ -1,14 +1,12 @@
 //! Ways through the plane of pressure and length.
 //!
 //! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is followed by one twice
-//! as large; from the second step on the last two states extrapolate the next. From rest, the tensions that carry the
-//! pressure are guessed from the ideal muscle, q = P Ro/(2 sin²θ0) and p = −P: without them the first tangent would lack
-//! the very stiffness that holds the tube.
+//! as large; from the second step on the last two states extrapolate the next.
 
-use super::discrete::{BraidSpec, Discrete, State};
+use super::discrete::{Discrete, State};
 use super::equilibrium::{Body, Control};
 use super::error::LastConverged;
-use crate::element::q2::MODES;
+use super::guess;
 use crate::solver::newton::{self, Effort, NewtonOptions, Stopped};
 
 /// Settings of a path.
@@ -18,14 +16,12 @@ pub struct PathOptions {
     pub newton: NewtonOptions,
     /// Smallest share of a leg that is tried.
     pub smallest_step: f64,
-    /// Newton iterations after which a question is given up.
-    pub budget: usize,
 }
 
 impl Default for PathOptions {
     fn default() -> Self {
-        let newton = NewtonOptions { iterations: 14, ..NewtonOptions::default() };
-        Self { newton, smallest_step: 1.0 / 512.0, budget: 250 }
+        let newton = NewtonOptions { iterations: 10, ..NewtonOptions::default() };
+        Self { newton, smallest_step: 1.0 / 512.0 }
     }
 }
 
@@ -38,6 +34,8 @@ pub struct Walker {
     pub options: PathOptions,
     /// Cost so far.
     pub effort: Effort,
+    /// Factorisations, counted from the first, at which a walk is given up.
+    pub deadline: usize,
     base: State,
     before: State,
 }
@@ -53,6 +51,7 @@ impl Walker {
             body: Body::new(discrete),
             options: PathOptions::default(),
             effort: Effort::default(),
+            deadline: usize::MAX,
             base: rest.clone(),
             before: rest,
         }
@@ -75,17 +74,26 @@ impl Walker {
     ///
     /// # Errors
     /// [`Stopped`].
-    pub fn solve(&mut self, control: Control) -> Result<Effort, Stopped> {
-        self.body.control = control;
-        let result = newton::solve(&mut self.body, &self.options.newton, |_| ());
-        match &result {
-            Ok(effort) => self.effort.add(*effort),
-            Err(_) => {
-                self.effort.iterations += self.options.newton.iterations / 2;
-                self.effort.factorisations += self.options.newton.iterations / 2;
-            }
+    pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
+        if self.effort.factorisations > self.deadline {
+            return Err(Stopped::Budget { factorisations: self.effort.factorisations });
         }
-        result
+        self.body.control = control;
+        newton::solve(&mut self.body, &self.options.newton, &mut self.effort, |_| ())
+    }
+
+    /// One step from rest to a pressure in MPa and a displacement of the terminal in mm; `shaped`: from a guessed shape.
+    ///
+    /// # Errors
+    /// [`Stopped`]; the body then holds no equilibrium.
+    pub fn leap(&mut self, pressure: f64, terminal: f64, shaped: bool) -> Result<(), Stopped> {
+        let (d, state) = (&self.body.discrete, &mut self.body.state);
+        state.pressure = pressure;
+        guess::loads(d, state, 1.0 + terminal / d.half_length());
+        if shaped && !guess::shape(d, state, terminal) {
+            return Err(Stopped::Diverged { correction: 0.0 });
+        }
+        self.solve(Control::Length(terminal))
     }
 
     fn last(&self, state: &State, pull: f64, smallest_j: f64) -> LastConverged {
@@ -105,7 +113,6 @@ impl Walker {
         self.base.copy_from(&self.body.state);
         let (p0, w0) = (self.base.pressure, self.base.terminal);
         let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.x.iter().all(|x| *x == 0.0);
-        let spent = self.effort.iterations;
         let (mut done, mut step, mut step_before) = (0.0_f64, 1.0_f64, 0.0_f64);
         let (mut pull, mut smallest) = (0.0, 1.0);
         loop {
@@ -117,10 +124,10 @@ impl Walker {
             if done > 0.0 {
                 self.extrapolate((next - done) / step_before);
             } else if at_rest {
-                guess(&self.body.discrete, &mut self.body.state);
+                guess::loads(&self.body.discrete, &mut self.body.state, 1.0);
             }
             match self.solve(Control::Length(w)) {
-                Ok(_) => {
+                Ok(()) => {
                     (pull, smallest) = (self.body.totals.pull, self.body.totals.smallest_j);
                     if next >= 1.0 {
                         return Ok(());
@@ -133,8 +140,7 @@ impl Walker {
                 }
                 Err(stop) => {
                     step = 0.5 * (next - done);
-                    let broke = self.effort.iterations - spent > self.options.budget;
-                    if step < self.options.smallest_step || broke {
+                    if step < self.options.smallest_step || matches!(stop, Stopped::Budget { .. }) {
                         let base = std::mem::replace(&mut self.base, self.before.clone());
                         self.body.state.copy_from(&base);
                         let last = self.last(&base, pull, smallest);
@@ -158,23 +164,4 @@ impl Walker {
         // The terminal's own unknowns must fit what the state says of it.
         state.terminal = self.base.terminal + ratio * (self.base.terminal - self.before.terminal);
     }
-}
-
-/// Tensions and pressures of the ideal muscle at rest.
-fn guess(d: &Discrete, state: &mut State) {
-    let Some(BraidSpec { angle_rad, .. }) = d.make.braid else { return };
-    let sin = angle_rad.sin();
-    let q = state.pressure * d.radius / (2.0 * sin * sin);
-    state.q.fill(q);
-    let l = d.layout;
-    for slab in 0..l.along {
-        for i in 0..l.through {
-            state.x[l.pressure(slab, i)] = -state.pressure;
-        }
-        if l.multipliers {
-            let at = l.tension(slab);
-            state.x[at..at + 2].fill(q);
-        }
-    }
-    let _ = MODES;
 }

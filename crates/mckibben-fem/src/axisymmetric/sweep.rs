@@ -51,8 +51,8 @@ pub struct SweepRow {
     pub answer: Result<f64, String>,
     /// Whether the equilibrium is stable with the terminals held.
     pub stable: bool,
-    /// Newton iterations spent.
-    pub iterations: usize,
+    /// Factorisations spent.
+    pub factorisations: usize,
     /// Seconds spent.
     pub seconds: f64,
 }
@@ -77,9 +77,9 @@ impl Sweep {
         (asked.clone().filter(|r| r.answer.is_ok()).count(), asked.count())
     }
 
-    /// Largest of the iterations.
-    pub fn most_iterations(&self) -> usize {
-        self.rows.iter().map(|r| r.iterations).max().unwrap_or(0)
+    /// Largest of the factorisations.
+    pub fn most_factorisations(&self) -> usize {
+        self.rows.iter().map(|r| r.factorisations).max().unwrap_or(0)
     }
 
     /// Median seconds of the answered required questions.
@@ -160,15 +160,23 @@ fn ask(case: SweepCase) -> SweepRow {
     });
     let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);
     let start = std::time::Instant::now();
-    let (answer, stable, iterations) = match Axisymmetric::new(&case.muscle) {
+    let (answer, stable, factorisations) = match Axisymmetric::new(&case.muscle) {
         Err(e) => (Err(e.to_string()), false, 0),
         Ok(model) => {
             let answer = model
                 .engine(|e| e.reach(case.pressure_mpa, case.contraction).map(|()| e.walker.body.totals.pull))
                 .map_err(|e| e.to_string());
-            (answer, model.engine(|e| e.stable()), model.effort().iterations)
+            (answer, model.engine(|e| e.stable()), model.effort().factorisations)
         }
     };
     let seconds = start.elapsed().as_secs_f64();
-    SweepRow { required, endless_n: endless.map(|r| r.force_n), answer, stable, iterations, seconds, case }
+    SweepRow {
+        required,
+        endless_n: endless.map(|r| r.force_n),
+        answer,
+        stable,
+        factorisations,
+        seconds,
+        case,
+    }
 }

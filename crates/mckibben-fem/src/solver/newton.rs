@@ -58,6 +58,12 @@ pub enum Stopped {
         /// Last residual.
         residual: f64,
     },
+    /// The work that a question may cost is spent.
+    #[error("given up after {factorisations} factorisations")]
+    Budget {
+        /// Factorisations done.
+        factorisations: usize,
+    },
     /// Corrections beyond any sense.
     #[error("the iteration ran away (correction of {correction:.3e} of the radius)")]
     Diverged {
@@ -109,37 +115,32 @@ pub struct Effort {
     pub residual: f64,
 }
 
-impl Effort {
-    /// Adds the cost of another solve.
-    pub fn add(&mut self, other: Effort) {
-        self.iterations += other.iterations;
-        self.factorisations += other.factorisations;
-        self.residuals += other.residuals;
-        self.residual = other.residual;
-    }
-}
-
 const RETREATS: usize = 6;
 
-/// Runs Newton's method until the residual is below the tolerance. `watch` sees every residual.
+/// Runs Newton's method until the residual is below the tolerance. Adds its cost to `effort`, also where it fails.
+/// `watch` sees every residual.
 ///
 /// # Errors
 /// [`Stopped`]; the system then holds an iterate that is no answer.
 pub fn solve<S: NewtonSystem>(
     system: &mut S,
     options: &NewtonOptions,
+    effort: &mut Effort,
     mut watch: impl FnMut(f64),
-) -> Result<Effort, Stopped> {
-    let mut effort = Effort { factorisations: 1, ..Effort::default() };
+) -> Result<(), Stopped> {
+    effort.factorisations += 1;
     let mut norm = system.linearise()?;
     watch(norm);
-    while effort.iterations < options.iterations {
+    for iteration in 0..=options.iterations {
+        effort.residual = norm;
         if norm <= options.tolerance {
-            effort.residual = norm;
-            return Ok(effort);
+            return Ok(());
         }
-        let size = system.correct()?;
+        if iteration == options.iterations {
+            break;
+        }
         effort.iterations += 1;
+        let size = system.correct()?;
         if size.is_nan() || size >= options.large {
             return Err(Stopped::Diverged { correction: size });
         }
@@ -150,23 +151,21 @@ pub fn solve<S: NewtonSystem>(
                 let gain = next / norm;
                 norm = next;
                 // One more turn with the old tangent where that is likely to be the last.
-                if norm <= options.tolerance || gain * norm <= options.tolerance {
-                    if norm > options.tolerance {
-                        system.correct()?;
-                        effort.iterations += 1;
-                        effort.residuals += 1;
-                        norm = system.residual()?;
-                        watch(norm);
-                    }
-                    if norm <= options.tolerance {
-                        continue;
-                    }
+                if norm > options.tolerance && gain * norm <= options.tolerance {
+                    effort.iterations += 1;
+                    effort.residuals += 1;
+                    system.correct()?;
+                    norm = system.residual()?;
+                    watch(norm);
+                }
+                if norm <= options.tolerance {
+                    continue;
                 }
             }
         }
-        effort.factorisations += 1;
         let mut retreats = 0;
         norm = loop {
+            effort.factorisations += 1;
             match system.linearise() {
                 Ok(norm) => break norm,
                 Err(Stopped::Inverted { .. } | Stopped::NotFinite { .. }) if retreats < RETREATS => {
@@ -178,14 +177,9 @@ pub fn solve<S: NewtonSystem>(
         };
         watch(norm);
         if size < options.rounding && norm <= options.rounding_residual {
-            break;
+            effort.residual = norm;
+            return Ok(());
         }
     }
-    if norm <= options.tolerance
-        || (effort.iterations < options.iterations && norm <= options.rounding_residual)
-    {
-        effort.residual = norm;
-        return Ok(effort);
-    }
-    Err(Stopped::Iterations { iterations: effort.iterations, residual: norm })
+    Err(Stopped::Iterations { iterations: options.iterations, residual: norm })
 }

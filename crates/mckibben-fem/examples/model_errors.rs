@@ -1,0 +1,93 @@
+//! How far closed-form models are from axisymmetric finite elements on random muscles.
+//!
+//! `cargo run --release -p mckibben-fem --example model_errors -- 1000` prints, for each model, the error in the pull as a
+//! share of the blocked force at the same pressure: rms, mean, the share that 95 % of the points stay within, the
+//! largest, and the same share divided by D0/L0. Muscles: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°,
+//! neo-Hookean, P/μ 0.1–5, strand strain up to 6 %, contractions where the finite elements pull.
+
+use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::rubber::{Law, NeoHookean};
+use mckibben_fem::axisymmetric::Axisymmetric;
+
+/// SplitMix64 (Steele, Lea & Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        low + (high - low) * ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+/// A random muscle, a pressure and the strain of its strands at rest.
+fn random(r: &mut Random) -> Option<(Muscle, f64)> {
+    let d0 = r.between(10.0, 60.0);
+    let (wall_mm, length_mm) = (d0 * r.between(0.03, 0.15), d0 * r.between(5.0, 20.0));
+    let angle_deg = r.between(20.0, 35.0);
+    let mu = r.between(0.05_f64.ln(), 1.0_f64.ln()).exp();
+    let p = mu * r.between(0.1_f64.ln(), 5.0_f64.ln()).exp();
+    // Blocked: k · strain = P Ro/(2 sin²θ0), so that this stiffness gives about that strain.
+    let strain = r.between(0.002, 0.06);
+    let sin = angle_deg.to_radians().sin();
+    let k = p * 0.5 * d0 / (2.0 * sin * sin * strain);
+    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: mu }));
+    let tube = Tube { outer_diameter_mm: d0, wall_mm, length_mm, rubber };
+    let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
+    Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))
+}
+
+fn main() {
+    let count = std::env::args().nth(1).and_then(|n| n.parse().ok()).unwrap_or(500);
+    let mut r = Random(20);
+    let names = ["ideal", "thick-wall, inextensible", "thick-wall", "chou-hannaford", "force-balance", "klute-hannaford"];
+    let mut errors: Vec<Vec<(f64, f64)>> = vec![vec![]; names.len()];
+    for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
+        let Ok(fe) = Axisymmetric::new(&muscle) else { continue };
+        let Ok(blocked) = fe.force_n(p, 0.0) else { continue };
+        let rigid = Braid { stiffness: BraidStiffness::Inextensible, ..muscle.braid().clone() };
+        let Ok(stiff) = muscle.with_braid(rigid) else { continue };
+        let mut models: Vec<Box<dyn ForceModel>> =
+            vec![Box::new(Ideal::new(&muscle)), Box::new(ThickWall::new(&stiff)), Box::new(ThickWall::new(&muscle))];
+        for kind in [ModelKind::ChouHannaford, ModelKind::ForceBalance, ModelKind::KluteHannaford] {
+            models.extend(kind.build(&muscle));
+        }
+        let share = muscle.outer_diameter_mm() / muscle.length_mm();
+        for step in 0..8 {
+            let e = muscle.max_ideal_contraction() * f64::from(step) / 8.0;
+            let Ok(force) = fe.force_n(p, e) else { continue };
+            if force <= 0.0 {
+                continue;
+            }
+            for (list, model) in errors.iter_mut().zip(&models) {
+                if let Ok(f) = model.force_n(p, e) {
+                    list.push(((f - force) / blocked, share));
+                }
+            }
+        }
+    }
+    println!("{:<26} {:>7} {:>8} {:>8} {:>8} {:>8} {:>12}", "model", "points", "rms %", "mean %", "95 % %", "worst %", "95 %·L0/D0");
+    for (name, list) in names.iter().zip(&errors) {
+        let n = list.len().max(1) as f64;
+        let rms = (list.iter().map(|e| e.0 * e.0).sum::<f64>() / n).sqrt();
+        let mean = list.iter().map(|e| e.0).sum::<f64>() / n;
+        let quantile = |of: &dyn Fn(&(f64, f64)) -> f64| {
+            let mut sorted: Vec<f64> = list.iter().map(of).collect();
+            sorted.sort_by(f64::total_cmp);
+            sorted.get((0.95 * n) as usize).copied().unwrap_or(f64::NAN)
+        };
+        let worst = list.iter().map(|e| e.0.abs()).fold(0.0, f64::max);
+        println!(
+            "{name:<26} {:>7} {:>8.2} {:>8.2} {:>8.2} {:>8.2} {:>12.3}",
+            list.len(),
+            100.0 * rms,
+            100.0 * mean,
+            100.0 * quantile(&|e| e.0.abs()),
+            100.0 * worst,
+            quantile(&|e| e.0.abs() / e.1)
+        );
+    }
+}

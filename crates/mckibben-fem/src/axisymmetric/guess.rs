@@ -1,0 +1,131 @@
+//! First iterates for a muscle that was never looked at.
+//!
+//! Tensions and pressures of the ideal muscle, q = P Ro λ/(2 sin²θ0) and p = −P: without them the first tangent would
+//! lack the very stiffness that holds the tube. And a shape: the outer line keeps the length of its strands,
+//!
+//!   λm² = (λf² − sin²θ0 λθ²)/cos²θ0,   r = Ro [1 + b (1 − e^(−(L0/2 − Z)/ℓ))],   z' = √(λm² − r'²),
+//!
+//! with the bulge b that brings the terminal to its place; the wall behind it keeps its volume.
+
+use super::discrete::{BraidSpec, Discrete, State};
+use crate::element::strand::STRAND_POINTS;
+
+/// ℓ over the outer radius.
+const LAYER: f64 = 1.4;
+/// Steps of integration per station.
+const STEPS: usize = 4;
+
+/// Tensions and pressures of the ideal muscle.
+pub(super) fn loads(d: &Discrete, state: &mut State, stretch: f64) {
+    let Some(BraidSpec { angle_rad, .. }) = d.make.braid else { return };
+    let q = tension(d, angle_rad, state.pressure) * stretch;
+    state.q.fill(q);
+    let l = d.layout;
+    for slab in 0..l.along {
+        for i in 0..l.through {
+            state.x[l.pressure(slab, i)] = -state.pressure;
+        }
+        if l.multipliers {
+            let at = l.tension(slab);
+            state.x[at..at + STRAND_POINTS].fill(q);
+        }
+    }
+}
+
+fn tension(d: &Discrete, angle_rad: f64, pressure: f64) -> f64 {
+    0.5 * pressure * d.radius / angle_rad.sin().powi(2)
+}
+
+/// The outer line for a bulge b.
+struct Line {
+    sin2: f64,
+    cos2: f64,
+    strand2: f64,
+    radius: f64,
+    half: f64,
+    layer: f64,
+    bulge: f64,
+}
+
+impl Line {
+    /// r and r' at Z.
+    fn radius(&self, z: f64) -> (f64, f64) {
+        let fall = (-(self.half - z) / self.layer).exp();
+        (self.radius * (1.0 + self.bulge * (1.0 - fall)), -self.radius * self.bulge * fall / self.layer)
+    }
+
+    /// z' and λm at Z.
+    fn slope(&self, z: f64) -> (f64, f64) {
+        let (r, dr) = self.radius(z);
+        let hoop = r / self.radius;
+        let meridian2 = ((self.strand2 - self.sin2 * hoop * hoop) / self.cos2).max(0.01);
+        ((meridian2 - dr * dr).max(0.09 * meridian2).sqrt(), meridian2.sqrt())
+    }
+
+    /// z from `from` to `to` by Simpson's rule.
+    fn advance(&self, from: f64, to: f64) -> f64 {
+        let h = (to - from) / STEPS as f64;
+        (0..STEPS)
+            .map(|i| {
+                let z = from + h * i as f64;
+                h / 6.0 * (self.slope(z).0 + 4.0 * self.slope(z + 0.5 * h).0 + self.slope(z + h).0)
+            })
+            .sum()
+    }
+}
+
+/// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal; `false` where no bulge
+/// brings it there.
+pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64) -> bool {
+    let Some(BraidSpec { angle_rad, stiffness, .. }) = d.make.braid else { return false };
+    let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
+    let outer = 2 * l.through;
+    let strain = stiffness.map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k).min(0.1);
+    let strand2 = (1.0 + strain).powi(2);
+    let station = |j: usize| d.mesh.node(outer, j)[1];
+    let mut line =
+        Line { sin2, cos2: 1.0 - sin2, strand2, radius: d.radius, half, layer: LAYER * d.radius, bulge: 0.0 };
+    let length =
+        |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
+    let wanted = half + terminal;
+    let (mut low, mut high) = (-0.3, 0.995 * (strand2 / sin2).sqrt() - 1.0);
+    for _ in 0..14 {
+        line.bulge = 0.5 * (low + high);
+        if length(&line) > wanted { low = line.bulge } else { high = line.bulge }
+    }
+    if low == -0.3 {
+        return false;
+    }
+    let scale = wanted / length(&line);
+    let mut z = 0.0;
+    for j in 0..=2 * l.along {
+        let at = station(j);
+        if j > 0 {
+            z += scale * line.advance(station(j - 1), at);
+        }
+        let ((r, dr), (dz, meridian)) = (line.radius(at), line.slope(at));
+        // The normal turns with the line, but not at the terminal, which holds the wall.
+        let tilt = (-dr / meridian).clamp(-0.7, 0.7)
+            * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
+        let upright = (dz / meridian).clamp(0.5, 1.0);
+        for i in 0..=outer {
+            let rest = d.mesh.node(i, j);
+            let k = l.at(j) + 2 * i;
+            if j == 2 * l.along {
+                (state.x[k], state.x[k + 1]) = (0.0, terminal);
+                continue;
+            }
+            // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.
+            let section = (d.radius * d.radius - rest[0] * rest[0]) / meridian;
+            let depth = r - (r * r - section).max(0.04 * r * r).sqrt();
+            let lean = (1.0 - tilt * tilt).sqrt().max(upright.min(1.0));
+            state.x[k] = r - depth * lean - rest[0];
+            state.x[k + 1] = z - depth * tilt - rest[1];
+        }
+    }
+    for i in 0..=outer {
+        state.x[2 * i + 1] = 0.0;
+    }
+    state.terminal = terminal;
+    true
+}
