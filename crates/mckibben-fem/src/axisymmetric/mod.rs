@@ -11,6 +11,7 @@ pub mod mesh;
 mod model;
 pub mod path;
 mod results;
+mod section;
 mod sensitivity;
 pub mod sweep;
 
@@ -20,4 +21,5 @@ pub use error::{FemError, LastConverged};
 pub use mesh::{Mesh, MeshSpec};
 pub use model::Axisymmetric;
 pub use results::{Energies, ProfilePoint, Solution, StrandState, StretchAt};
+pub use section::{Section, SectionNode};
 pub use sensitivity::Sensitivity;
