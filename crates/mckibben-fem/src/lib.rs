@@ -8,5 +8,6 @@
 pub mod axisymmetric;
 pub mod element;
 pub mod load;
+pub mod output;
 pub mod solver;
 pub mod verification;

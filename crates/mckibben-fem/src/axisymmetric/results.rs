@@ -152,7 +152,7 @@ fn strand(d: &Discrete, s: &State, slab: usize, g: usize) -> ((f64, f64), f64) {
     ((stretch.value, p.angle_rad(&stretch).to_degrees()), q)
 }
 
-fn strands(d: &Discrete, s: &State, muscle: &Muscle) -> Vec<StrandState> {
+pub(super) fn strands(d: &Discrete, s: &State, muscle: &Muscle) -> Vec<StrandState> {
     let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
     let mut out: Vec<StrandState> = (0..d.strands.len())
         .flat_map(|slab| (0..STRAND_POINTS).map(move |g| (slab, g)))

@@ -1,0 +1,226 @@
+//! The deformed section (r, z) node by node, for pictures.
+//!
+//! Stretches are those of the element's own field at its nodes. Cauchy stress σ = P Fᵀ/J is taken at the 2 × 2 points
+//! where it is most exact (Barlow 1976) and carried to the nodes by the bilinear function through them. Where elements
+//! meet, both are averaged.
+
+use super::discrete::{Discrete, State, nodes};
+use super::error::FemError;
+use super::model::Axisymmetric;
+use super::results::{StrandState, strands};
+use crate::element::plane::{self, Gradient, PlaneLaw, PlaneVisitor};
+use crate::element::q2::{GAUSS2, GAUSS3, Geometry, MODES, NODES, Point, point, quadratic};
+use crate::element::solid::{Unknowns, gradient};
+use mckibben::muscle::Muscle;
+
+/// A node of the section.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SectionNode {
+    /// (R, Z) at rest in mm.
+    pub rest_mm: [f64; 2],
+    /// (r, z) now in mm.
+    pub now_mm: [f64; 2],
+    /// λθ = r/R
+    pub hoop_stretch: f64,
+    /// λm: of a line that ran along the muscle at rest.
+    pub meridional_stretch: f64,
+    /// Largest principal stretch.
+    pub max_stretch: f64,
+    /// Cauchy stress (σrr, σθθ, σzz, σrz) in MPa, with the pressure in the rubber.
+    pub stress_mpa: [f64; 4],
+}
+
+/// The half section of a muscle, from the middle (z = 0) to the terminal; the other half is its mirror image.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    through: usize,
+    along: usize,
+    nodes: Vec<SectionNode>,
+    strands: Vec<StrandState>,
+    angle_rad: f64,
+    count: Option<u32>,
+}
+
+impl Section {
+    /// Elements through the wall and along the half length.
+    pub fn elements(&self) -> (usize, usize) {
+        (self.through, self.along)
+    }
+
+    /// Nodes, station by station from the middle to the terminal, each from the bore outwards.
+    pub fn nodes(&self) -> &[SectionNode] {
+        &self.nodes
+    }
+
+    /// Index of node `i` = 0 … 2·through (from the bore outwards) of station `j` = 0 … 2·along.
+    pub fn index(&self, i: usize, j: usize) -> usize {
+        j * (2 * self.through + 1) + i
+    }
+
+    /// The nine nodes of every element, row by row along the muscle, each row from the bore outwards.
+    pub fn connectivity(&self) -> Vec<[usize; NODES]> {
+        (0..self.along)
+            .flat_map(|slab| (0..self.through).map(move |e| (slab, e)))
+            .map(|(slab, e)| std::array::from_fn(|a| self.index(2 * e + a % 3, 2 * slab + a / 3)))
+            .collect()
+    }
+
+    /// The strands, from the middle to the terminal.
+    pub fn strands(&self) -> &[StrandState] {
+        &self.strands
+    }
+
+    /// θ0 in radians.
+    pub fn braid_angle_rad(&self) -> f64 {
+        self.angle_rad
+    }
+
+    /// Strands of both families, where their number is known.
+    pub fn strand_count(&self) -> Option<u32> {
+        self.count
+    }
+
+    /// (R, Z) at rest and (r, z) now of the outer surface in slab `slab` at −1 ≤ `eta` ≤ 1, as its element has it.
+    pub(crate) fn outer(&self, slab: usize, eta: f64) -> ([f64; 2], [f64; 2]) {
+        let (n, _) = quadratic(eta);
+        let (mut rest, mut now) = ([0.0; 2], [0.0; 2]);
+        for (a, weight) in n.into_iter().enumerate() {
+            let node = &self.nodes[self.index(2 * self.through, 2 * slab + a)];
+            for c in 0..2 {
+                rest[c] += weight * node.rest_mm[c];
+                now[c] += weight * node.now_mm[c];
+            }
+        }
+        (rest, now)
+    }
+
+    pub(super) fn of(d: &Discrete, s: &State, muscle: &Muscle) -> Self {
+        Self {
+            through: d.layout.through,
+            along: d.layout.along,
+            nodes: plane::visit(&d.make.law, Nodes { d, s }),
+            strands: strands(d, s, muscle),
+            angle_rad: muscle.braid().angle_rad(),
+            count: muscle.braid().strands.map(|n| n.count),
+        }
+    }
+}
+
+impl Axisymmetric {
+    /// The section of the last equilibrium that was found; of the muscle at rest before the first question. After a
+    /// question without an answer it is the state at which the search ended: use [`Self::section_at`] to be sure.
+    pub fn section(&self) -> Section {
+        self.engine(|e| Section::of(&e.walker.body.discrete, &e.walker.body.state, self.muscle_ref()))
+    }
+
+    /// The section at a pressure in MPa and a contraction. Cheap where that was the last question.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn section_at(&self, pressure_mpa: f64, contraction: f64) -> Result<Section, FemError> {
+        self.engine(|e| e.reach(pressure_mpa, contraction))?;
+        Ok(self.section())
+    }
+
+    fn muscle_ref(&self) -> &Muscle {
+        mckibben::model::ForceModel::muscle(self)
+    }
+}
+
+struct Nodes<'a> {
+    d: &'a Discrete,
+    s: &'a State,
+}
+
+impl PlaneVisitor for Nodes<'_> {
+    type Output = Vec<SectionNode>;
+
+    fn with<L: PlaneLaw>(self, law: &L) -> Self::Output {
+        let Nodes { d, s } = self;
+        let l = d.layout;
+        let per_station = l.nodes();
+        let mut out = vec![SectionNode::default(); d.mesh.nodes.len()];
+        let mut shares = vec![0.0; out.len()];
+        for slab in 0..l.along {
+            for e in 0..l.through {
+                let rest = nodes(&d.mesh, slab, e);
+                let u = unknowns(d, s, slab, e);
+                let stress = stresses(&d.elements[slab * l.through + e], &rest, &u, law);
+                for a in 0..NODES {
+                    let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
+                    let Some(p) = point(&rest, x, y, 1.0) else { continue };
+                    let f = gradient(&p, &u);
+                    let k = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3] * per_station + 2 * e + a % 3;
+                    let node = &mut out[k];
+                    shares[k] += 1.0;
+                    node.rest_mm = rest[a];
+                    node.now_mm = [rest[a][0] + u.r[a], rest[a][1] + u.z[a]];
+                    node.hoop_stretch += f.t;
+                    node.meridional_stretch += f.b.hypot(f.d);
+                    node.max_stretch += f.principal().into_iter().fold(0.0, f64::max);
+                    let at = bilinear(&stress, x, y);
+                    (0..4).for_each(|c| node.stress_mpa[c] += at[c]);
+                }
+            }
+        }
+        for (node, share) in out.iter_mut().zip(shares) {
+            let SectionNode { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = node;
+            for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
+                *value /= share;
+            }
+        }
+        out
+    }
+}
+
+fn unknowns(d: &Discrete, s: &State, slab: usize, element: usize) -> Unknowns {
+    let l = d.layout;
+    let mut u = Unknowns::default();
+    for i in 0..3 {
+        let line = s.line(&l, slab, 2 * element + i);
+        for k in 0..3 {
+            (u.r[3 * k + i], u.z[3 * k + i]) = (line[2 * k], line[2 * k + 1]);
+        }
+    }
+    let first = l.pressure(slab, element);
+    u.p.copy_from_slice(&s.x[first..first + MODES]);
+    u
+}
+
+/// Pressure in the rubber at local coordinates. Its modes are linear in (R, Z), which are biquadratic in the local
+/// coordinates: nine integration points hold all of it.
+fn pressure(points: &[Point], u: &Unknowns, xi: f64, eta: f64) -> f64 {
+    let outermost = GAUSS3[2].0;
+    let ((x, _), (y, _)) = (quadratic(xi / outermost), quadratic(eta / outermost));
+    let mut sum = 0.0;
+    for (k, p) in points.iter().enumerate() {
+        let value: f64 = u.p.iter().zip(p.psi).map(|(p, psi)| p * psi).sum();
+        sum += x[k % 3] * y[k / 3] * value;
+    }
+    sum
+}
+
+/// Cauchy stress at the 2 × 2 points, ξ running first.
+fn stresses<L: PlaneLaw>(
+    geometry: &Geometry,
+    rest: &[[f64; 2]; NODES],
+    u: &Unknowns,
+    law: &L,
+) -> [[f64; 4]; 4] {
+    std::array::from_fn(|k| {
+        let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
+        let Some(at) = point(rest, xi, eta, 1.0) else { return [0.0; 4] };
+        let f = gradient(&at, u);
+        let first = law.stress::<false>(&f, pressure(&geometry.points, u, xi, eta));
+        let (Gradient { a, b, c, d, t }, j) = (f, f.volume());
+        let [pa, pb, pt] = first.r;
+        let [pc, pd] = first.z;
+        [pa * a + pb * b, pt * t, pc * c + pd * d, pa * c + pb * d].map(|x| x / j)
+    })
+}
+
+fn bilinear(values: &[[f64; 4]; 4], xi: f64, eta: f64) -> [f64; 4] {
+    let weights = |x: f64| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)];
+    let (x, y) = (weights(xi), weights(eta));
+    std::array::from_fn(|c| (0..4).map(|k| x[k % 2] * y[k / 2] * values[k][c]).sum())
+}

@@ -1,0 +1,98 @@
+//! The strands as lines on the deformed outer surface.
+//!
+//! A strand at rest is the helix φ = φ0 ± Z tanθ0/Ro. Without torsion its points keep φ while r and z follow the tube.
+
+use super::revolve::directions;
+use super::vtu::{Grid, POLY_LINE, PointData};
+use crate::axisymmetric::{Section, StrandState};
+
+/// Strands drawn of a family whose number is not known: for display only.
+pub const DRAWN: u32 = 24;
+/// Largest turn about the axis between two points of a line, in radians (5°).
+const TURN: f64 = 0.0873;
+
+/// Strands of one family that are drawn.
+pub fn drawn(section: &Section) -> u32 {
+    section.strand_count().map_or(DRAWN, |n| n / 2)
+}
+
+/// A place along a strand.
+struct Place {
+    turn: f64,
+    now: [f64; 2],
+    state: [f64; 4],
+}
+
+/// Both families.
+pub fn braid(section: &Section) -> Grid {
+    let places = places(section);
+    let lines = directions(drawn(section) as usize);
+    let mut grid = Grid {
+        kind: POLY_LINE,
+        points: Vec::with_capacity(2 * lines.len() * places.len()),
+        connectivity: vec![],
+        offsets: vec![],
+        data: vec![],
+        field: vec![],
+    };
+    for family in [1.0, -1.0] {
+        for (c, s) in &lines {
+            for Place { turn, now: [r, z], .. } in &places {
+                let (sin, cos) = (family * turn).sin_cos();
+                grid.points.push([r * (c * cos - s * sin), r * (s * cos + c * sin), *z]);
+            }
+            grid.offsets.push(grid.points.len() as i64);
+        }
+    }
+    grid.connectivity = (0..grid.points.len() as i64).collect();
+    let all = 2 * lines.len();
+    let mut add = |name, k: usize| {
+        let line: Vec<f64> = places.iter().map(|p| p.state[k]).collect();
+        grid.data.push(PointData { name, components: 1, values: line.repeat(all) });
+    };
+    add("stretch", 0);
+    add("angle_deg", 1);
+    add("tension_per_width_n_per_mm", 2);
+    if section.strand_count().is_some() {
+        add("tension_n", 3);
+    }
+    let half = lines.len() * places.len();
+    let values = [vec![1.0; half], vec![-1.0; half]].concat();
+    grid.data.push(PointData { name: "family", components: 1, values });
+    grid
+}
+
+/// Places from end to end.
+fn places(section: &Section) -> Vec<Place> {
+    let (tan, (_, along)) = (section.braid_angle_rad().tan(), section.elements());
+    let place = |slab: usize, eta: f64| {
+        let (rest, now) = section.outer(slab, eta);
+        Place { turn: rest[1] * tan / rest[0], now, state: state(section.strands(), rest[1]) }
+    };
+    let mut half = vec![place(0, -1.0)];
+    for slab in 0..along {
+        let (start, end) = (place(slab, -1.0).turn, place(slab, 1.0).turn);
+        let pieces = (((end - start) / TURN).ceil() as usize).max(2);
+        half.extend((1..=pieces).map(|k| place(slab, 2.0 * k as f64 / pieces as f64 - 1.0)));
+    }
+    let mirrored = |p: &Place| Place { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };
+    let mut all: Vec<Place> = half.iter().skip(1).rev().map(mirrored).collect();
+    all.append(&mut half);
+    all
+}
+
+/// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model has them; before
+/// the first and beyond the last point theirs.
+fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
+    let values = |s: &StrandState| [s.stretch, s.angle_deg, s.tension_per_width, s.tension_n.unwrap_or(0.0)];
+    let after = strands.partition_point(|s| s.rest_mm < rest);
+    match (after.checked_sub(1).and_then(|k| strands.get(k)), strands.get(after)) {
+        (Some(a), Some(b)) => {
+            let share = (rest - a.rest_mm) / (b.rest_mm - a.rest_mm);
+            let (a, b) = (values(a), values(b));
+            std::array::from_fn(|k| a[k] + share * (b[k] - a[k]))
+        }
+        (Some(s), None) | (None, Some(s)) => values(s),
+        (None, None) => [0.0; 4],
+    }
+}

@@ -1,0 +1,13 @@
+//! Files for other programs: the deformed muscle for ParaView.
+//!
+//! Open `muscle.pvd`: one step for each equilibrium, the tube as a solid and the strands as lines. Points stand where
+//! they are now; `displacement` leads there from rest. Lengths in mm, stresses in MPa, forces in N.
+
+mod error;
+mod helices;
+mod revolve;
+mod series;
+mod vtu;
+
+pub use error::VtuError;
+pub use series::VtuSeries;

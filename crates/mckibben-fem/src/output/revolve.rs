@@ -1,0 +1,89 @@
+//! The whole tube: the half section mirrored at z = 0 and turned about the axis.
+
+use super::vtu::{Grid, HEXAHEDRON, PointData};
+use crate::axisymmetric::{Section, SectionNode};
+use std::f64::consts::TAU;
+
+/// Divisions around the axis; whole quadrants, so that turning by 90° changes no digit.
+pub const AROUND: usize = 48;
+
+/// (cos, sin) of the divisions.
+pub fn directions(count: usize) -> Vec<(f64, f64)> {
+    (0..count)
+        .map(|k| {
+            if !count.is_multiple_of(4) {
+                let (sin, cos) = (TAU * k as f64 / count as f64).sin_cos();
+                return (cos, sin);
+            }
+            let (quadrant, rest) = (4 * k / count, k % (count / 4));
+            let (s, c) = (TAU * rest as f64 / count as f64).sin_cos();
+            [(c, s), (-s, c), (-c, -s), (s, -c)][quadrant]
+        })
+        .collect()
+}
+
+/// Every element as 2 × 2 linear ones through its nine nodes, all turned about the axis.
+pub fn tube(section: &Section) -> Grid {
+    let (through, along) = section.elements();
+    let (across, stations) = (2 * through + 1, 4 * along + 1);
+    let turn = directions(AROUND);
+    // Node and sign of z of every ring, station by station from end to end.
+    let rings: Vec<(&SectionNode, f64)> = (0..stations)
+        .flat_map(|j| (0..across).map(move |i| (i, j)))
+        .map(|(i, j)| {
+            let (station, sign) = if j < 2 * along { (2 * along - j, -1.0) } else { (j - 2 * along, 1.0) };
+            (&section.nodes()[section.index(i, station)], sign)
+        })
+        .collect();
+    let placed = |place: &dyn Fn(&SectionNode) -> [f64; 2]| -> Vec<[f64; 3]> {
+        rings
+            .iter()
+            .flat_map(|(node, sign)| {
+                let [r, z] = place(node);
+                turn.iter().map(move |(c, s)| [r * c, r * s, sign * z])
+            })
+            .collect()
+    };
+    let scalar = |name, value: &dyn Fn(&SectionNode, f64) -> f64| PointData {
+        name,
+        components: 1,
+        values: rings.iter().flat_map(|(node, sign)| [value(node, *sign); AROUND]).collect(),
+    };
+    let moved = placed(&|n| [n.now_mm[0] - n.rest_mm[0], n.now_mm[1] - n.rest_mm[1]]);
+    let data = vec![
+        PointData { name: "displacement", components: 3, values: moved.concat() },
+        scalar("hoop_stretch", &|n, _| n.hoop_stretch),
+        scalar("meridional_stretch", &|n, _| n.meridional_stretch),
+        scalar("max_stretch", &|n, _| n.max_stretch),
+        scalar("stress_radial_mpa", &|n, _| n.stress_mpa[0]),
+        scalar("stress_hoop_mpa", &|n, _| n.stress_mpa[1]),
+        scalar("stress_axial_mpa", &|n, _| n.stress_mpa[2]),
+        // σrz changes its sign with z.
+        scalar("stress_shear_mpa", &|n, sign| sign * n.stress_mpa[3]),
+    ];
+    let point = |i: usize, j: usize, k: usize| ((j * across + i) * AROUND + k % AROUND) as i64;
+    let mut connectivity = Vec::with_capacity(8 * (across - 1) * (stations - 1) * AROUND);
+    for j in 0..stations - 1 {
+        for i in 0..across - 1 {
+            for k in 0..AROUND {
+                for above in 0..2 {
+                    connectivity.extend([
+                        point(i, j + above, k),
+                        point(i + 1, j + above, k),
+                        point(i + 1, j + above, k + 1),
+                        point(i, j + above, k + 1),
+                    ]);
+                }
+            }
+        }
+    }
+    let cells = connectivity.len() / 8;
+    Grid {
+        kind: HEXAHEDRON,
+        points: placed(&|n| n.now_mm),
+        connectivity,
+        offsets: (1..=cells).map(|c| 8 * c as i64).collect(),
+        data,
+        field: vec![],
+    }
+}

@@ -1,0 +1,120 @@
+//! A series of equilibria in a folder.
+
+use super::error::VtuError;
+use super::vtu::{Grid, collection};
+use super::{helices, revolve};
+use crate::axisymmetric::Section;
+use mckibben::model::Response;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+/// The parts of a step.
+const PARTS: [&str; 2] = ["tube", "braid"];
+
+/// Writes `tube_0000.vtu`, `braid_0000.vtu`, … and `muscle.pvd`, which lists them, into a folder.
+///
+/// Every file is complete when it gets its name, and `muscle.pvd` lists whole steps only, also where a series is broken
+/// off. Files of an older series in the same folder are replaced one by one; the list names none of the older ones.
+#[derive(Debug)]
+pub struct VtuSeries {
+    folder: PathBuf,
+    about: String,
+    steps: usize,
+}
+
+impl VtuSeries {
+    /// A series in a folder, which is made where there is none. `about` says what the muscle is.
+    ///
+    /// # Errors
+    /// [`VtuError::Folder`].
+    pub fn new(dir: &Path, about: &str) -> Result<Self, VtuError> {
+        std::fs::create_dir_all(dir).map_err(|source| VtuError::Folder { folder: dir.to_owned(), source })?;
+        Ok(Self { folder: dir.to_owned(), about: about.to_owned(), steps: 0 })
+    }
+
+    /// Adds a step: the section of an equilibrium and what the model says about it.
+    ///
+    /// # Errors
+    /// [`VtuError::Write`], [`VtuError::NotFinite`].
+    pub fn add(&mut self, section: &Section, response: &Response) -> Result<(), VtuError> {
+        let drawn = f64::from(2 * helices::drawn(section));
+        let note =
+            if section.strand_count().is_some() { "" } else { "; the number of strands is for display" };
+        let about = format!("{}; step {}{note}", self.about, self.steps);
+        let field = vec![("strands_drawn", drawn)];
+        let grids = [(revolve::tube(section), vec![]), (helices::braid(section), field)];
+        let mut ready = Vec::with_capacity(grids.len());
+        for (name, (mut grid, more)) in PARTS.into_iter().zip(grids) {
+            fill(&mut grid, response, more);
+            let file = file(name, self.steps);
+            let xml = grid.to_xml(&about, &file)?;
+            ready.push((file, xml));
+        }
+        for (file, xml) in ready {
+            self.write(&file, &xml)?;
+        }
+        self.steps += 1;
+        self.list().map(|_| ())
+    }
+
+    /// Ends the series and gives the path of `muscle.pvd`.
+    ///
+    /// # Errors
+    /// [`VtuError::Write`].
+    pub fn finish(self) -> Result<PathBuf, VtuError> {
+        if self.steps == 0 {
+            return self.list();
+        }
+        Ok(self.folder.join(LIST))
+    }
+
+    fn list(&self) -> Result<PathBuf, VtuError> {
+        let parts = (0..self.steps).flat_map(|step| {
+            PARTS.into_iter().enumerate().map(move |(part, name)| (step, part, name, file(name, step)))
+        });
+        self.write(LIST, &collection(&self.about, parts))
+    }
+
+    fn write(&self, file: &str, text: &str) -> Result<PathBuf, VtuError> {
+        let path = self.folder.join(file);
+        match replace(&self.folder, &path, text.as_bytes()) {
+            Ok(()) => Ok(path),
+            Err(source) => Err(VtuError::Write { path, source }),
+        }
+    }
+}
+
+const LIST: &str = "muscle.pvd";
+
+fn file(part: &str, step: usize) -> String {
+    format!("{part}_{step:04}.vtu")
+}
+
+fn fill(grid: &mut Grid, r: &Response, more: Vec<(&'static str, f64)>) {
+    let known = [
+        ("pressure_mpa", Some(r.pressure_mpa)),
+        ("contraction", Some(r.contraction)),
+        ("force_n", Some(r.force_n)),
+        ("volume_mm3", r.volume_mm3),
+        ("bulged_diameter_mm", r.bulged_diameter_mm),
+        ("braid_tension_n", r.braid_tension_n),
+        ("strand_tension_n", r.strand_tension_n),
+    ];
+    grid.field = known.into_iter().filter_map(|(name, value)| value.map(|v| (name, v))).chain(more).collect();
+}
+
+fn replace(folder: &Path, path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".vtu-");
+    #[cfg(unix)]
+    {
+        // The usual permissions of a new file (the umask applies), not those of a secret.
+        use std::os::unix::fs::PermissionsExt as _;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist(path).map_err(|failure| failure.error)?;
+    Ok(())
+}

@@ -1,0 +1,135 @@
+//! VTK's XML format for unstructured grids: little-endian, compressed by zlib, in base64 within the file.
+//!
+//! Source: VTK documentation, "VTK XML Formats". An array is base64(header) base64(zlib(bytes)) with the header
+//! (number of blocks, size of a block, size of a last shorter block or 0, size of each compressed block).
+
+use super::error::VtuError;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use std::fmt::Write as _;
+use std::io::Write as _;
+
+/// A line through any number of points.
+pub const POLY_LINE: u8 = 4;
+/// Eight corners: four counter-clockwise seen from above, then the four above them.
+pub const HEXAHEDRON: u8 = 12;
+
+/// Numbers at points.
+#[derive(Debug, Clone)]
+pub struct PointData {
+    /// Name with its unit.
+    pub name: &'static str,
+    /// Numbers of a point.
+    pub components: usize,
+    /// All of them.
+    pub values: Vec<f64>,
+}
+
+/// A grid of cells of one kind.
+#[derive(Debug, Clone)]
+pub struct Grid {
+    /// VTK's number of the kind.
+    pub kind: u8,
+    /// Places in mm.
+    pub points: Vec<[f64; 3]>,
+    /// Points of all cells.
+    pub connectivity: Vec<i64>,
+    /// Where each cell ends in `connectivity`.
+    pub offsets: Vec<i64>,
+    /// Numbers at points; vectors keep all digits, the rest seven.
+    pub data: Vec<PointData>,
+    /// Numbers of the whole grid.
+    pub field: Vec<(&'static str, f64)>,
+}
+
+impl Grid {
+    /// The file; `about` is said in a comment at its head, `file` is named in errors.
+    ///
+    /// # Errors
+    /// [`VtuError::NotFinite`].
+    pub fn to_xml(&self, about: &str, file: &str) -> Result<String, VtuError> {
+        let finite = |name: &'static str, ok: bool| {
+            if ok { Ok(()) } else { Err(VtuError::NotFinite { file: file.into(), name }) }
+        };
+        finite("points", self.points.iter().flatten().all(|x| x.is_finite()))?;
+        for data in &self.data {
+            finite(data.name, data.values.iter().all(|x| x.is_finite()))?;
+        }
+        let mut out = head("UnstructuredGrid", about);
+        out.push_str("<UnstructuredGrid>\n<FieldData>\n");
+        for (name, value) in &self.field {
+            finite(name, value.is_finite())?;
+            let _ = writeln!(
+                out,
+                r#"<DataArray type="Float64" Name="{name}" NumberOfTuples="1" format="ascii">{value:?}</DataArray>"#
+            );
+        }
+        let (points, cells) = (self.points.len(), self.offsets.len());
+        let _ = writeln!(
+            out,
+            "</FieldData>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n<PointData>"
+        );
+        for PointData { name, components, values } in &self.data {
+            if *components > 1 {
+                array(&mut out, "Float64", name, *components, doubles(values.iter()));
+            } else {
+                let bytes = values.iter().flat_map(|x| (*x as f32).to_le_bytes()).collect();
+                array(&mut out, "Float32", name, 1, bytes);
+            }
+        }
+        out.push_str("</PointData>\n<Points>\n");
+        array(&mut out, "Float64", "Points", 3, doubles(self.points.iter().flatten()));
+        out.push_str("</Points>\n<Cells>\n");
+        let whole = |x: &[i64]| x.iter().flat_map(|x| x.to_le_bytes()).collect();
+        array(&mut out, "Int64", "connectivity", 1, whole(&self.connectivity));
+        array(&mut out, "Int64", "offsets", 1, whole(&self.offsets));
+        array(&mut out, "UInt8", "types", 1, vec![self.kind; cells]);
+        out.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+        Ok(out)
+    }
+}
+
+/// The file that lists the parts (number, name, file) of each step.
+pub fn collection<'a>(about: &str, parts: impl Iterator<Item = (usize, usize, &'a str, String)>) -> String {
+    let mut out = head("Collection", about);
+    out.push_str("<Collection>\n");
+    for (step, part, name, file) in parts {
+        let _ = writeln!(
+            out,
+            r#"<DataSet timestep="{step}" group="" part="{part}" name="{name}" file="{file}"/>"#
+        );
+    }
+    out.push_str("</Collection>\n</VTKFile>\n");
+    out
+}
+
+fn head(kind: &str, about: &str) -> String {
+    // In a comment two hyphens must not meet, nor stand at its end.
+    let clean: String = about.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let clean = clean.replace(['\u{fffe}', '\u{ffff}'], " ").replace("--", "- -").replace("--", "- -");
+    let version = env!("CARGO_PKG_VERSION");
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- mckibben {version}: {clean} -->\n<VTKFile type=\"{kind}\" \
+         version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" \
+         compressor=\"vtkZLibDataCompressor\">\n"
+    )
+}
+
+fn doubles<'a>(values: impl Iterator<Item = &'a f64>) -> Vec<u8> {
+    values.flat_map(|x| x.to_le_bytes()).collect()
+}
+
+fn array(out: &mut String, kind: &str, name: &str, components: usize, bytes: Vec<u8>) {
+    let many = if components > 1 { format!(" NumberOfComponents=\"{components}\"") } else { String::new() };
+    let _ = write!(out, r#"<DataArray type="{kind}" Name="{name}"{many} format="binary">"#);
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+    // Writing to memory cannot fail.
+    let packed = encoder.write_all(&bytes).and_then(|()| encoder.finish()).unwrap_or_default();
+    let header: Vec<u8> =
+        [1, bytes.len() as u64, 0, packed.len() as u64].into_iter().flat_map(u64::to_le_bytes).collect();
+    STANDARD.encode_string(header, out);
+    STANDARD.encode_string(packed, out);
+    out.push_str("</DataArray>\n");
+}
