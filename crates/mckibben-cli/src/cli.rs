@@ -81,7 +81,7 @@ const CURVE_EXAMPLES: &str = "Examples:
   mckibben curve --study thickness --model thick-wall --plot study.svg";
 
 const SIMULATE_EXAMPLES: &str = "Examples:
-  mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05
+  mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
   mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
     --plot shape.svg
   mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
@@ -222,6 +222,9 @@ pub struct SimulateArgs {
     /// Negative force instead of slack where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
+    /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub vtu: Option<PathBuf>,
     #[command(flatten)]
     pub muscle: MuscleFlags,
     #[command(flatten)]

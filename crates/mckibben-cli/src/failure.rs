@@ -8,6 +8,7 @@ use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
 use mckibben::units::{QuantityError, RangeError};
+use mckibben_fem::output::VtuError;
 use mckibben_report::FigureError;
 use serde_json::{Map, Value, json};
 
@@ -198,6 +199,12 @@ impl From<FitError> for Failure {
             FitError::Start(model) => model.into(),
             _ => Self::input("fit", error.to_string(), ""),
         }
+    }
+}
+
+impl From<VtuError> for Failure {
+    fn from(error: VtuError) -> Self {
+        Self::input("output", error.to_string(), "")
     }
 }
 

@@ -13,6 +13,7 @@ use mckibben::model::{ForceModel, ThickWall};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
 use mckibben_fem::axisymmetric::{Axisymmetric, FemError, Solution};
+use mckibben_fem::output::VtuSeries;
 use serde_json::{Map, Value, json};
 
 /// One point of the test: what was asked, and what came out.
@@ -62,7 +63,23 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
         TestWord::Isobaric => Test::Isobaric,
     };
     let points = questions(args, &model, test)?;
-    let points: Vec<Point> = points.into_iter().map(|q| answer(&model, &muscle, q, args.two_sided)).collect();
+    let mut series = match &args.vtu {
+        Some(folder) => Some(VtuSeries::new(folder, &muscle_line(&muscle))?),
+        None => None,
+    };
+    let mut answered = Vec::with_capacity(points.len());
+    for question in points {
+        let solution = match question.1 {
+            Ok(e) => model.solve(question.0, e),
+            Err(f) => model.at_force(f, question.0),
+        };
+        if let (Some(series), Ok(solution)) = (&mut series, &solution) {
+            series.add(&model.section(), &solution.response)?;
+        }
+        answered.push(judged(&model, &muscle, question, solution, args.two_sided));
+    }
+    let points = answered;
+    let written = series.map(VtuSeries::finish).transpose()?;
     let typed = PressureUnit::typed(args.pressure.as_deref());
     let p = Pressures(args.output.units.or(typed).unwrap_or(PressureUnit::Mpa));
     let failed = points.iter().all(|q| q.solution.is_err() && !q.collapsed);
@@ -75,7 +92,10 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
             &json!({ "model": "fe", "test": test.name(), "muscle": json::muscle(&muscle), "points": list }),
         ),
         Format::Csv => csv::rows(&list)?,
-        Format::Text => as_text(&muscle, test, &points, p),
+        Format::Text => {
+            let opened = written.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
+            as_text(&muscle, test, &points, p) + &opened.unwrap_or_default()
+        }
     };
     if failed && args.output.format == Format::Text {
         let first = points.iter().find_map(|q| q.solution.as_ref().err()).map(ToString::to_string);
@@ -118,11 +138,14 @@ fn questions(args: &SimulateArgs, model: &Axisymmetric, test: Test) -> Result<Ve
     })
 }
 
-fn answer(model: &Axisymmetric, muscle: &Muscle, (p, second): Question, two_sided: bool) -> Point {
-    let solution = match second {
-        Ok(e) => model.solve(p, e),
-        Err(f) => model.at_force(f, p),
-    };
+/// A point with what it means: slack, collapsed, or an answer.
+fn judged(
+    model: &Axisymmetric,
+    muscle: &Muscle,
+    (p, second): Question,
+    solution: Result<Solution, FemError>,
+    two_sided: bool,
+) -> Point {
     let slack = second.is_ok() && !two_sided && solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
     let free_contraction = if slack { model.free_contraction(p).ok() } else { None };
     // Without an equilibrium where the endless muscle would push, the tube has collapsed.

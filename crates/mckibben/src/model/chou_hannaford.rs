@@ -68,7 +68,10 @@ impl ForceModel for ChouHannaford {
     }
 
     fn accuracy(&self) -> Accuracy {
-        Accuracy::UNKNOWN
+        Accuracy::share(
+            0.75,
+            "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; largest for soft strands",
+        )
     }
 
     fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {

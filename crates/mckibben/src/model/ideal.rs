@@ -70,8 +70,8 @@ impl ForceModel for Ideal {
 
     fn accuracy(&self) -> Accuracy {
         Accuracy::share(
-            0.46,
-            "23 % rms of the blocked force on 520 random muscles against axisymmetric finite elements; the error is one of excess: a real muscle pulls less",
+            0.93,
+            "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; the error is one of excess, largest for soft strands and thick walls",
         )
     }
 

@@ -349,14 +349,16 @@ impl ForceModel for ThickWall {
     }
 
     fn accuracy(&self) -> Accuracy {
+        // The ends are what this model leaves out: their share of the force goes like D0/L0.
+        let share = self.muscle.outer_diameter_mm() / self.muscle.length_mm();
         match self.k {
             Some(_) => Accuracy::share(
-                0.088,
-                "4.4 % rms of the blocked force on 520 random muscles (L0/D0 5–20) against axisymmetric finite elements: the ends, which this model leaves out",
+                0.76 * share,
+                "0.76 D0/L0 of the blocked force holds 95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements: the ends, which this model leaves out; it mostly promises too much",
             ),
             None => Accuracy::share(
-                0.26,
-                "13 % rms of the blocked force on 520 random muscles against axisymmetric finite elements with strands that stretch; with strands that really are rigid the error is that of the ends, about 4 %",
+                0.65 * share,
+                "0.65 D0/L0 of the blocked force holds 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model leaves out",
             ),
         }
     }
