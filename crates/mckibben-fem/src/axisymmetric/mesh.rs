@@ -77,11 +77,11 @@ impl Mesh {
     /// elements.
     pub fn tube(inner: f64, outer: f64, half: f64, division: (usize, usize, f64)) -> Self {
         let (through, along, grading) = division;
-        let corner = |e: f64| half * (1.0 - (1.0 - e / along as f64).max(0.0).powf(grading));
+        let corner = |e: usize| half * (1.0 - (1.0 - e as f64 / along as f64).max(0.0).powf(grading));
         Self::mapped(through, along, |x, y| {
-            let e = y * along as f64;
-            let below = e.floor();
-            let z = if e > below { 0.5 * (corner(below) + corner(below + 1.0)) } else { corner(e) };
+            let j = (y * (2 * along) as f64).round() as usize;
+            // An odd station is the middle of an element.
+            let z = 0.5 * (corner(j / 2) + corner(j.div_ceil(2)));
             [inner + (outer - inner) * x, z]
         })
     }
@@ -94,5 +94,23 @@ impl Mesh {
     /// Node `i` of station `j`.
     pub fn node(&self, i: usize, j: usize) -> [f64; 2] {
         self.nodes[j * (2 * self.through + 1) + i]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn stations_rise_and_middle_nodes_stand_in_the_middle() {
+        for along in 1..200 {
+            let mesh = Mesh::tube(12.0, 15.0, 142.5, (1, along, 2.0));
+            let z = |j: usize| mesh.node(0, j)[1];
+            assert_eq!((z(0), z(2 * along)), (0.0, 142.5));
+            for e in 0..along {
+                assert!(z(2 * e) < z(2 * e + 1) && z(2 * e + 1) < z(2 * e + 2));
+                assert!((z(2 * e) + z(2 * e + 2) - 2.0 * z(2 * e + 1)).abs() < 1e-12);
+            }
+        }
     }
 }

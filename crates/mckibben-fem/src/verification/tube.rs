@@ -21,12 +21,10 @@ const ROWS: [(f64, f64, f64, f64, f64, f64, f64); 5] = [
 
 /// A slice of tube: places of the nodes in equal steps of ln R, where the solution is smoothest.
 fn slice(inner: f64, outer: f64, through: usize) -> Mesh {
+    let at = |k: usize| inner * (outer / inner).powf(k as f64 / through as f64);
     Mesh::mapped(through, 1, |x, y| {
-        let e = x * through as f64;
-        let at = |k: f64| inner * (outer / inner).powf(k / through as f64);
-        let below = e.floor();
-        let r = if e > below { 0.5 * (at(below) + at(below + 1.0)) } else { at(e) };
-        [r, y]
+        let i = (x * (2 * through) as f64).round() as usize;
+        [0.5 * (at(i / 2) + at(i.div_ceil(2))), y]
     })
 }
 
