@@ -10,4 +10,5 @@ pub mod element;
 pub mod load;
 pub mod output;
 pub mod solver;
+pub mod validation;
 pub mod verification;

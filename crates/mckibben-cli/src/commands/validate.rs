@@ -5,12 +5,13 @@ use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
 use crate::output::text::{number, table};
 use crate::output::{csv, emit, json};
-use mckibben_fem::verification::{Kind, Row, cases};
+use mckibben_fem::verification::{Kind, Row};
+use mckibben_fem::{validation, verification};
 use serde_json::{Value, json};
 
 /// Runs the command.
 pub fn run(args: &ValidateArgs) -> Result<u8, Failure> {
-    let rows = cases();
+    let rows = [verification::cases(), validation::cases()].concat();
     let list: Vec<Value> = rows.iter().map(as_json).collect();
     let text = match args.output.format {
         Format::Json => json::print(&json!({ "cases": list })),
