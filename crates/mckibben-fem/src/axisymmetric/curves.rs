@@ -78,7 +78,7 @@ fn run(
             Along::Length => -value * e.half_length(),
         };
         let held = control(e, value);
-        let foretold = running && e.next(along, place, held).is_ok() && e.stable();
+        let foretold = running && e.next(along, place, held).is_ok() && e.stable_under(held);
         let walked = |e: &mut Engine| match held {
             Control::Length(w) => {
                 let pressure = if along == Along::Pressure { value } else { e.pressure_of_trail() };
@@ -87,7 +87,9 @@ fn run(
             _ => false,
         };
         let point = if foretold || (running && walked(e)) { Ok(()) } else { afresh(e, value) };
-        if !foretold {
+        if foretold {
+            e.trail_here();
+        } else {
             running = point.is_ok();
             if running {
                 e.begin_trail();

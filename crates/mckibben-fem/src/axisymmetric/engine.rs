@@ -101,6 +101,12 @@ impl Engine {
         self.walker.body.unstable_directions() == 0
     }
 
+    /// The same, and under a held pull also that a longer muscle pulls harder.
+    pub fn stable_under(&self, control: Control) -> bool {
+        self.stable()
+            && (!matches!(control, Control::Force(_)) || self.walker.body.terminal_stiffness() > 0.0)
+    }
+
     /// Finds the equilibrium at a pressure in MPa and a contraction.
     ///
     /// First from the nearest one kept, then straight from rest, then the long way: pressurised at rest length to where
@@ -315,8 +321,6 @@ impl Engine {
         if along == Along::Pressure {
             state.pressure = value;
         }
-        self.walker.solve(control)?;
-        self.trail_here();
-        Ok(())
+        self.walker.solve(control)
     }
 }
