@@ -33,8 +33,9 @@ impl CurvePoint {
     fn here(e: &Engine, spent: (usize, usize)) -> Self {
         let (s, effort) = (&e.walker.body.state, e.walker.effort);
         Self {
-            pressure_mpa: s.pressure,
-            contraction: -s.terminal / e.half_length(),
+            // Zeros without a sign.
+            pressure_mpa: s.pressure + 0.0,
+            contraction: 0.0 - s.terminal / e.half_length(),
             force_n: e.walker.body.totals.pull,
             volume_mm3: 2.0 * e.walker.body.totals.volume,
             iterations: effort.iterations - spent.0,

@@ -124,14 +124,14 @@ impl Engine {
             return Ok(());
         }
         let before = self.walker.effort.iterations;
-        self.walker.deadline = self.walker.effort.factorisations + self.budget(pressure, contraction);
+        self.walker.allow(Some(self.budget(pressure, contraction)));
         let found = if self.leap(pressure, terminal) {
             Ok(())
         } else {
             self.long_way(pressure, terminal)
                 .or_else(|halt| self.straight(pressure, terminal).map_err(|_| halt))
         };
-        self.walker.deadline = usize::MAX;
+        self.walker.allow(None);
         found.map_err(|(reason, last)| FemError::Path {
             pressure_mpa: pressure,
             contraction,
@@ -280,9 +280,9 @@ impl Engine {
             return false;
         }
         self.walker.body.state.copy_from(&self.trail[self.trailed - 1]);
-        self.walker.deadline = self.walker.effort.factorisations + BUDGET_CURVE;
+        self.walker.allow(Some(BUDGET_CURVE));
         let found = self.walker.walk(pressure, terminal, 1.0).is_ok() && self.stable();
-        self.walker.deadline = usize::MAX;
+        self.walker.allow(None);
         found
     }
 

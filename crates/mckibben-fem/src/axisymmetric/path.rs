@@ -34,8 +34,8 @@ pub struct Walker {
     pub options: PathOptions,
     /// Cost so far.
     pub effort: Effort,
-    /// Factorisations, counted from the first, at which a walk is given up.
-    pub deadline: usize,
+    /// Where the present question's factorisations are counted from, and how many it may cost.
+    allowed: Option<(usize, usize)>,
     base: State,
     before: State,
 }
@@ -65,7 +65,7 @@ impl Walker {
             body: Body::new(discrete),
             options: PathOptions::default(),
             effort: Effort::default(),
-            deadline: usize::MAX,
+            allowed: None,
             base: rest.clone(),
             before: rest,
         }
@@ -79,6 +79,11 @@ impl Walker {
         (state.pressure, state.terminal) = (0.0, 0.0);
     }
 
+    /// Sets how many factorisations may be spent from here on; `None` lifts the bound.
+    pub fn allow(&mut self, factorisations: Option<usize>) {
+        self.allowed = factorisations.map(|n| (self.effort.factorisations, n));
+    }
+
     /// Takes over a state that is an equilibrium.
     pub fn start_from(&mut self, state: &State) {
         self.body.state.copy_from(state);
@@ -89,8 +94,11 @@ impl Walker {
     /// # Errors
     /// [`Stopped`].
     pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
-        if self.effort.factorisations > self.deadline {
-            return Err(Stopped::Budget { factorisations: self.effort.factorisations });
+        if let Some((start, budget)) = self.allowed {
+            let factorisations = self.effort.factorisations - start;
+            if factorisations > budget {
+                return Err(Stopped::Budget { factorisations });
+            }
         }
         self.body.control = control;
         newton::solve(&mut self.body, &self.options.newton, &mut self.effort, |_| ())
