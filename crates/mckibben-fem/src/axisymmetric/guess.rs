@@ -112,11 +112,11 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64, slack: Optio
         if j > 0 {
             z += scale * line.advance(station(j - 1), at);
         }
-        let ((r, dr), (dz, meridian)) = (line.radius(at), line.slope(at));
+        let ((r, dr), (_, meridian)) = (line.radius(at), line.slope(at));
         // The normal turns with the line, but not at the terminal, which holds the wall.
         let tilt = (-dr / meridian).clamp(-0.7, 0.7)
             * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
-        let upright = (dz / meridian).clamp(0.5, 1.0);
+        let lean = (1.0 - tilt * tilt).sqrt();
         for i in 0..=outer {
             let rest = d.mesh.node(i, j);
             let k = l.at(j) + 2 * i;
@@ -127,7 +127,6 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64, slack: Optio
             // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.
             let section = (d.radius * d.radius - rest[0] * rest[0]) / meridian;
             let depth = r - (r * r - section).max(0.04 * r * r).sqrt();
-            let lean = (1.0 - tilt * tilt).sqrt().max(upright.min(1.0));
             state.x[k] = r - depth * lean - rest[0];
             state.x[k + 1] = z - depth * tilt - rest[1];
         }
