@@ -21,14 +21,16 @@ pub struct LastConverged {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FemError {
     /// Numbers that make no mesh.
-    #[error(
-        "mesh: {name} is {value}; elements are counted from 1 to 4096, the grading lies between 0.5 and 8"
-    )]
+    #[error("mesh: {name} is {value}; it must lie between {low} and {high}")]
     Mesh {
-        /// Which number.
+        /// Which number: `through`, `along` or `grading`.
         name: &'static str,
         /// What was given.
         value: f64,
+        /// Least.
+        low: f64,
+        /// Most.
+        high: f64,
     },
     /// An element of the undeformed mesh that is turned inside out.
     #[error("mesh: element {element} is turned inside out at rest")]

@@ -97,8 +97,8 @@ fn body(mesh: Mesh, braid: Option<BraidSpec>, ends: Ends) -> Result<Walker, FemE
 /// Goes to a pressure and an axial stretch of the whole; gives the body where that succeeds.
 fn at(walker: &mut Walker, pressure: f64, stretch: f64) -> Option<&mut Body> {
     let terminal = (stretch - 1.0) * walker.body.discrete.half_length();
-    walker.walk(0.0, terminal).ok()?;
-    walker.walk(pressure, terminal).ok()?;
+    walker.walk(0.0, terminal, 1.0).ok()?;
+    walker.walk(pressure, terminal, 1.0).ok()?;
     // To the last digit.
     let tight = walker.options.newton;
     walker.options.newton.tolerance = 1e-13;
