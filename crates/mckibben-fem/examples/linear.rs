@@ -5,7 +5,9 @@ use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 
 fn main() {
     let pressures: Vec<f64> = (0..=25).map(|i| 0.01 * f64::from(i)).collect();
-    println!("along   factorisations   µs a factorisation (with assembly, residuals and all else; best of 20)");
+    println!(
+        "along   factorisations   µs a factorisation (with assembly, residuals and all else; best of 20)"
+    );
     for along in [6, 12, 24, 48, 96, 192] {
         let spec = MeshSpec { along: Some(along), ..MeshSpec::default() };
         let (mut best, mut count) = (f64::INFINITY, 0);

@@ -32,7 +32,7 @@ pub struct Engine {
 }
 
 /// See [`Engine::budget`].
-const BUDGET: usize = 60;
+const BUDGET: usize = 50;
 const BUDGET_PULLING: usize = 600;
 /// Factorisations of a point of a curve that its neighbours did not foretell.
 const BUDGET_CURVE: usize = 250;

@@ -78,14 +78,15 @@ impl FemError {
     pub fn into_model(self, pressure_mpa: f64, contraction: f64) -> ModelError {
         match self {
             Self::Question { .. } => ModelError::Geometry { contraction, lowest: -1.0, highest: 1.0 },
-            Self::Path { iterations, reason, .. } => {
-                let residual = match reason {
-                    Stopped::Iterations { residual, .. } => residual,
-                    Stopped::Diverged { correction } => correction,
-                    _ => f64::MAX,
-                };
-                ModelError::NotConverged { pressure_mpa, contraction, iterations, residual }
-            }
+            Self::Path { iterations, reason, last, .. } => ModelError::Stopped {
+                pressure_mpa,
+                contraction,
+                iterations,
+                reason: reason.to_string(),
+                last_pressure_mpa: last.pressure_mpa,
+                last_contraction: last.contraction,
+                smallest_volume_ratio: last.smallest_j,
+            },
             _ => ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction },
         }
     }

@@ -94,14 +94,16 @@ impl Walker {
     /// # Errors
     /// [`Stopped`].
     pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
+        let mut options = self.options.newton;
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;
-            if factorisations > budget {
+            if factorisations >= budget {
                 return Err(Stopped::Budget { factorisations });
             }
+            options.factorisations = budget - factorisations;
         }
         self.body.control = control;
-        newton::solve(&mut self.body, &self.options.newton, &mut self.effort, |_| ())
+        newton::solve(&mut self.body, &options, &mut self.effort, |_| ())
     }
 
     /// One step from rest to a pressure in MPa and a displacement of the terminal in mm, from a guess.

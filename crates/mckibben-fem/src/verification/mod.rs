@@ -9,6 +9,7 @@ mod muscle;
 mod numerics;
 mod pressure;
 mod sphere;
+mod truss;
 mod tube;
 
 pub use endless::{endless_braid, long_muscles};
@@ -17,6 +18,7 @@ pub use muscle::{identities, prototype};
 pub use numerics::numerics;
 pub use pressure::follower_pressure;
 pub use sphere::thick_sphere;
+pub use truss::trusses;
 pub use tube::thick_tube;
 
 use crate::axisymmetric::FemError;
@@ -74,6 +76,7 @@ pub fn cases() -> Vec<Row> {
         thick_tube(),
         thick_sphere(),
         follower_pressure(),
+        trusses(),
         endless_braid(),
         long_muscles(),
         identities(),
