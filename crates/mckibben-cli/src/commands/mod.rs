@@ -6,7 +6,7 @@ mod design;
 mod models;
 mod muscle;
 mod rubber;
-pub mod simulate;
+mod simulate;
 mod study;
 mod validate;
 mod value;
