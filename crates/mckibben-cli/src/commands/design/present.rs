@@ -1,5 +1,6 @@
 //! A design as text and as JSON.
 
+use super::Checked;
 use crate::kind::Kind;
 use crate::output::json as shapes;
 use crate::output::text::{Pressures, number, or_dash, percent, plus_minus, rubber_name, table};
@@ -78,7 +79,7 @@ fn points_json(points: &[OperatingPoint]) -> Vec<Value> {
 }
 
 /// The whole design.
-pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -> Value {
+pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], checked: &[Checked]) -> Value {
     let p_mpa = Pressures(crate::flags::PressureUnit::Mpa);
     let mut out = json!({
         "model": kind.name(),
@@ -89,6 +90,18 @@ pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -
         "rejected": outcome.rejected.iter().map(|r| rejected_json(r, p_mpa)).collect::<Vec<_>>(),
     });
     let Some(map) = out.as_object_mut() else { return out };
+    if !checked.is_empty() {
+        let list: Vec<Value> = checked
+            .iter()
+            .map(|c| {
+                json!({
+                    "force_n": c.wanted.force_n, "contraction": c.wanted.contraction, "pressure_mpa": c.pressure_mpa,
+                    "force_at_max_pressure_n": c.available_n.as_ref().ok(), "cause": c.available_n.as_ref().err(),
+                })
+            })
+            .collect();
+        map.insert("verification".into(), json!({ "model": "fe", "points": list }));
+    }
     if !spreads.is_empty() {
         let list: Vec<Value> = spreads
             .iter()
@@ -114,7 +127,14 @@ pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -
 }
 
 /// The design for people.
-pub fn as_text(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], p: Pressures) -> String {
+pub fn as_text(
+    spec: &Spec,
+    kind: Kind,
+    outcome: &Outcome,
+    spreads: &[Spread],
+    checked: &[Checked],
+    p: Pressures,
+) -> String {
     let wanted: Vec<String> = spec
         .points
         .iter()
@@ -133,6 +153,7 @@ pub fn as_text(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], p
         out.push_str(&nothing_fits(closest, p));
     } else {
         out.push_str(&candidates(outcome, p));
+        out.push_str(&checked_text(spec, outcome, checked, p));
         out.push_str(&spread_text(spreads, p));
     }
     if !outcome.rejected.is_empty() && outcome.closest.is_none() {
@@ -239,6 +260,34 @@ fn doubt(best: &Candidate) -> String {
             "The first has less to spare than the ± of {error} N: to be sure of {force} N, ask for {ask} N.\n"
         )
     })
+}
+
+/// What finite elements say of the first candidate.
+fn checked_text(spec: &Spec, outcome: &Outcome, checked: &[Checked], p: Pressures) -> String {
+    let mut out = String::new();
+    let Some(winner) = outcome.candidates.first().filter(|_| !checked.is_empty()) else { return out };
+    out.push_str("\nThe first by finite elements\n");
+    for (c, q) in checked.iter().zip(&winner.points) {
+        let at = percent(c.wanted.contraction);
+        let max = p.show(spec.max_pressure_mpa);
+        let line = match &c.available_n {
+            Ok(f) => {
+                let difference = f - q.available_n;
+                let sign = if difference < 0.0 { "less" } else { "more" };
+                let needs = c.pressure_mpa.map_or_else(String::new, |v| {
+                    format!("; {} N take {}", number(c.wanted.force_n, 5), p.show(v))
+                });
+                format!(
+                    "{} N at {at} and {max}, {} N {sign}{needs}",
+                    number(*f, 4),
+                    number(difference.abs(), 3)
+                )
+            }
+            Err(error) => format!("no answer at {at}: {error}"),
+        };
+        out.push_str(&format!("  {line}\n"));
+    }
+    out
 }
 
 fn spread_text(spreads: &[Spread], p: Pressures) -> String {
