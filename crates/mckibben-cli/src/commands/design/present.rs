@@ -4,7 +4,7 @@ use super::Checked;
 use crate::kind::Kind;
 use crate::output::json as shapes;
 use crate::output::text::{Pressures, number, or_dash, percent, plus_minus, rubber_name, table};
-use mckibben::design::{Candidate, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread};
+use mckibben::design::{BraidChoice, Candidate, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread};
 use serde_json::{Map, Value, json};
 
 /// One candidate with all it knows.
@@ -120,6 +120,7 @@ pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], c
             inner.insert("length_mm".into(), json!(closest.muscle.length_mm()));
             let list: Vec<Value> = closest.relaxations.iter().map(relaxation_json).collect();
             inner.insert("relaxations".into(), json!(list));
+            inner.insert("hint".into(), json!(beyond(spec)));
         }
         map.insert("closest".into(), value);
     }
@@ -151,6 +152,9 @@ pub fn as_text(
     ));
     if let Some(closest) = &outcome.closest {
         out.push_str(&nothing_fits(closest, p));
+        if let Some(hint) = beyond(spec) {
+            out.push_str(&format!("{hint}\n"));
+        }
     } else {
         out.push_str(&candidates(outcome, p));
         out.push_str(&checked_text(spec, outcome, checked, p));
@@ -242,6 +246,7 @@ fn candidates(outcome: &Outcome, p: Pressures) -> String {
         "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{braid}. ±: 95 % of the model's error in the pull.\n"
     ));
     out.push_str(&list.first().map_or_else(String::new, doubt));
+    out.push_str(&list.first().map_or_else(String::new, strain));
     if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
@@ -260,6 +265,40 @@ fn doubt(best: &Candidate) -> String {
             "The first has less to spare than the ± of {error} N: to be sure of {force} N, ask for {ask} N.\n"
         )
     })
+}
+
+/// Strands that stretch further than the models were looked at.
+fn strain(best: &Candidate) -> String {
+    let tension = best.largest(|q| q.response.braid_tension_n);
+    let strain = tension.and_then(|t| best.muscle.strand_strain(t)).filter(|s| *s > 0.06);
+    strain.map_or_else(String::new, |s| {
+        format!(
+            "Its strands stretch by {}: past 6 % the models have not been compared with anything.\n",
+            percent((s * 1e3).round() / 1e3)
+        )
+    })
+}
+
+/// Contractions that no braid of the search reaches, and the angle that would.
+fn beyond(spec: &Spec) -> Option<String> {
+    let BraidChoice::Angle(angles) = &spec.braid else { return None };
+    let smallest = angles.bounds().0;
+    let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
+    let wanted = spec.points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+    if wanted < most(smallest) {
+        return None;
+    }
+    let cos = 1.0 / (3f64.sqrt() * (1.0 - wanted));
+    let reach = if cos < 1.0 {
+        format!("{} needs one well below {}°", percent(wanted), number(cos.acos().to_degrees().floor(), 3))
+    } else {
+        format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
+    };
+    let at = number(smallest, 4);
+    Some(format!(
+        "A braid at {at}° contracts by {} at most; {reach}.",
+        percent((most(smallest) * 1e3).floor() / 1e3)
+    ))
 }
 
 /// What finite elements say of the first candidate.
