@@ -25,4 +25,4 @@ pub use read::{Rows, read, rows};
 pub use run::{Outcome, Progress, RunOptions, run};
 pub use shard::Shard;
 pub use store::Provenance;
-pub use summary::{Summary, summary};
+pub use summary::{Failed, Summary, summary};

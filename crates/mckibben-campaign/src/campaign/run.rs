@@ -85,18 +85,20 @@ pub fn run(
     if one_file && options.shard.is_some() {
         return Err(CampaignError::ShardOfFile { path: out.into() });
     }
-    let of = plan.muscles();
-    if one_file && out.exists() {
-        belongs(&Opened::file(out)?.provenance, &provenance, out)?;
-        let progress = Progress { muscles: of, of, resumed: of, ..Progress::default() };
-        return Ok(Outcome { progress, complete: true, recomputed: vec![], store: out.into() });
-    }
     if !one_file && out.is_file() {
         let why = "it is a file, and parts go into a folder; a campaign in one file ends in .parquet".into();
         return Err(CampaignError::NoCampaign { path: out.into(), why });
     }
     let store = if one_file { parts_of(out) } else { out.to_path_buf() };
+    if one_file && out.exists() {
+        return finished(&provenance, out, &store);
+    }
     let folder = Folder::for_writing(&store, options.shard)?;
+    if one_file && out.exists() {
+        // Another process finished it since.
+        drop(folder);
+        return finished(&provenance, out, &store);
+    }
     let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.unwrap_or(0)).build();
     let pool = pool.map_err(|e| CampaignError::Threads(e.to_string()))?;
 
@@ -168,6 +170,26 @@ pub fn run(
         folder.write(&mut pending)?;
     }
     Ok(Outcome { progress, complete, recomputed, store })
+}
+
+/// There is the file already: nothing is to be done, if it is that of this plan.
+fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome, CampaignError> {
+    let opened = Opened::file(out)?;
+    belongs(&opened.provenance, provenance, out)?;
+    if opened.which != Which::Whole {
+        return Err(CampaignError::damaged(out, "it holds only a part of the campaign"));
+    }
+    if parts.is_dir() {
+        // A run was killed between writing the file and removing its parts.
+        match Folder::for_writing(parts, None) {
+            Ok(folder) => folder.remove()?,
+            Err(CampaignError::Locked { .. }) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    let of = provenance.muscles;
+    let progress = Progress { muscles: of, of, resumed: of, ..Progress::default() };
+    Ok(Outcome { progress, complete: true, recomputed: vec![], store: out.into() })
 }
 
 /// The parts that are there and whole, and those that are damaged, with what is wrong with them.

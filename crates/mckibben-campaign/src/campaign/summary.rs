@@ -6,6 +6,17 @@ use crate::Row;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+/// Rows that failed in the same way.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Failed {
+    /// How many.
+    pub points: u64,
+    /// Number of the first muscle.
+    pub first_muscle: u64,
+    /// Its cause.
+    pub first_cause: String,
+}
+
 /// What a campaign holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
@@ -18,7 +29,7 @@ pub struct Summary {
     /// Rows with an answer.
     pub answered: u64,
     /// Rows without an answer by their status.
-    pub failed: BTreeMap<String, u64>,
+    pub failed: BTreeMap<String, Failed>,
     /// Smallest and largest value of each input and of the pull, in the order of the columns.
     pub ranges: Vec<(String, f64, f64)>,
     /// Parts that are missing, of a folder.
@@ -53,7 +64,8 @@ impl Summary {
         if row.status == solve::OK {
             self.answered += 1;
         } else {
-            *self.failed.entry(row.status.clone()).or_default() += 1;
+            let first = || Failed { points: 0, first_muscle: row.muscle, first_cause: row.cause.clone() };
+            self.failed.entry(row.status.clone()).or_insert_with(first).points += 1;
         }
         let measures = [
             ("outer_diameter_mm", Some(row.outer_diameter_mm)),

@@ -128,7 +128,11 @@ impl Plan {
     /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the plan, and not more
     /// points than are computed in a good second.
     pub fn block(&self) -> u64 {
-        let most = if self.testing.sensitivities { 512 } else { 8192 };
+        let most: u64 = if self.testing.sensitivities { 512 } else { 4096 };
+        // Time grows with the elements along and with the square of those through the wall.
+        let mesh = self.testing.mesh;
+        let through = mesh.through.unwrap_or(1) as u64;
+        let most = 6 * most / (through * through * mesh.along.unwrap_or(6) as u64).max(6);
         let heavy = (most / self.points_per_muscle().max(1) as u64).max(1);
         (self.muscles() / 100).clamp(1, heavy)
     }

@@ -249,6 +249,7 @@ fn parts_are_a_hundredth_of_the_plan_and_never_too_long() {
         let head = format!("[sampling]\nmethod = \"latin-hypercube\"\nsamples = {samples}\n");
         Plan::parse(&format!("{head}[vary]\ntube.length = \"100..200\"\n{test}")).unwrap().block()
     };
-    assert_eq!([of(20, TEST), of(1000, TEST), of(1_000_000, TEST)], [1, 10, 8192 / 6]);
+    assert_eq!([of(20, TEST), of(1000, TEST), of(1_000_000, TEST)], [1, 10, 4096 / 6]);
     assert_eq!(of(10_000, &format!("{TEST}sensitivities = true\n")), 512 / 6);
+    assert_eq!(of(10_000, &format!("{TEST}mesh = \"2x12\"\n")), 512 / 6);
 }

@@ -119,12 +119,16 @@ impl Folder {
     ///
     /// # Errors
     /// [`CampaignError::Write`].
-    pub(crate) fn remove(self) -> Result<(), CampaignError> {
-        for name in self.names()? {
-            if part_number(&name).is_some() || name.starts_with(LOCK) || name.starts_with(UNFINISHED) {
-                let path = self.path.join(name);
-                std::fs::remove_file(&path).map_err(CampaignError::write(&path))?;
-            }
+    pub(crate) fn remove(mut self) -> Result<(), CampaignError> {
+        let remove = |path: PathBuf| std::fs::remove_file(&path).map_err(CampaignError::write(&path));
+        let (locks, others): (Vec<_>, Vec<_>) = self.names()?.into_iter().partition(|n| n.starts_with(LOCK));
+        for name in others.iter().filter(|n| part_number(n).is_some() || n.starts_with(UNFINISHED)) {
+            remove(self.path.join(name))?;
+        }
+        // Some systems do not remove what is open.
+        self.locks.clear();
+        for name in locks {
+            remove(self.path.join(name))?;
         }
         // Something foreign in it keeps it.
         let _ = std::fs::remove_dir(&self.path);

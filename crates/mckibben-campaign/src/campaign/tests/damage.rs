@@ -52,7 +52,7 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     std::fs::copy(part(&store, 1), part(&store, 2)).unwrap();
 
     let merged = dir.path().join("merged.parquet");
-    let error = merge(&[store.clone()], &merged).unwrap_err();
+    let error = merge(std::slice::from_ref(&store), &merged).unwrap_err();
     assert!(matches!(&error, CampaignError::Damaged { .. }), "{error}");
     assert!(!merged.exists(), "nothing half-written");
     assert!(read(&store).is_err());
@@ -162,6 +162,21 @@ fn what_is_no_campaign_is_not_read_and_not_overwritten() {
     std::fs::write(&text, "notes").unwrap();
     assert!(run(&plan(), &text, &RunOptions::default(), &mut |_| {}).is_err());
     assert_eq!(bytes(&text), b"notes");
+}
+
+#[test]
+fn a_run_killed_before_it_removed_its_parts_is_tidied_up() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let (file, parts) = (dir.path().join("c.parquet"), dir.path().join("c.parquet.parts"));
+    run_to(&parts);
+    std::fs::write(&file, &expected).unwrap();
+    let outcome = run_to(&file);
+    assert_eq!((outcome.complete, outcome.progress.points, parts.exists()), (true, 0, false));
+    // A part under the file's name is not the table.
+    run_to(&parts);
+    std::fs::copy(part(&parts, 0), &file).unwrap();
+    assert!(run(&plan(), &file, &RunOptions::default(), &mut |_| {}).is_err());
 }
 
 #[test]

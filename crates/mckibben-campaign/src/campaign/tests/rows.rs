@@ -99,8 +99,8 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let blank = run_plan("[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n").remove(0);
     let row = |i: u64| Row {
         muscle: i / 110,
-        force_n: (i % 7 != 0).then_some(i as f64 * 0.1),
-        cause: if i % 7 == 0 { format!("cause “{}”", i % 21) } else { String::new() },
+        force_n: (!i.is_multiple_of(7)).then_some(i as f64 * 0.1),
+        cause: if i.is_multiple_of(7) { format!("cause “{}”", i % 21) } else { String::new() },
         iterations: (i % 9) as u32,
         ..blank.clone()
     };

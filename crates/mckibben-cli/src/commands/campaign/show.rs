@@ -29,7 +29,12 @@ fn ranges(s: &Summary) -> Vec<Value> {
 
 fn as_json(s: &Summary) -> Value {
     let p = &s.provenance;
-    let failed: Map<String, Value> = s.failed.iter().map(|(k, v)| (k.clone(), json!(v))).collect();
+    let failed = s.failed.iter().map(|(status, f)| {
+        let value =
+            json!({ "points": f.points, "first_muscle": f.first_muscle, "first_cause": f.first_cause });
+        (status.clone(), value)
+    });
+    let failed: Map<String, Value> = failed.collect();
     json!({
         "muscles": s.muscles, "muscles_wanted": p.muscles, "points": s.points, "points_wanted": p.points(),
         "complete": s.points == p.points(), "answered": s.answered, "failed": failed, "iterations": s.iterations,
@@ -47,7 +52,7 @@ fn as_text(s: &Summary) -> String {
         ("points", format!("{} ({} a muscle)", of(s.points, p.points()), p.points_per_muscle)),
         ("answered", s.answered.to_string()),
     ];
-    head.extend(s.failed.iter().map(|(status, n)| (status.as_str(), n.to_string())));
+    head.extend(s.failed.iter().map(|(status, f)| (status.as_str(), f.points.to_string())));
     head.extend([
         ("iterations", format!("{} a point", number(s.iterations as f64 / s.points.max(1) as f64, 3))),
         ("size", format!("{} kB", number(1e-3 * s.bytes as f64, 3))),
@@ -62,6 +67,9 @@ fn as_text(s: &Summary) -> String {
     let mut out = pairs(&head);
     let rows = s.ranges.iter().map(|(n, low, high)| vec![n.clone(), number(*low, 6), number(*high, 6)]);
     out.push_str(&format!("\n{}", table(&["", "smallest", "largest"], rows.collect())));
+    for (status, f) in &s.failed {
+        out.push_str(&format!("\nThe first {status} is of muscle {}: {}\n", f.first_muscle, f.first_cause));
+    }
     if s.missing_parts > 0 {
         let parts = of(p.parts() - s.missing_parts, p.parts());
         out.push_str(&format!("\nIncomplete: {parts} parts are there; run the campaign again to go on.\n"));
