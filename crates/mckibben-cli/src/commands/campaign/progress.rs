@@ -1,7 +1,9 @@
 //! The progress bar: on a terminal only, to standard error.
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use crate::output::text::number;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben_campaign::campaign::Progress;
+use std::fmt::Write;
 
 /// A bar with rate and remaining time.
 pub struct Bar(ProgressBar);
@@ -11,9 +13,13 @@ impl Bar {
     pub fn new(quiet: bool) -> Self {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr_with_hz(5) };
         let bar = ProgressBar::with_draw_target(None, target);
-        let template = "{bar:32} {pos}/{len} muscles, {per_sec}, {eta} left{msg}";
+        let template = "{bar:32} {pos}/{len} muscles, {rate}, {eta} left{msg}";
         if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
+            let rate = |s: &ProgressState, to: &mut dyn Write| {
+                // Nothing better can be done where nobody can be told.
+                let _ = write!(to, "{} a second", number(s.per_sec(), 3));
+            };
+            bar.set_style(style.with_key("rate", rate));
         }
         Self(bar)
     }
