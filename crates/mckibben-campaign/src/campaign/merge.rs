@@ -1,7 +1,7 @@
 //! Parts → one file.
 
 use super::CampaignError;
-use super::run::belongs;
+use super::resume::belongs;
 use super::store::{Folder, Opened, Provenance, Table, Which, part_name, seal_of, sync, unfinished, whole};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -9,6 +9,7 @@ mod error;
 mod merge;
 mod plan;
 mod read;
+mod resume;
 mod run;
 mod shard;
 mod solve;

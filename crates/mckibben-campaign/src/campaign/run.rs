@@ -2,10 +2,10 @@
 
 use super::merge::{Place, write_whole};
 use super::plan::Plan;
-use super::store::{Folder, Opened, Provenance, Table, Which, is_file_name, part, part_name};
+use super::resume::{finished, there};
+use super::store::{Folder, Provenance, Table, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
 use rayon::prelude::*;
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -170,82 +170,6 @@ pub fn run(
         folder.write(&mut pending)?;
     }
     Ok(Outcome { progress, complete, recomputed, store })
-}
-
-/// There is the file already: nothing is to be done, if it is that of this plan.
-fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome, CampaignError> {
-    let opened = Opened::file(out)?;
-    belongs(&opened.provenance, provenance, out)?;
-    if opened.which != Which::Whole {
-        return Err(CampaignError::damaged(out, "it holds only a part of the campaign"));
-    }
-    if parts.is_dir() {
-        // A run was killed between writing the file and removing its parts.
-        match Folder::for_writing(parts, None) {
-            Ok(folder) => folder.remove()?,
-            Err(CampaignError::Locked { .. }) => {}
-            Err(error) => return Err(error),
-        }
-    }
-    let of = provenance.muscles;
-    let progress = Progress { muscles: of, of, resumed: of, ..Progress::default() };
-    Ok(Outcome { progress, complete: true, recomputed: vec![], store: out.into() })
-}
-
-/// The parts that are there and whole, and those that are damaged, with what is wrong with them.
-type There = (BTreeMap<u64, Place>, Vec<(PathBuf, String)>);
-
-fn there(
-    folder: &Folder,
-    provenance: &Provenance,
-    mine: &(impl Fn(&u64) -> bool + Sync),
-) -> Result<There, CampaignError> {
-    let parts: Vec<(u64, PathBuf)> = Folder::parts(&folder.path)?.into_iter().collect();
-    let checked: Vec<Result<Option<String>, CampaignError>> = parts
-        .par_iter()
-        .map(|(number, path)| match Opened::file(path) {
-            Ok(opened) => {
-                belongs(&opened.provenance, provenance, path)?;
-                let right = opened.which == Which::Part(*number);
-                Ok((!right).then(|| "it holds another part than its name says".to_owned()))
-            }
-            Err(CampaignError::Damaged { why, .. } | CampaignError::NoCampaign { why, .. }) => Ok(Some(why)),
-            Err(error) => Err(error),
-        })
-        .collect();
-    let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
-    for ((number, path), checked) in parts.into_iter().zip(checked) {
-        match checked? {
-            None if mine(&number) => drop(whole.insert(number, Place::File(path))),
-            None => {}
-            Some(why) => damaged.push((path, why)),
-        }
-    }
-    damaged.retain(|(path, _)| mine_path(path, mine));
-    Ok((whole, damaged))
-}
-
-fn mine_path(path: &Path, mine: &impl Fn(&u64) -> bool) -> bool {
-    let name = path.file_name().and_then(|n| n.to_str()).unwrap_or("");
-    let digits: String = name.chars().filter(char::is_ascii_digit).collect();
-    digits.parse().is_ok_and(|n| mine(&n))
-}
-
-/// Whether a file is of this plan and this program.
-pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Result<(), CampaignError> {
-    if theirs.plan_sha256 != ours.plan_sha256 {
-        let (theirs, ours) = (theirs.plan_sha256.clone(), ours.plan_sha256.clone());
-        return Err(CampaignError::OtherPlan { path: path.into(), theirs, ours });
-    }
-    if theirs.version != ours.version {
-        let (theirs, ours) = (theirs.version.clone(), ours.version.clone());
-        return Err(CampaignError::OtherVersion { path: path.into(), theirs, ours });
-    }
-    if theirs == ours {
-        Ok(())
-    } else {
-        Err(CampaignError::damaged(path, "its metadata are not those of this plan"))
-    }
 }
 
 /// One part; `None` where the run is to end.

@@ -124,7 +124,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
         match Opened::file(&part) {
             Ok(opened) => {
                 let out = out.get_or_insert_with(|| Summary::new(opened.provenance.clone()));
-                super::run::belongs(&opened.provenance, &out.provenance, &part)?;
+                super::resume::belongs(&opened.provenance, &out.provenance, &part)?;
                 if opened.which == Which::Part(number) {
                     out.add_file(&opened, &part)?;
                     there += 1;
