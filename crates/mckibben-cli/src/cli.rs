@@ -1,5 +1,9 @@
 //! The commands and their flags. One table: help, completions and parsing come from here.
 
+mod campaign;
+
+pub use campaign::{CampaignArgs, CampaignCommand, CampaignMergeArgs, CampaignRunArgs, CampaignShowArgs};
+
 use crate::flags::{AskFlags, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -39,6 +43,9 @@ pub enum Command {
     /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
     #[command(after_help = SIMULATE_EXAMPLES)]
     Simulate(Box<SimulateArgs>),
+    /// Many finite-element tests from a plan, resumable, into Parquet
+    #[command(after_help = campaign::CAMPAIGN_EXAMPLES)]
+    Campaign(Box<CampaignArgs>),
     /// Verification against exact values and validation against measured muscles
     #[command(after_help = VALIDATE_EXAMPLES)]
     Validate(ValidateArgs),

@@ -8,6 +8,7 @@ use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
 use mckibben::units::{QuantityError, RangeError};
+use mckibben_campaign::campaign::CampaignError;
 use mckibben_fem::output::VtuError;
 use mckibben_report::FigureError;
 use serde_json::{Map, Value, json};
@@ -207,6 +208,21 @@ impl From<FitError> for Failure {
 impl From<VtuError> for Failure {
     fn from(error: VtuError) -> Self {
         Self::input("output", error.to_string(), "")
+    }
+}
+
+impl From<CampaignError> for Failure {
+    fn from(error: CampaignError) -> Self {
+        let kind = match error {
+            CampaignError::OtherPlan { .. } | CampaignError::OtherVersion { .. } => "other_plan",
+            CampaignError::Locked { .. } => "locked",
+            CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => "damaged",
+            CampaignError::Incomplete { .. } => "incomplete",
+            CampaignError::Write { .. } | CampaignError::Encode(_) | CampaignError::Threads(_) => "output",
+            CampaignError::ShardOfFile { .. } => "usage",
+            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Read { .. } => "file",
+        };
+        Self::input(kind, error.to_string(), error.hint())
     }
 }
 

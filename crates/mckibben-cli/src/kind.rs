@@ -65,16 +65,7 @@ pub fn mesh(text: Option<&str>) -> Result<MeshSpec, Failure> {
         );
         Failure::input("mesh", message, "leave it out and the program chooses")
     };
-    let (elements, grading) = match text.split_once(':') {
-        Some((elements, grading)) => (elements, Some(grading.trim().parse::<f64>().map_err(|_| wrong())?)),
-        None => (text, None),
-    };
-    let count = |t: &str| t.trim().parse::<usize>().map_err(|_| wrong());
-    let (through, along) = match elements.split_once('x') {
-        Some((through, along)) => (Some(count(through)?), count(along)?),
-        None => (None, count(elements)?),
-    };
-    let spec = MeshSpec { through, along: Some(along), grading };
+    let spec = MeshSpec::parse(text).ok_or_else(wrong)?;
     // The numbers themselves are checked where the mesh is made; here only for the message.
     spec.resolve(10.0, 1.0, 100.0).map_err(|e| Failure::input("mesh", format!("--mesh: {e}"), ""))?;
     Ok(spec)

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 /// A folder that looks like the repository to a command, but where figures may land.
 fn copy() -> tempfile::TempDir {
     let dir = folder();
-    for name in ["examples", "data"] {
+    for name in ["examples", "data", "plans"] {
         let from = root().join(name);
         if from.exists() {
             copy_tree(&from, &dir.path().join(name));

@@ -1,5 +1,6 @@
 //! One file a command.
 
+mod campaign;
 mod compare;
 mod curve;
 mod design;
@@ -26,6 +27,7 @@ pub fn run(command: Command) -> Result<u8, Failure> {
         Command::Curve(args) if args.study.is_some() => study::run(&args),
         Command::Curve(args) => curve::run(&args),
         Command::Simulate(args) => simulate::run(&args),
+        Command::Campaign(args) => campaign::run(&args),
         Command::Validate(args) => validate::run(&args),
         Command::Compare(args) => compare::run(&args),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args),

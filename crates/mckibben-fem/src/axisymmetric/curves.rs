@@ -6,6 +6,9 @@ use super::engine::{Along, Engine};
 use super::equilibrium::Control;
 use super::error::FemError;
 use super::model::Axisymmetric;
+use super::results::Solution;
+use super::sensitivity::{self, Sensitivity};
+use mckibben::model::{ForceModel, Response};
 
 /// A point of a curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,9 +33,9 @@ impl CurvePoint {
         self.force_n < 0.0
     }
 
-    fn here(e: &Engine, spent: (usize, usize)) -> Self {
+    fn here(e: &mut Engine, spent: (usize, usize)) -> Result<Self, FemError> {
         let (s, effort) = (&e.walker.body.state, e.walker.effort);
-        Self {
+        Ok(Self {
             // Zeros without a sign.
             pressure_mpa: s.pressure + 0.0,
             contraction: 0.0 - s.terminal / e.half_length(),
@@ -40,8 +43,19 @@ impl CurvePoint {
             volume_mm3: 2.0 * e.walker.body.totals.volume,
             iterations: effort.iterations - spent.0,
             factorisations: effort.factorisations - spent.1,
-        }
+        })
     }
+}
+
+/// A point of a curve with what its tangent tells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TangentPoint {
+    /// What every model tells, stiffness and ∂F/∂P among it.
+    pub response: Response,
+    /// ∂F/∂(constants and measures), where they were asked for.
+    pub sensitivities: Vec<Sensitivity>,
+    /// Newton iterations it took.
+    pub iterations: usize,
 }
 
 /// Points of a curve in the order they were asked for.
@@ -52,20 +66,21 @@ fn spent(e: &Engine) -> (usize, usize) {
 }
 
 /// Visits `values` in the order of `order`: from what the last points foretell where that works, else by `afresh`.
-fn run(
+fn run<T: Clone>(
     e: &mut Engine,
     values: &[f64],
     along: Along,
     descending: bool,
     control: impl Fn(&Engine, f64) -> Control,
     afresh: impl Fn(&mut Engine, f64) -> Result<(), FemError>,
-) -> Curve {
+    here: impl Fn(&mut Engine, (usize, usize)) -> Result<T, FemError>,
+) -> Vec<Result<T, FemError>> {
     let mut order: Vec<usize> = (0..values.len()).collect();
     order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
     if descending {
         order.reverse();
     }
-    let mut out: Vec<Option<Result<CurvePoint, FemError>>> = vec![None; values.len()];
+    let mut out: Vec<Option<Result<T, FemError>>> = vec![None; values.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
         let cost = spent(e);
@@ -96,7 +111,7 @@ fn run(
                 e.begin_trail();
             }
         }
-        out[i] = Some(point.map(|()| CurvePoint::here(e, cost)));
+        out[i] = Some(point.and_then(|()| here(e, cost)));
     }
     if running {
         e.keep();
@@ -115,6 +130,34 @@ impl Axisymmetric {
                 true,
                 |e, _| Control::Length(-contraction * e.half_length()),
                 |e, p| e.reach(p, contraction),
+                CurvePoint::here,
+            )
+        })
+    }
+
+    /// [`Axisymmetric::isometric`] with what the tangents tell, and ∂F/∂(constants and measures) if they are asked for.
+    pub fn isometric_with_tangents(
+        &self,
+        contraction: f64,
+        pressures_mpa: &[f64],
+        sensitivities: bool,
+    ) -> Vec<Result<TangentPoint, FemError>> {
+        let muscle = self.muscle();
+        self.engine(|e| {
+            run(
+                e,
+                pressures_mpa,
+                Along::Pressure,
+                true,
+                |e, _| Control::Length(-contraction * e.half_length()),
+                |e, p| e.reach(p, contraction),
+                |e, spent| {
+                    let iterations = e.walker.effort.iterations - spent.0;
+                    let body = &mut e.walker.body;
+                    let response = Solution::response(body, muscle)?;
+                    let all = if sensitivities { sensitivity::all(body, muscle)? } else { vec![] };
+                    Ok(TangentPoint { response, sensitivities: all, iterations })
+                },
             )
         })
     }
@@ -129,6 +172,7 @@ impl Axisymmetric {
                 false,
                 |e, c| Control::Length(-c * e.half_length()),
                 |e, c| e.reach(pressure_mpa, c),
+                CurvePoint::here,
             )
         })
     }
@@ -144,6 +188,7 @@ impl Axisymmetric {
                 true,
                 |_, _| Control::Force(force_n),
                 |e, p| self.reach_force(e, force_n, p),
+                CurvePoint::here,
             )
         })
     }

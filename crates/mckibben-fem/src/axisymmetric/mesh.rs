@@ -20,6 +20,21 @@ pub const MOST_ALONG: usize = 1024;
 pub const MOST_THROUGH: usize = 16;
 
 impl MeshSpec {
+    /// Reads `8` (elements along the half length), `2x8` (through the wall x along), or `2x8:2` with the grading;
+    /// `None` where the text is none of them.
+    pub fn parse(text: &str) -> Option<Self> {
+        let (elements, grading) = match text.split_once(':') {
+            Some((elements, grading)) => (elements, Some(grading.trim().parse::<f64>().ok()?)),
+            None => (text, None),
+        };
+        let count = |t: &str| t.trim().parse::<usize>().ok();
+        let (through, along) = match elements.split_once('x') {
+            Some((through, along)) => (Some(count(through)?), count(along)?),
+            None => (None, count(elements)?),
+        };
+        Some(Self { through, along: Some(along), grading })
+    }
+
     /// Fills in what is not said, for a tube of outer radius, wall and half length in mm.
     ///
     /// # Errors

@@ -17,7 +17,7 @@ mod sensitivity;
 pub mod study;
 pub mod sweep;
 
-pub use curves::{Curve, CurvePoint};
+pub use curves::{Curve, CurvePoint, TangentPoint};
 pub use engine::{Along, Engine};
 pub use error::{FemError, LastConverged};
 pub use mesh::{Mesh, MeshSpec};

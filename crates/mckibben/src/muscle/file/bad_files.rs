@@ -259,7 +259,7 @@ fn what_is_no_readable_file_is_refused_by_name() {
     let missing = read_muscle(dir.0.join("none.toml")).unwrap_err();
     assert!(matches!(*missing.problem, Problem::Unreadable(_)));
     assert!(missing.to_string().contains("none.toml: cannot be read: "));
-    assert!(message(&dir.0).contains("is a directory; a muscle file must be a regular file"));
+    assert!(message(&dir.0).contains("is a directory; it must be a regular file"));
     #[cfg(unix)]
     assert!(message("/dev/null".as_ref()).contains("is a device or a pipe"));
     let latin = dir.file("latin.toml", b"[tube]\n# 28\xb0\nlength = 3\n");

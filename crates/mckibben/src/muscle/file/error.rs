@@ -2,7 +2,7 @@
 
 use crate::muscle::MuscleError;
 use crate::rubber::LibraryError;
-use crate::units::QuantityError;
+use crate::units::{QuantityError, RangeError};
 use std::fmt;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -38,13 +38,13 @@ pub enum Problem {
     #[error("cannot be read: {0}")]
     Unreadable(#[source] std::io::Error),
     /// A directory, a device, a pipe.
-    #[error("is {what}; a muscle file must be a regular file")]
+    #[error("is {what}; it must be a regular file")]
     NotAFile {
         /// What it is.
         what: &'static str,
     },
-    /// Too long for a muscle file.
-    #[error("is longer than {limit} bytes, too long for a muscle file")]
+    /// Too long for a file of this kind.
+    #[error("is longer than {limit} bytes, too long for such a file")]
     TooLarge {
         /// The limit in bytes.
         limit: usize,
@@ -92,6 +92,12 @@ pub enum Problem {
     /// A text that is not the quantity asked for.
     #[error("{}", without_subject(.0))]
     Quantity(#[source] QuantityError),
+    /// A text that is no range or list.
+    #[error("{0}")]
+    Range(#[source] RangeError),
+    /// Anything else, in a sentence that the key stands before.
+    #[error("{0}")]
+    Said(String),
     /// A word that is not one of those known.
     #[error("is not known{}; expected {expected}", hint(*.suggestion))]
     Word {
@@ -190,7 +196,8 @@ impl FileError {
         self
     }
 
-    pub(super) fn of(mut self, file: &std::path::Path) -> Self {
+    /// The same error with its file.
+    pub fn of(mut self, file: &std::path::Path) -> Self {
         self.file = Some(file.into());
         self
     }

@@ -30,7 +30,8 @@ mod bad_files;
 mod tests;
 
 pub use error::{FileError, Place, Problem};
-pub use read::parse_muscle;
+pub use read::{parse_muscle, parse_muscle_beside};
+pub use source::{Section, Source, WordOr};
 pub use write::to_toml;
 
 use super::Muscle;
@@ -50,7 +51,11 @@ pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
     read_text(path).and_then(|text| parse_muscle(&text)).map_err(|e| e.of(path))
 }
 
-fn read_text(path: &Path) -> Result<String, FileError> {
+/// The text of a file written by hand.
+///
+/// # Errors
+/// [`FileError`], as [`read_muscle`], without the file's name.
+pub fn read_text(path: &Path) -> Result<String, FileError> {
     let unreadable = |e| FileError::new(Problem::Unreadable(e));
     // Asked before opening: to open a pipe would wait for its other end.
     let kind = std::fs::metadata(path).map_err(unreadable)?;

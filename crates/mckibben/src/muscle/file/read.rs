@@ -49,12 +49,20 @@ pub(super) const ALL: &[&str] = &[
 /// # Errors
 /// [`FileError`] with line, column, key, what stood there and what is expected.
 pub fn parse_muscle(text: &str) -> Result<Muscle, FileError> {
+    parse_muscle_beside(text, &[])
+}
+
+/// Reads the muscle of a text that holds `others` beside it: the tables of a plan, say.
+///
+/// # Errors
+/// As [`parse_muscle`].
+pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle, FileError> {
     if text.len() > MAX_BYTES {
         return Err(FileError::new(Problem::TooLarge { limit: MAX_BYTES }));
     }
     let source = Source::parse(text.strip_prefix('\u{feff}').unwrap_or(text))?;
     let root = source.root();
-    root.only(TOP, ALL)?;
+    root.only(&[TOP, others].concat(), ALL)?;
     // For people; they have no meaning in a calculation.
     root.text("name", "a text in quotes")?;
     root.text("notes", "a text in quotes")?;

@@ -3,7 +3,7 @@
 use super::error::{FileError, Place, Problem};
 use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
 use crate::nearest::nearest;
-use crate::units::Dimension;
+use crate::units::{Dimension, Values, parse_values};
 use std::ops::Range;
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
@@ -15,28 +15,34 @@ pub(super) fn place(text: &str, offset: usize) -> Place {
 }
 
 /// The text and its parsed form.
-pub(super) struct Source<'t> {
+#[derive(Debug)]
+pub struct Source<'t> {
     text: &'t str,
     document: Document<&'t str>,
 }
 
 /// A table of the file, which may be missing.
 #[derive(Clone, Copy)]
-pub(super) struct Section<'s> {
+pub struct Section<'s> {
     source: &'s Source<'s>,
     path: &'static str,
     table: Option<&'s dyn TableLike>,
 }
 
 impl<'t> Source<'t> {
-    pub(super) fn parse(text: &'t str) -> Result<Self, FileError> {
+    /// Parses a text.
+    ///
+    /// # Errors
+    /// [`FileError`] where it is no TOML.
+    pub fn parse(text: &'t str) -> Result<Self, FileError> {
         match Document::parse(text) {
             Ok(document) => Ok(Self { text, document }),
             Err(error) => Err(syntax(text, &error)),
         }
     }
 
-    pub(super) fn root(&self) -> Section<'_> {
+    /// The table of everything.
+    pub fn root(&self) -> Section<'_> {
         Section { source: self, path: "", table: Some(self.document.as_table()) }
     }
 
@@ -51,7 +57,8 @@ impl<'t> Source<'t> {
         Some((key.span(), item))
     }
 
-    pub(super) fn has(&self, dotted: &str) -> bool {
+    /// Whether something is written at a dotted key.
+    pub fn has(&self, dotted: &str) -> bool {
         self.find(dotted).is_some()
     }
 
@@ -60,7 +67,7 @@ impl<'t> Source<'t> {
     }
 
     /// The problem with the value of a key that is written.
-    pub(super) fn error(&self, dotted: &str, problem: Problem) -> FileError {
+    pub fn error(&self, dotted: &str, problem: Problem) -> FileError {
         let error = FileError::new(problem);
         let Some((key_span, item)) = self.find(dotted) else {
             return error.under(dotted, None);
@@ -79,7 +86,10 @@ impl<'t> Source<'t> {
 
 impl<'s> Section<'s> {
     /// A table in this one.
-    pub(super) fn section(&self, key: &str, path: &'static str) -> Result<Section<'s>, FileError> {
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn section(&self, key: &str, path: &'static str) -> Result<Section<'s>, FileError> {
         let table = match self.table.and_then(|t| t.get(key)) {
             None => None,
             Some(item) => match item.as_table_like() {
@@ -91,27 +101,27 @@ impl<'s> Section<'s> {
     }
 
     /// Whether the table is written.
-    pub(super) fn is_written(&self) -> bool {
+    pub fn is_written(&self) -> bool {
         self.table.is_some()
     }
 
     /// Whether a key is written.
-    pub(super) fn has(&self, key: &str) -> bool {
+    pub fn has(&self, key: &str) -> bool {
         self.table.is_some_and(|t| t.contains_key(key))
     }
 
     /// The dotted name of a key.
-    pub(super) fn dotted(&self, key: &str) -> String {
+    pub fn dotted(&self, key: &str) -> String {
         if self.path.is_empty() { key.into() } else { format!("{}.{key}", self.path) }
     }
 
     /// The problem with the value of a key.
-    pub(super) fn error(&self, key: &str, problem: Problem) -> FileError {
+    pub fn error(&self, key: &str, problem: Problem) -> FileError {
         self.source.error(&self.dotted(key), problem)
     }
 
     /// The problem that something is missing here; it stands at `beside`, which needs it, or at the table itself.
-    pub(super) fn missing(&self, key: &str, beside: Option<&str>, needs: &'static str) -> FileError {
+    pub fn missing(&self, key: &str, beside: Option<&str>, needs: &'static str) -> FileError {
         let problem = Problem::Missing { missing: self.dotted(key), needs };
         match beside {
             Some(beside) => self.error(beside, problem),
@@ -125,7 +135,10 @@ impl<'s> Section<'s> {
 
     /// Every key must be one of `known`. `all` are the dotted keys of the whole file: a key that belongs elsewhere is
     /// recognised by them.
-    pub(super) fn only(&self, known: &[&'static str], all: &[&'static str]) -> Result<(), FileError> {
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn only(&self, known: &[&'static str], all: &[&'static str]) -> Result<(), FileError> {
         for (key, span) in self.keys() {
             if known.contains(&key) {
                 continue;
@@ -141,7 +154,7 @@ impl<'s> Section<'s> {
     }
 
     /// The keys that are written, and where.
-    pub(super) fn keys(&self) -> impl Iterator<Item = (&'s str, Option<Range<usize>>)> + use<'s> {
+    pub fn keys(&self) -> impl Iterator<Item = (&'s str, Option<Range<usize>>)> + use<'s> {
         let table = self.table;
         table
             .into_iter()
@@ -150,7 +163,7 @@ impl<'s> Section<'s> {
     }
 
     /// The problem with a key itself, wherever its value stands.
-    pub(super) fn key_error(&self, key: &str, span: Option<Range<usize>>, problem: Problem) -> FileError {
+    pub fn key_error(&self, key: &str, span: Option<Range<usize>>, problem: Problem) -> FileError {
         self.source.key_error(&self.dotted(key), span, problem)
     }
 
@@ -163,25 +176,37 @@ impl<'s> Section<'s> {
     }
 
     /// A quantity: a text with a unit, or a bare number.
-    pub(super) fn quantity(&self, key: &str, dimension: Dimension) -> Result<Option<f64>, FileError> {
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn quantity(&self, key: &str, dimension: Dimension) -> Result<Option<f64>, FileError> {
         let value = self.value(key, dimension.expectation())?;
         value.map(|v| to_quantity(v, dimension).map_err(|p| self.error(key, p))).transpose()
     }
 
     /// A number without unit.
-    pub(super) fn number(&self, key: &str) -> Result<Option<f64>, FileError> {
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn number(&self, key: &str) -> Result<Option<f64>, FileError> {
         self.value(key, PLAIN)?.map(|v| to_number(v).map_err(|p| self.error(key, p))).transpose()
     }
 
     /// A text.
-    pub(super) fn text(&self, key: &str, expected: &'static str) -> Result<Option<&'s str>, FileError> {
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn text(&self, key: &str, expected: &'static str) -> Result<Option<&'s str>, FileError> {
         let Some(value) = self.value(key, expected)? else { return Ok(None) };
         let problem = || Problem::Type { found: value_kind(value), expected };
         value.as_str().map(Some).ok_or_else(|| self.error(key, problem()))
     }
 
     /// `true` or `false`.
-    pub(super) fn boolean(&self, key: &str) -> Result<Option<bool>, FileError> {
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn boolean(&self, key: &str) -> Result<Option<bool>, FileError> {
         let expected = "true or false, without quotes";
         let Some(value) = self.value(key, expected)? else { return Ok(None) };
         let problem = || Problem::Type { found: value_kind(value), expected };
@@ -189,11 +214,10 @@ impl<'s> Section<'s> {
     }
 
     /// A list of pressures (with a dimension) or plain numbers (without).
-    pub(super) fn list(
-        &self,
-        key: &str,
-        dimension: Option<Dimension>,
-    ) -> Result<Option<Vec<f64>>, FileError> {
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn list(&self, key: &str, dimension: Option<Dimension>) -> Result<Option<Vec<f64>>, FileError> {
         let expected = match dimension {
             Some(_) => "a list such as [\"0.62 MPa\", 0.0012]",
             None => "a list of numbers such as [1.3, 5.0]",
@@ -210,8 +234,37 @@ impl<'s> Section<'s> {
         list.map(Some).map_err(|p| self.error(key, p))
     }
 
+    /// Values: a text with a list or a range, a bare number, or a TOML list; and whether `suffix` stood behind them.
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn values(
+        &self,
+        key: &str,
+        dimension: Dimension,
+        suffix: &str,
+    ) -> Result<Option<(Values, bool)>, FileError> {
+        let expected = "a list such as \"30,40,50\", or a range such as \"0..0.25:0.01\" or \"10..60\"";
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        if let Some(array) = value.as_array() {
+            let list = array.iter().map(|v| to_quantity(v, dimension)).collect::<Result<Vec<_>, _>>();
+            return list.map(|l| Some((Values::List(l), false))).map_err(|p| self.error(key, p));
+        }
+        let Some(text) = value.as_str() else {
+            let number = to_quantity(value, dimension).map_err(|p| self.error(key, p))?;
+            return Ok(Some((Values::List(vec![number]), false)));
+        };
+        let text = text.trim();
+        let behind = Some(suffix).filter(|s| !s.is_empty()).and_then(|s| text.strip_suffix(s));
+        let values = parse_values(behind.unwrap_or(text), dimension);
+        values.map(|v| Some((v, behind.is_some()))).map_err(|e| self.error(key, Problem::Range(e)))
+    }
+
     /// One of some words, or a quantity; `expected` describes both.
-    pub(super) fn word_or_quantity(
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn word_or_quantity(
         &self,
         key: &str,
         words: &[&'static str],
@@ -233,8 +286,11 @@ impl<'s> Section<'s> {
 }
 
 /// What [`Section::word_or_quantity`] found.
-pub(super) enum WordOr {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum WordOr {
+    /// One of the words.
     Word(&'static str),
+    /// A quantity in the unit used inside.
     Quantity(f64),
 }
 

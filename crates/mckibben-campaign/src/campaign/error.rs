@@ -1,0 +1,148 @@
+//! Why a campaign does not run, or a store cannot be read.
+
+use mckibben::muscle::file::FileError;
+use std::path::{Path, PathBuf};
+use thiserror::Error;
+
+/// Why a campaign does not run, or a store cannot be read.
+#[derive(Debug, Error)]
+pub enum CampaignError {
+    /// The plan.
+    #[error("{0}")]
+    Plan(#[from] FileError),
+    /// The store holds the table of another plan.
+    #[error("{} holds a campaign of another plan (sha256 {}, this plan has {})", .path.display(), short(.theirs), short(.ours))]
+    OtherPlan {
+        /// The store, or the file in it.
+        path: PathBuf,
+        /// Hash of the plan in the store.
+        theirs: String,
+        /// Hash of this plan.
+        ours: String,
+    },
+    /// The store was made by another version of the program, whose numbers may differ.
+    #[error("{} was made by mckibben {theirs}, and this is {ours}", .path.display())]
+    OtherVersion {
+        /// The store, or the file in it.
+        path: PathBuf,
+        /// Version that made it.
+        theirs: String,
+        /// This version.
+        ours: String,
+    },
+    /// Another process writes to the store.
+    #[error("another process is writing to {}", .path.display())]
+    Locked {
+        /// The store.
+        path: PathBuf,
+    },
+    /// A file that is not what was written.
+    #[error("{} is damaged: {why}", .path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// What shows it.
+        why: String,
+    },
+    /// Parts are missing.
+    #[error("{} is incomplete: {missing} of {parts} parts are missing, the first is {first}", .path.display())]
+    Incomplete {
+        /// The store.
+        path: PathBuf,
+        /// Number of parts that are missing.
+        missing: u64,
+        /// Number of all parts.
+        parts: u64,
+        /// Name of the first that is missing.
+        first: String,
+    },
+    /// Two files claim to be the same part and are not.
+    #[error("{} and {} are the same part of the plan and differ", .one.display(), .other.display())]
+    Conflict {
+        /// One of them.
+        one: PathBuf,
+        /// The other.
+        other: PathBuf,
+    },
+    /// Nothing of a campaign is there.
+    #[error("{} holds no campaign: {why}", .path.display())]
+    NoCampaign {
+        /// The file or folder.
+        path: PathBuf,
+        /// What is there instead.
+        why: String,
+    },
+    /// A shard of a campaign that is to be one file.
+    #[error("a shard writes parts, and {} would be one file", .path.display())]
+    ShardOfFile {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A file cannot be written; what was there before is untouched.
+    #[error("cannot write {}: {source}", .path.display())]
+    Write {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// A file cannot be read.
+    #[error("cannot read {}: {source}", .path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// A table cannot be encoded.
+    #[error("cannot write the table: {0}")]
+    Encode(String),
+    /// No threads to be had.
+    #[error("cannot start threads: {0}")]
+    Threads(String),
+}
+
+fn short(hash: &str) -> &str {
+    hash.get(..12).unwrap_or(hash)
+}
+
+impl CampaignError {
+    /// What can be done about it; may be empty.
+    pub fn hint(&self) -> &'static str {
+        match self {
+            Self::OtherPlan { .. } => {
+                "write to another place, or remove it; any change of a plan's text makes another plan"
+            }
+            Self::OtherVersion { .. } => "write to another place, remove it, or go on with that version",
+            Self::Locked { .. } => "wait for it to end, or write to another place",
+            Self::Damaged { .. } => {
+                "parts of a folder are recomputed when the campaign is run again; any other file must be removed first"
+            }
+            Self::Incomplete { .. } => {
+                "run the campaign (or the missing shards) again: it computes what is missing"
+            }
+            Self::Conflict { .. } => "they come from different programs or machines: recompute one of them",
+            Self::ShardOfFile { .. } => {
+                "give a folder (-o DIR/), then `mckibben campaign merge DIR -o FILE.parquet`"
+            }
+            Self::Write { .. } | Self::Encode(_) => {
+                "what was written before is a valid store; the same command goes on from there"
+            }
+            _ => "",
+        }
+    }
+
+    pub(super) fn write(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
+        let path = path.to_path_buf();
+        move |source| Self::Write { path, source }
+    }
+
+    pub(super) fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
+        let path = path.to_path_buf();
+        move |source| Self::Read { path, source }
+    }
+
+    pub(super) fn damaged(path: &Path, why: impl ToString) -> Self {
+        Self::Damaged { path: path.into(), why: why.to_string() }
+    }
+}

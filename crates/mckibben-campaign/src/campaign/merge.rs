@@ -1,0 +1,126 @@
+//! Parts → one file.
+
+use super::CampaignError;
+use super::resume::belongs;
+use super::store::{Folder, Opened, Provenance, Table, Which, part_name, seal_of, sync, unfinished, whole};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Where a part is.
+#[derive(Debug)]
+pub(super) enum Place {
+    /// In a file.
+    File(PathBuf),
+    /// In memory, as the bytes of its file.
+    Memory(Vec<u8>),
+}
+
+impl Place {
+    fn open(self, number: u64) -> Result<Opened, CampaignError> {
+        match self {
+            Place::File(path) => Opened::file(&path),
+            Place::Memory(bytes) => Opened::bytes(bytes, Path::new(&part_name(number))),
+        }
+    }
+}
+
+/// What was merged.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Merged {
+    /// Where the parts come from.
+    pub provenance: Provenance,
+    /// Parts that were found more than once, all alike.
+    pub doubles: u64,
+}
+
+/// The tables of parts in the order of the plan, each checked against the plan it must belong to.
+pub(super) fn tables<'a>(
+    provenance: &'a Provenance,
+    places: impl Iterator<Item = (u64, Place)> + 'a,
+) -> impl Iterator<Item = Result<Table, CampaignError>> + 'a {
+    places.flat_map(move |(number, place)| {
+        let name = match &place {
+            Place::File(path) => path.clone(),
+            Place::Memory(_) => part_name(number).into(),
+        };
+        let read = || {
+            let opened = place.open(number)?;
+            belongs(&opened.provenance, provenance, &name)?;
+            if opened.which != Which::Part(number) {
+                return Err(CampaignError::damaged(&name, "it holds another part than its name says"));
+            }
+            (0..opened.groups()).map(|g| opened.group(g)).collect::<Result<Vec<_>, _>>()
+        };
+        match read() {
+            Ok(tables) => tables.into_iter().map(Ok).collect::<Vec<_>>(),
+            Err(error) => vec![Err(error)],
+        }
+    })
+}
+
+/// Writes all parts as one file, which appears whole or not at all.
+pub(super) fn write_whole(
+    provenance: &Provenance,
+    places: BTreeMap<u64, Place>,
+    out: &Path,
+) -> Result<(), CampaignError> {
+    let fail = |e: std::io::Error| CampaignError::write(out)(e);
+    let folder = out.parent().unwrap_or(Path::new(""));
+    let (file, temporary) = unfinished(folder).map_err(fail)?.into_parts();
+    let file = whole(provenance, tables(provenance, places.into_iter()), file, out)?;
+    file.sync_all().map_err(fail)?;
+    temporary.persist(out).map_err(|e| fail(e.error))?;
+    sync(folder);
+    Ok(())
+}
+
+/// All parts of some folders; none may be missing.
+pub(super) fn gather(
+    folders: &[PathBuf],
+) -> Result<(Provenance, BTreeMap<u64, PathBuf>, u64), CampaignError> {
+    let mut found: BTreeMap<u64, PathBuf> = BTreeMap::new();
+    let mut doubles = 0;
+    for folder in folders {
+        for (number, path) in Folder::parts(folder)? {
+            match found.get(&number) {
+                None => drop(found.insert(number, path)),
+                Some(one) => {
+                    // Both are checked, so that neither hides behind the other.
+                    let (a, b) = (Opened::file(one)?, Opened::file(&path)?);
+                    belongs(&b.provenance, &a.provenance, &path)?;
+                    let seals = |p: &Path| seal_of(p).map_err(CampaignError::read(p));
+                    if seals(one)? != seals(&path)? {
+                        return Err(CampaignError::Conflict { one: one.clone(), other: path });
+                    }
+                    doubles += 1;
+                }
+            }
+        }
+    }
+    let path = folders.first().cloned().unwrap_or_default();
+    let Some(first) = found.values().next() else {
+        return Err(CampaignError::NoCampaign { path, why: "there is no part in it".into() });
+    };
+    let provenance = Opened::file(first)?.provenance;
+    let parts = provenance.parts();
+    let mut missing = (0..parts).filter(|p| !found.contains_key(p)).peekable();
+    if let Some(&first) = missing.peek() {
+        let missing = missing.count() as u64;
+        return Err(CampaignError::Incomplete { path, missing, parts, first: part_name(first) });
+    }
+    if let Some((_, path)) = found.range(parts..).next() {
+        return Err(CampaignError::damaged(path, format!("the plan has only {parts} parts")));
+    }
+    Ok((provenance, found, doubles))
+}
+
+/// Merges the parts in some folders into one file, the same bytes as those of a single run.
+///
+/// # Errors
+/// [`CampaignError`] where parts are missing, damaged, of different plans, or differ.
+pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Merged, CampaignError> {
+    let (provenance, found, doubles) = gather(folders)?;
+    let places = found.into_iter().map(|(n, path)| (n, Place::File(path))).collect();
+    write_whole(&provenance, places, out)?;
+    Ok(Merged { provenance, doubles })
+}

@@ -1,0 +1,192 @@
+//! Plans: a base muscle, what varies and how it is sampled, and the points each muscle is asked.
+//!
+//! ```
+//! use mckibben_campaign::campaign::Plan;
+//! let plan = Plan::parse(
+//!     "[vary]\ntube.outer_diameter = \"30,40 mm\"\ntube.wall_thickness = \"1..5:1 mm\"\n\
+//!      [test]\ncontractions = \"0..20:5%\"\npressures = \"0..2.5:0.1bar\"\n",
+//! )?;
+//! assert_eq!((plan.muscles(), plan.points()), (10, 10 * 5 * 26));
+//! # Ok::<(), mckibben::muscle::file::FileError>(())
+//! ```
+
+mod axis;
+mod read;
+mod sampling;
+mod vary;
+
+#[cfg(test)]
+mod tests;
+
+pub(super) use axis::rounded;
+pub use axis::{Axis, Inputs, Measure};
+pub use sampling::Sampling;
+
+use mckibben::muscle::file::{FileError, read_text};
+use mckibben::muscle::{Braid, Muscle, MuscleError};
+use mckibben::rubber::RubberLaw;
+use mckibben_fem::axisymmetric::MeshSpec;
+use sampling::Design;
+use sha2::{Digest, Sha256};
+use std::path::Path;
+
+/// What every muscle is asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Testing {
+    /// Contractions, or shares of the largest that the ideal muscle has.
+    pub contractions: Vec<f64>,
+    /// Whether they are shares of 1 − 1/(√3 cosθ0).
+    pub of_ideal: bool,
+    /// Pressures in MPa.
+    pub pressures_mpa: Vec<f64>,
+    /// Mesh of the finite elements.
+    pub mesh: MeshSpec,
+    /// Whether rows carry ∂F/∂(constants and measures).
+    pub sensitivities: bool,
+}
+
+/// A plan.
+#[derive(Debug, Clone)]
+pub struct Plan {
+    text: String,
+    name: Option<String>,
+    base: Muscle,
+    axes: Vec<Axis>,
+    sampling: Sampling,
+    design: Design,
+    testing: Testing,
+}
+
+impl Plan {
+    /// Reads the text of a plan.
+    ///
+    /// # Errors
+    /// [`FileError`] with line, column, key, what stood there and what is expected.
+    pub fn parse(text: &str) -> Result<Self, FileError> {
+        read::plan(text)
+    }
+
+    /// Reads a plan file.
+    ///
+    /// # Errors
+    /// [`FileError`], with the file's name.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FileError> {
+        let path = path.as_ref();
+        read_text(path).and_then(|text| Self::parse(&text)).map_err(|e| e.of(path))
+    }
+
+    /// Its text, as it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// SHA-256 of its text, in hexadecimal digits.
+    pub fn hash(&self) -> String {
+        hash(&self.text)
+    }
+
+    /// Its name, where it has one.
+    pub fn name(&self) -> Option<&str> {
+        self.name.as_deref()
+    }
+
+    /// The muscle that is varied.
+    pub fn base(&self) -> &Muscle {
+        &self.base
+    }
+
+    /// What varies; in a factorial plan the first changes slowest.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// How it is sampled.
+    pub fn sampling(&self) -> &Sampling {
+        &self.sampling
+    }
+
+    /// What every muscle is asked.
+    pub fn testing(&self) -> &Testing {
+        &self.testing
+    }
+
+    /// Number of muscles.
+    pub fn muscles(&self) -> u64 {
+        self.design.len()
+    }
+
+    /// Points each muscle is asked.
+    pub fn points_per_muscle(&self) -> usize {
+        self.testing.contractions.len() * self.testing.pressures_mpa.len()
+    }
+
+    /// Number of rows.
+    pub fn points(&self) -> u64 {
+        self.muscles() * self.points_per_muscle() as u64
+    }
+
+    /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the plan, and not more
+    /// points than are computed in a good second.
+    pub fn block(&self) -> u64 {
+        let most: u64 = if self.testing.sensitivities { 512 } else { 4096 };
+        // Time grows with the elements along and with the square of those through the wall.
+        let mesh = self.testing.mesh;
+        let through = mesh.through.unwrap_or(1) as u64;
+        let most = 6 * most / (through * through * mesh.along.unwrap_or(6) as u64).max(6);
+        let heavy = (most / self.points_per_muscle().max(1) as u64).max(1);
+        (self.muscles() / 100).clamp(1, heavy)
+    }
+
+    /// The measures of a muscle of the plan.
+    pub fn inputs(&self, number: u64) -> Inputs {
+        let values: Vec<f64> =
+            (0..self.axes.len()).map(|a| self.design.value(&self.axes, a, number)).collect();
+        Inputs::of(&self.base, &self.axes, &values)
+    }
+
+    /// Names and values of the constants of the base muscle's law, as columns: `c10_mpa`.
+    pub fn constants(&self) -> Vec<String> {
+        constants(&self.base.tube().rubber.law).into_iter().map(|c| c.0).collect()
+    }
+
+    /// Keys of the sensitivities that rows carry.
+    pub fn sensitivities(&self) -> Vec<String> {
+        if !self.testing.sensitivities {
+            return vec![];
+        }
+        let law = &self.base.tube().rubber.law;
+        let mut keys: Vec<String> =
+            law.constants().into_iter().map(|(name, _, _)| format!("tube.material.{name}")).collect();
+        if self.inputs(0).family_stiffness_n_per_mm().is_some() {
+            keys.push("braid.stiffness".into());
+        }
+        keys.extend(
+            ["tube.outer_diameter", "tube.wall_thickness", "tube.length", "braid.angle"].map(Into::into),
+        );
+        keys
+    }
+}
+
+/// Constants of a law with the names of their columns.
+pub(super) fn constants(law: &impl RubberLaw) -> Vec<(String, f64)> {
+    let column = |(name, value, unit): (String, f64, &str)| {
+        (if unit == "MPa" { format!("{name}_mpa") } else { name }, value)
+    };
+    law.constants().into_iter().map(column).collect()
+}
+
+/// SHA-256 in hexadecimal digits.
+pub(super) fn hash(text: &str) -> String {
+    Sha256::digest(text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect()
+}
+
+impl Inputs {
+    /// The muscle made of them.
+    ///
+    /// # Errors
+    /// [`MuscleError`] where they make none.
+    pub fn muscle(&self, base: &Muscle) -> Result<Muscle, MuscleError> {
+        let braid = Braid { angle_deg: self.angle_deg, stiffness: self.stiffness, ..base.braid().clone() };
+        Muscle::new(self.tube.clone(), braid, base.terminals().clone(), base.friction().copied())
+    }
+}

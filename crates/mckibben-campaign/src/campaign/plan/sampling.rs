@@ -1,0 +1,113 @@
+//! How the axes of a plan are sampled.
+
+use super::axis::Axis;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::{Rng, SeedableRng};
+
+/// The most muscles of a plan.
+pub(super) const MOST_MUSCLES: u64 = 1_000_000;
+/// The most that a Sobol sequence of this kind has.
+pub(super) const MOST_SOBOL: u64 = 1 << 16;
+
+/// A way of sampling.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sampling {
+    /// Every level with every other.
+    Factorial,
+    /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979).
+    LatinHypercube {
+        /// Number of muscles.
+        samples: u64,
+        /// Seed.
+        seed: u64,
+    },
+    /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020).
+    Sobol {
+        /// Number of muscles.
+        samples: u64,
+        /// Seed, up to 32 bits.
+        seed: u32,
+    },
+}
+
+impl Sampling {
+    /// Its word in plans.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Factorial => "factorial",
+            Self::LatinHypercube { .. } => "latin-hypercube",
+            Self::Sobol { .. } => "sobol",
+        }
+    }
+
+    /// Its seed, where it has one.
+    pub fn seed(&self) -> Option<u64> {
+        match *self {
+            Self::Factorial => None,
+            Self::LatinHypercube { seed, .. } => Some(seed),
+            Self::Sobol { seed, .. } => Some(u64::from(seed)),
+        }
+    }
+}
+
+/// Where the muscles of a plan lie in the unit cube of its axes.
+#[derive(Debug, Clone)]
+pub(super) enum Design {
+    Factorial { levels: Vec<u64>, muscles: u64 },
+    Points { shares: Vec<Vec<f64>>, muscles: u64 },
+    Sobol { muscles: u64, seed: u32 },
+}
+
+impl Design {
+    pub(super) fn new(sampling: &Sampling, axes: &[Axis]) -> Self {
+        match *sampling {
+            Sampling::Factorial => {
+                let levels: Vec<u64> = axes.iter().map(Axis::levels).collect();
+                let muscles = levels.iter().fold(1_u64, |a, &b| a.saturating_mul(b));
+                Self::Factorial { levels, muscles }
+            }
+            Sampling::LatinHypercube { samples, seed } => {
+                let shares = (0..axes.len()).map(|axis| strata(samples, seed, axis as u64)).collect();
+                Self::Points { shares, muscles: samples }
+            }
+            Sampling::Sobol { samples, seed } => Self::Sobol { muscles: samples, seed },
+        }
+    }
+
+    pub(super) fn len(&self) -> u64 {
+        match self {
+            Self::Factorial { muscles, .. } | Self::Points { muscles, .. } | Self::Sobol { muscles, .. } => {
+                *muscles
+            }
+        }
+    }
+
+    /// The value of an axis for a muscle.
+    pub(super) fn value(&self, axes: &[Axis], axis: usize, number: u64) -> f64 {
+        match self {
+            Self::Factorial { levels, .. } => {
+                // The first axis changes slowest.
+                let faster: u64 = levels[axis + 1..].iter().product();
+                axes[axis].level(number / faster % levels[axis])
+            }
+            Self::Points { shares, .. } => axes[axis].at(shares[axis][number as usize]),
+            Self::Sobol { seed, .. } => {
+                axes[axis].at(f64::from(sobol_burley::sample(number as u32, axis as u32, *seed)))
+            }
+        }
+    }
+}
+
+/// One axis of a Latin hypercube: a share in each of `n` strata, in random order. Each axis has its own stream.
+fn strata(n: u64, seed: u64, axis: u64) -> Vec<f64> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream(axis);
+    let mut order: Vec<u64> = (0..n).collect();
+    for i in (1..order.len()).rev() {
+        // Multiply and shift: uneven by at most n/2⁶⁴.
+        let j = ((u128::from(random.next_u64()) * (i as u128 + 1)) >> 64) as usize;
+        order.swap(i, j);
+    }
+    let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+    order.into_iter().map(|stratum| ((stratum as f64 + unit()) / n as f64).min(1.0 - f64::EPSILON)).collect()
+}

@@ -1,0 +1,93 @@
+//! The table `[vary]`.
+
+use super::axis::{ALL, Axis, Measure};
+use super::sampling::Sampling;
+use mckibben::muscle::file::{FileError, Problem, Section};
+use mckibben::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
+use mckibben::rubber::RubberLaw;
+use mckibben::units::Values;
+
+/// Pairs of which a plan has one.
+const EITHER: [(Measure, Measure); 3] = [
+    (Measure::Wall, Measure::WallRatio),
+    (Measure::Length, Measure::LengthRatio),
+    (Measure::Stiffness, Measure::StiffnessPerDiameter),
+];
+
+/// Reads what varies.
+pub(super) fn axes(
+    root: &Section<'_>,
+    base: &Muscle,
+    sampling: &Sampling,
+    all: &[&'static str],
+) -> Result<Vec<Axis>, FileError> {
+    let vary = root.section("vary", "vary")?;
+    vary.only(&["tube", "braid"], all)?;
+    let tube = vary.section("tube", "vary.tube")?;
+    let tables = [
+        ("tube.material.", tube.section("material", "vary.tube.material")?),
+        ("tube.", tube),
+        ("braid.", vary.section("braid", "vary.braid")?),
+    ];
+    for (prefix, table) in &tables {
+        let mut known: Vec<&'static str> =
+            ALL.iter().filter_map(|m| m.0.strip_prefix(prefix)).filter(|k| !k.contains('.')).collect();
+        if *prefix == "tube." {
+            known.push("material");
+        }
+        table.only(&known, all)?;
+    }
+    let mut axes = vec![];
+    for (key, measure) in ALL {
+        let Some((table, key)) = tables.iter().find_map(|(p, t)| Some((t, key.strip_prefix(p)?))) else {
+            continue;
+        };
+        if let Some((values, log)) = table.values(key, measure.dimension(), "log")? {
+            let axis = Axis { measure, values, log };
+            check(&axis, base, sampling).map_err(|why| table.error(key, Problem::Said(why)))?;
+            let other = EITHER.iter().find(|p| p.1 == measure).map(|p| p.0);
+            if let Some(other) = other.filter(|o| axes.iter().any(|a: &Axis| a.measure == *o)) {
+                let why = format!("vary either this or {}; here stand both", other.key());
+                return Err(table.error(key, Problem::Said(why)));
+            }
+            axes.push(axis);
+        }
+    }
+    Ok(axes)
+}
+
+/// What an axis must be, in a sentence that its key stands before.
+fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> {
+    let interval = matches!(axis.values, Values::Interval(..));
+    let (low, high) = axis.values.bounds();
+    if interval && *sampling == Sampling::Factorial {
+        return Err("is a range without a step, and a factorial plan needs levels: give a list (30,40,50) or a step (10..60:10), or another [sampling] method".into());
+    }
+    if axis.log && !interval {
+        return Err("is a list, and `log` goes with a range such as 0.04..0.4 log".into());
+    }
+    if let Measure::Constant(name) = axis.measure {
+        let law = &base.tube().rubber.law;
+        let constants: Vec<String> = law.constants().into_iter().map(|c| c.0).collect();
+        if !constants.iter().any(|c| c == name) {
+            let name = law.name();
+            let constants = constants.join(", ");
+            return Err(format!(
+                "is no constant of the {name} law of the base muscle; its constants are {constants}"
+            ));
+        }
+    }
+    let positive = !matches!(axis.measure, Measure::Constant(name) if name != "mu" && name != "jm");
+    if (positive || axis.log) && low <= 0.0 {
+        return Err(format!("begins at {low}; it must be above zero"));
+    }
+    if axis.measure == Measure::Angle && high >= NEUTRAL_ANGLE_DEG {
+        return Err(format!(
+            "reaches {high} deg; a muscle that contracts needs an angle between 0 and {NEUTRAL_ANGLE_DEG:.4} deg to its axis"
+        ));
+    }
+    if axis.measure == Measure::WallRatio && high >= 0.5 {
+        return Err(format!("reaches {high}; a wall of half the outer diameter leaves no bore"));
+    }
+    Ok(())
+}

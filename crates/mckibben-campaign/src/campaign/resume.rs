@@ -1,0 +1,80 @@
+//! What is there already, and whether it belongs to a plan.
+
+use super::CampaignError;
+use super::merge::Place;
+use super::run::{Outcome, Progress};
+use super::store::{Folder, Opened, Provenance, Which};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// There is the file already: nothing is to be done, if it is that of this plan.
+pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome, CampaignError> {
+    let opened = Opened::file(out)?;
+    belongs(&opened.provenance, provenance, out)?;
+    if opened.which != Which::Whole {
+        return Err(CampaignError::damaged(out, "it holds only a part of the campaign"));
+    }
+    if parts.is_dir() {
+        // A run was killed between writing the file and removing its parts.
+        match Folder::for_writing(parts, None) {
+            Ok(folder) => folder.remove()?,
+            Err(CampaignError::Locked { .. }) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    let of = provenance.muscles;
+    let progress = Progress { muscles: of, of, resumed: of, ..Progress::default() };
+    Ok(Outcome { progress, complete: true, recomputed: vec![], store: out.into() })
+}
+
+/// The parts that are there and whole, and those that are damaged, with what is wrong with them.
+pub(super) type There = (BTreeMap<u64, Place>, Vec<(PathBuf, String)>);
+
+/// Looks through the parts in a folder, all of them with their bytes.
+pub(super) fn there(
+    folder: &Folder,
+    provenance: &Provenance,
+    mine: &(impl Fn(&u64) -> bool + Sync),
+) -> Result<There, CampaignError> {
+    let parts: Vec<(u64, PathBuf)> = Folder::parts(&folder.path)?.into_iter().collect();
+    let checked: Vec<Result<Option<String>, CampaignError>> = parts
+        .par_iter()
+        .map(|(number, path)| match Opened::file(path) {
+            Ok(opened) => {
+                belongs(&opened.provenance, provenance, path)?;
+                let right = opened.which == Which::Part(*number);
+                Ok((!right).then(|| "it holds another part than its name says".to_owned()))
+            }
+            Err(CampaignError::Damaged { why, .. } | CampaignError::NoCampaign { why, .. }) => Ok(Some(why)),
+            Err(error) => Err(error),
+        })
+        .collect();
+    let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
+    for ((number, path), checked) in parts.into_iter().zip(checked) {
+        match checked? {
+            None if mine(&number) => drop(whole.insert(number, Place::File(path))),
+            None => {}
+            Some(why) if mine(&number) => damaged.push((path, why)),
+            Some(_) => {}
+        }
+    }
+    Ok((whole, damaged))
+}
+
+/// Whether a file is of this plan and this program.
+pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Result<(), CampaignError> {
+    if theirs.plan_sha256 != ours.plan_sha256 {
+        let (theirs, ours) = (theirs.plan_sha256.clone(), ours.plan_sha256.clone());
+        return Err(CampaignError::OtherPlan { path: path.into(), theirs, ours });
+    }
+    if theirs.version != ours.version {
+        let (theirs, ours) = (theirs.version.clone(), ours.version.clone());
+        return Err(CampaignError::OtherVersion { path: path.into(), theirs, ours });
+    }
+    if theirs == ours {
+        Ok(())
+    } else {
+        Err(CampaignError::damaged(path, "its metadata are not those of this plan"))
+    }
+}

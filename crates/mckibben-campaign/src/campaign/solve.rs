@@ -1,0 +1,113 @@
+//! The rows of one muscle. They depend on the plan and the muscle's number alone.
+
+use super::plan::{Inputs, Plan, constants, rounded};
+use crate::Row;
+use mckibben::model::{ForceModel, ThickWall};
+use mckibben::muscle::Muscle;
+use mckibben::rubber::RubberLaw;
+use mckibben_fem::axisymmetric::{Axisymmetric, FemError, TangentPoint};
+
+/// There is an answer.
+pub(super) const OK: &str = "ok";
+/// No equilibrium where the endless muscle would push: the tube has collapsed.
+const COLLAPSED: &str = "collapsed";
+/// No equilibrium was found.
+const NOT_CONVERGED: &str = "not_converged";
+/// The measures make no muscle, or no mesh.
+const NO_MUSCLE: &str = "no_muscle";
+
+/// All rows of muscle `number`, contraction by contraction.
+pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
+    let inputs = plan.inputs(number);
+    let testing = plan.testing();
+    let model = inputs.muscle(plan.base()).map_err(|e| e.to_string()).and_then(|muscle| {
+        let model = Axisymmetric::with_mesh(&muscle, &testing.mesh).map_err(|e| e.to_string())?;
+        Ok((model, muscle))
+    });
+    let mut out = Vec::with_capacity(plan.points_per_muscle());
+    for &e in &testing.contractions {
+        let contraction = if testing.of_ideal { rounded(e * largest(&inputs)) } else { e };
+        let blank = |p: f64| blank(number, &inputs, p, contraction);
+        match &model {
+            Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| Row {
+                status: NO_MUSCLE.into(),
+                cause: why.clone(),
+                ..blank(p)
+            })),
+            Ok((model, muscle)) => {
+                let curve =
+                    model.isometric_with_tangents(contraction, &testing.pressures_mpa, testing.sensitivities);
+                out.extend(
+                    testing
+                        .pressures_mpa
+                        .iter()
+                        .zip(curve)
+                        .map(|(&p, point)| filled(blank(p), point, muscle)),
+                );
+            }
+        }
+    }
+    out
+}
+
+/// 1 − 1/(√3 cosθ0)
+fn largest(inputs: &Inputs) -> f64 {
+    (1.0 - 1.0 / (3f64.sqrt() * inputs.angle_deg.to_radians().cos())).max(0.0)
+}
+
+/// A row without an answer.
+fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> Row {
+    let law = &inputs.tube.rubber.law;
+    Row {
+        muscle,
+        outer_diameter_mm: inputs.tube.outer_diameter_mm,
+        wall_mm: inputs.tube.wall_mm,
+        length_mm: inputs.tube.length_mm,
+        angle_deg: inputs.angle_deg,
+        law: law.name().into(),
+        constants: constants(law),
+        stiffness_of_braid_n_per_mm: inputs.family_stiffness_n_per_mm(),
+        pressure_mpa,
+        contraction,
+        force_n: None,
+        volume_mm3: None,
+        stiffness_n_per_mm: None,
+        force_per_pressure_n_per_mpa: None,
+        sensitivities: vec![],
+        status: String::new(),
+        cause: String::new(),
+        iterations: 0,
+    }
+}
+
+fn filled(row: Row, point: Result<TangentPoint, FemError>, muscle: &Muscle) -> Row {
+    match point {
+        Ok(TangentPoint { response: r, sensitivities, iterations }) if r.force_n.is_finite() => {
+            let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
+            Row {
+                force_n: Some(r.force_n),
+                volume_mm3: finite(r.volume_mm3),
+                stiffness_n_per_mm: finite(r.stiffness_n_per_mm),
+                force_per_pressure_n_per_mpa: finite(r.force_per_pressure_mm2),
+                sensitivities: sensitivities
+                    .into_iter()
+                    .filter(|s| s.force_n_per_unit.is_finite())
+                    .map(|s| (s.name, s.force_n_per_unit))
+                    .collect(),
+                status: OK.into(),
+                iterations: u32::try_from(iterations).unwrap_or(u32::MAX),
+                ..row
+            }
+        }
+        Ok(_) => Row { status: NOT_CONVERGED.into(), cause: "the pull is not finite".into(), ..row },
+        Err(error) => {
+            let push = ThickWall::new(muscle).force_n(row.pressure_mpa, row.contraction);
+            let status = if push.map_or(true, |force| force <= 0.0) { COLLAPSED } else { NOT_CONVERGED };
+            let iterations = match &error {
+                FemError::Path { iterations, .. } => u32::try_from(*iterations).unwrap_or(u32::MAX),
+                _ => 0,
+            };
+            Row { status: status.into(), cause: error.to_string(), iterations, ..row }
+        }
+    }
+}

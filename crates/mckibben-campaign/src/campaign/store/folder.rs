@@ -1,0 +1,159 @@
+//! A folder of parts: `part-000012.parquet` holds block 12 of the plan.
+//!
+//! A part appears whole or not at all: written under a temporary name, brought to the disk, renamed.
+
+use crate::campaign::{CampaignError, Shard};
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+const LOCK: &str = ".lock";
+/// What names of unfinished parts begin with.
+const UNFINISHED: &str = ".unfinished-";
+
+/// The file name of a part.
+pub(crate) fn part_name(number: u64) -> String {
+    format!("part-{number:06}.parquet")
+}
+
+fn part_number(name: &str) -> Option<u64> {
+    name.strip_prefix("part-")?.strip_suffix(".parquet")?.parse().ok()
+}
+
+/// Whether a path names one file (`campaign.parquet`), not a folder of parts.
+pub(crate) fn is_file_name(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) && !path.is_dir()
+}
+
+/// A folder of parts.
+#[derive(Debug)]
+pub(crate) struct Folder {
+    pub(crate) path: PathBuf,
+    /// Held while the store is written.
+    locks: Vec<File>,
+}
+
+impl Folder {
+    /// Opens or makes a folder for writing; no other process may write to it, save other shards.
+    ///
+    /// # Errors
+    /// [`CampaignError::Locked`], [`CampaignError::Write`].
+    pub(crate) fn for_writing(path: &Path, shard: Option<Shard>) -> Result<Self, CampaignError> {
+        std::fs::create_dir_all(path).map_err(CampaignError::write(path))?;
+        let mut folder = Self { path: path.into(), locks: vec![] };
+        folder.lock(LOCK, shard.is_some())?;
+        match shard {
+            Some(shard) => folder.lock(&format!("{LOCK}-{}", shard.file_name()), false)?,
+            // Nobody else is writing: what is unfinished stays so.
+            None => folder.sweep()?,
+        }
+        Ok(folder)
+    }
+
+    fn lock(&mut self, name: &str, shared: bool) -> Result<(), CampaignError> {
+        let path = self.path.join(name);
+        let open = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(&path);
+        let file = open.map_err(CampaignError::write(&path))?;
+        let locked = if shared { file.try_lock_shared() } else { file.try_lock() };
+        match locked {
+            Ok(()) => {
+                self.locks.push(file);
+                Ok(())
+            }
+            Err(TryLockError::WouldBlock) => Err(CampaignError::Locked { path: self.path.clone() }),
+            // A file system without locks: parts are still renamed whole, and equal whoever writes them.
+            Err(TryLockError::Error(e)) if e.kind() == std::io::ErrorKind::Unsupported => Ok(()),
+            Err(TryLockError::Error(e)) => Err(CampaignError::write(&path)(e)),
+        }
+    }
+
+    fn names(&self) -> Result<Vec<String>, CampaignError> {
+        let mut out = vec![];
+        for entry in std::fs::read_dir(&self.path).map_err(CampaignError::read(&self.path))? {
+            let entry = entry.map_err(CampaignError::read(&self.path))?;
+            out.push(entry.file_name().to_string_lossy().into_owned());
+        }
+        Ok(out)
+    }
+
+    fn sweep(&self) -> Result<(), CampaignError> {
+        for name in self.names()?.iter().filter(|n| n.starts_with(UNFINISHED)) {
+            let path = self.path.join(name);
+            std::fs::remove_file(&path).map_err(CampaignError::write(&path))?;
+        }
+        Ok(())
+    }
+
+    /// The parts that are there.
+    ///
+    /// # Errors
+    /// [`CampaignError::Read`].
+    pub(crate) fn parts(path: &Path) -> Result<BTreeMap<u64, PathBuf>, CampaignError> {
+        let folder = Self { path: path.into(), locks: vec![] };
+        let names = folder.names()?;
+        Ok(names.into_iter().filter_map(|n| Some((part_number(&n)?, path.join(n)))).collect())
+    }
+
+    /// Writes parts so that they survive whatever follows.
+    ///
+    /// # Errors
+    /// [`CampaignError::Write`]; parts that were there are untouched.
+    pub(crate) fn write(&self, parts: &mut Vec<(u64, Vec<u8>)>) -> Result<(), CampaignError> {
+        if parts.is_empty() {
+            return Ok(());
+        }
+        for (number, bytes) in parts.drain(..) {
+            let path = self.path.join(part_name(number));
+            let fail = |e: std::io::Error| CampaignError::write(&path)(e);
+            // Removed again if anything fails before it is renamed.
+            let mut file = unfinished(&self.path).map_err(fail)?;
+            file.write_all(&bytes).and_then(|()| file.as_file().sync_data()).map_err(fail)?;
+            file.persist(&path).map_err(|e| fail(e.error))?;
+        }
+        sync(&self.path);
+        Ok(())
+    }
+
+    /// Removes the folder with its parts: they are in one file now.
+    ///
+    /// # Errors
+    /// [`CampaignError::Write`].
+    pub(crate) fn remove(mut self) -> Result<(), CampaignError> {
+        let remove = |path: PathBuf| std::fs::remove_file(&path).map_err(CampaignError::write(&path));
+        let (locks, others): (Vec<_>, Vec<_>) = self.names()?.into_iter().partition(|n| n.starts_with(LOCK));
+        for name in others.iter().filter(|n| part_number(n).is_some() || n.starts_with(UNFINISHED)) {
+            remove(self.path.join(name))?;
+        }
+        // Some systems do not remove what is open.
+        self.locks.clear();
+        for name in locks {
+            remove(self.path.join(name))?;
+        }
+        // Something foreign in it keeps it.
+        let _ = std::fs::remove_dir(&self.path);
+        Ok(())
+    }
+}
+
+/// A temporary file beside its place, readable as other files are.
+pub(crate) fn unfinished(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(UNFINISHED);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(folder)
+}
+
+/// Brings the names in a folder to the disk, where the system can.
+pub(crate) fn sync(folder: &Path) {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    if let Ok(folder) = File::open(folder) {
+        // Nothing better can be done where folders cannot be synchronised.
+        let _ = folder.sync_all();
+    }
+}

@@ -1,0 +1,138 @@
+//! Where a table comes from: key and value in the metadata of its file.
+
+use super::layout::Layout;
+use crate::campaign::plan::{Plan, hash};
+use parquet::file::metadata::KeyValue;
+
+/// This version of the program.
+pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Where a table comes from. No time and no host: the same plan gives the same bytes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Provenance {
+    /// Version of the program.
+    pub version: String,
+    /// SHA-256 of the plan's text.
+    pub plan_sha256: String,
+    /// The plan's text.
+    pub plan: String,
+    /// Name of the model.
+    pub model: String,
+    /// How the plan is sampled.
+    pub sampling: String,
+    /// Seed of the sampling, where it has one.
+    pub seed: Option<u64>,
+    /// Number of muscles of the whole plan.
+    pub muscles: u64,
+    /// Points each muscle is asked.
+    pub points_per_muscle: u64,
+    /// Muscles of one part.
+    pub block: u64,
+    pub(crate) layout: Layout,
+}
+
+/// Which share of the table a file holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Which {
+    /// Everything.
+    Whole,
+    /// A part.
+    Part(u64),
+}
+
+const PREFIX: &str = "mckibben.";
+
+impl Provenance {
+    /// Of the table of a plan.
+    pub(crate) fn of(plan: &Plan) -> Self {
+        Self {
+            version: VERSION.into(),
+            plan_sha256: plan.hash(),
+            plan: plan.text().into(),
+            model: "fe".into(),
+            sampling: plan.sampling().name().into(),
+            seed: plan.sampling().seed(),
+            muscles: plan.muscles(),
+            points_per_muscle: plan.points_per_muscle() as u64,
+            block: plan.block(),
+            layout: Layout { constants: plan.constants(), sensitivities: plan.sensitivities() },
+        }
+    }
+
+    /// Number of parts.
+    pub fn parts(&self) -> u64 {
+        self.muscles.div_ceil(self.block.max(1))
+    }
+
+    /// Number of rows.
+    pub fn points(&self) -> u64 {
+        self.muscles * self.points_per_muscle
+    }
+
+    /// The muscles of a part.
+    pub(crate) fn muscles_of(&self, part: u64) -> std::ops::Range<u64> {
+        let from = (part * self.block).min(self.muscles);
+        from..(from + self.block).min(self.muscles)
+    }
+
+    /// Rows of a file.
+    pub(crate) fn rows_of(&self, which: Which) -> u64 {
+        match which {
+            Which::Whole => self.points(),
+            Which::Part(part) => {
+                let muscles = self.muscles_of(part);
+                (muscles.end - muscles.start) * self.points_per_muscle
+            }
+        }
+    }
+
+    pub(crate) fn write(&self, which: Which) -> Vec<KeyValue> {
+        let mut pairs = vec![
+            ("version", self.version.clone()),
+            ("plan_sha256", self.plan_sha256.clone()),
+            ("plan", self.plan.clone()),
+            ("model", self.model.clone()),
+            ("sampling", self.sampling.clone()),
+            ("muscles", self.muscles.to_string()),
+            ("points_per_muscle", self.points_per_muscle.to_string()),
+            ("muscles_per_part", self.block.to_string()),
+            ("constants", self.layout.constants.join(",")),
+            ("sensitivities", self.layout.sensitivities.join(",")),
+        ];
+        pairs.extend(self.seed.map(|seed| ("seed", seed.to_string())));
+        if let Which::Part(part) = which {
+            pairs.push(("part", part.to_string()));
+        }
+        pairs.into_iter().map(|(key, value)| KeyValue::new(format!("{PREFIX}{key}"), value)).collect()
+    }
+
+    pub(crate) fn read(pairs: &[KeyValue]) -> Result<(Self, Which), String> {
+        let find = |key: &str| {
+            let pair = pairs.iter().find(|p| p.key.strip_prefix(PREFIX) == Some(key));
+            pair.and_then(|p| p.value.clone())
+        };
+        let text = |key: &str| find(key).ok_or_else(|| format!("its metadata have no {PREFIX}{key}"));
+        let number = |text: String| text.parse::<u64>().map_err(|_| format!("\"{text}\" is no number"));
+        let list = |text: String| text.split(',').filter(|t| !t.is_empty()).map(str::to_owned).collect();
+        let out = Self {
+            version: text("version")?,
+            plan_sha256: text("plan_sha256")?,
+            plan: text("plan")?,
+            model: text("model")?,
+            sampling: text("sampling")?,
+            seed: find("seed").map(number).transpose()?,
+            muscles: number(text("muscles")?)?,
+            points_per_muscle: number(text("points_per_muscle")?)?,
+            block: number(text("muscles_per_part")?)?.max(1),
+            layout: Layout {
+                constants: list(text("constants")?),
+                sensitivities: list(text("sensitivities")?),
+            },
+        };
+        if hash(&out.plan) != out.plan_sha256 {
+            return Err("the plan in its metadata is not the one whose hash stands beside it".into());
+        }
+        let which = find("part").map(number).transpose()?.map_or(Which::Whole, Which::Part);
+        Ok((out, which))
+    }
+}

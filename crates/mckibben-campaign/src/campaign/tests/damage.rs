@@ -1,0 +1,190 @@
+//! Cut, changed, missing and foreign files are named: recomputed by a run, refused by everything else.
+
+use super::*;
+use crate::campaign::store::{Layout, Opened, Provenance, Table, Which, part as encode};
+use std::sync::Arc;
+
+fn is_refused(path: &Path) -> String {
+    match Opened::file(path).map(drop) {
+        Err(error @ (CampaignError::Damaged { .. } | CampaignError::NoCampaign { .. })) => error.to_string(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn no_changed_byte_and_no_cut_goes_unseen() {
+    let dir = folder();
+    run_to(dir.path());
+    let path = part(dir.path(), 3);
+    let whole = bytes(&path);
+    let other = dir.path().join("other.parquet");
+    for at in (0..whole.len()).step_by(13).chain(0..40).chain(whole.len() - 12..whole.len()) {
+        let mut changed = whole.clone();
+        changed[at] ^= 1 << (at % 8);
+        std::fs::write(&other, &changed).unwrap();
+        is_refused(&other);
+    }
+    for length in (0..whole.len()).step_by(101) {
+        std::fs::write(&other, &whole[..length]).unwrap();
+        is_refused(&other);
+    }
+    // As file systems leave it after a power cut: the length is right, the end is empty.
+    let mut zeros = whole.clone();
+    zeros[2000..].fill(0);
+    std::fs::write(&other, &zeros).unwrap();
+    assert!(is_refused(&other).contains("is damaged: it is cut off"));
+}
+
+#[test]
+fn a_run_recomputes_damaged_parts_and_names_them() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let store = dir.path().join("store");
+    run_to(&store);
+    let whole = bytes(&part(&store, 5));
+    std::fs::write(part(&store, 5), &whole[..whole.len() / 2]).unwrap();
+    std::fs::write(part(&store, 7), b"").unwrap();
+    std::fs::write(part(&store, 8), b"hello").unwrap();
+    let mut flipped = bytes(&part(&store, 9));
+    flipped[2000] ^= 64;
+    std::fs::write(part(&store, 9), flipped).unwrap();
+    // The name says otherwise.
+    std::fs::copy(part(&store, 1), part(&store, 2)).unwrap();
+
+    let merged = dir.path().join("merged.parquet");
+    let error = merge(std::slice::from_ref(&store), &merged).unwrap_err();
+    assert!(matches!(&error, CampaignError::Damaged { .. }), "{error}");
+    assert!(!merged.exists(), "nothing half-written");
+    assert!(read(&store).is_err());
+    let shown = summary(&store).unwrap();
+    assert_eq!((shown.muscles, shown.missing_parts, shown.damaged.len()), (7, 5, 5));
+
+    let outcome = run_to(&store);
+    let named: Vec<_> = outcome.recomputed.iter().map(|d| d.0.file_name().unwrap().to_owned()).collect();
+    let expected_names = [2, 5, 7, 8, 9].map(|n| part(&store, n).file_name().unwrap().to_owned());
+    assert_eq!(named, expected_names);
+    assert_eq!(outcome.progress.points, 5 * 6);
+    merge(&[store], &merged).unwrap();
+    assert!(bytes(&merged) == expected);
+}
+
+#[test]
+fn a_shard_touches_only_its_own_damaged_parts() {
+    let dir = folder();
+    run_to(dir.path());
+    std::fs::write(part(dir.path(), 4), b"").unwrap();
+    std::fs::write(part(dir.path(), 5), b"").unwrap();
+    let outcome = run(&plan(), dir.path(), &share("1/2"), &mut |_| {}).unwrap();
+    assert_eq!(outcome.recomputed.iter().map(|d| d.0.clone()).collect::<Vec<_>>(), [part(dir.path(), 4)]);
+    assert_eq!(bytes(&part(dir.path(), 5)), b"");
+}
+
+#[test]
+fn missing_parts_are_counted_and_named() {
+    let dir = folder();
+    run_to(dir.path());
+    std::fs::remove_file(part(dir.path(), 2)).unwrap();
+    std::fs::remove_file(part(dir.path(), 11)).unwrap();
+    let error = read(dir.path()).unwrap_err();
+    assert!(
+        error.to_string().ends_with("2 of 12 parts are missing, the first is part-000002.parquet"),
+        "{error}"
+    );
+    assert_eq!(summary(dir.path()).unwrap().missing_parts, 2);
+    assert_eq!(run_to(dir.path()).progress.points, 12);
+    assert_eq!(read(dir.path()).unwrap().len(), 72);
+}
+
+#[test]
+fn another_plan_or_version_is_refused_with_a_hint() {
+    let dir = folder();
+    let (store, file) = (dir.path().join("store"), dir.path().join("c.parquet"));
+    run_to(&store);
+    run_to(&file);
+    let before = (bytes(&part(&store, 0)), bytes(&file));
+    let other = Plan::parse(&PLAN.replace("seed = 2", "seed = 3")).unwrap();
+    for out in [&store, &file] {
+        let error = run(&other, out, &RunOptions::default(), &mut |_| {}).unwrap_err();
+        assert!(matches!(error, CampaignError::OtherPlan { .. }), "{error}");
+        assert!(error.hint().contains("write to another place"));
+    }
+    assert!(before == (bytes(&part(&store, 0)), bytes(&file)), "both are as they were");
+
+    let older = Provenance { version: "0.0.9".into(), ..Provenance::of(&plan()) };
+    let bytes = encode(&older, 0, &table_of(&plan(), 0)).unwrap();
+    std::fs::write(part(&store, 0), bytes).unwrap();
+    let error = run(&plan(), &store, &RunOptions::default(), &mut |_| {}).unwrap_err();
+    assert!(error.to_string().contains("was made by mckibben 0.0.9"), "{error}");
+    // Parts of two versions make no table either.
+    assert!(read(&store).is_err() && merge(&[store], &dir.path().join("m.parquet")).is_err());
+}
+
+fn table_of(plan: &Plan, muscle: u64) -> Table {
+    let layout = Layout { constants: plan.constants(), sensitivities: plan.sensitivities() };
+    let mut table = Table::new(&Arc::new(layout));
+    crate::campaign::solve::rows(plan, muscle).iter().for_each(|row| table.push(row));
+    table
+}
+
+#[test]
+fn parts_that_claim_the_same_and_differ_are_a_conflict() {
+    let dir = folder();
+    let (one, other) = (dir.path().join("one"), dir.path().join("other"));
+    run_to(&one);
+    std::fs::create_dir(&other).unwrap();
+    // The rows of muscle 4 under the name of muscle 3, sealed.
+    let forged = encode(&Provenance::of(&plan()), 3, &table_of(&plan(), 4)).unwrap();
+    std::fs::write(part(&other, 3), forged).unwrap();
+    assert_eq!(Opened::file(&part(&other, 3)).unwrap().which, Which::Part(3));
+    let error = merge(&[one, other], &dir.path().join("m.parquet")).unwrap_err();
+    assert!(matches!(error, CampaignError::Conflict { .. }), "{error}");
+}
+
+#[test]
+fn what_is_no_campaign_is_not_read_and_not_overwritten() {
+    let dir = folder();
+    let file = dir.path().join("table.parquet");
+    for content in [&b""[..], b"PAR1", b"PAR1PAR1", b"outer_diameter_mm,wall_mm\n30,3\n", &[0; 5000]] {
+        std::fs::write(&file, content).unwrap();
+        assert!(read(&file).is_err() && summary(&file).is_err());
+        assert!(run(&plan(), &file, &RunOptions::default(), &mut |_| {}).is_err());
+        assert_eq!(bytes(&file), content);
+    }
+    assert!(matches!(read(dir.path()), Err(CampaignError::NoCampaign { .. })), "a folder without parts");
+    assert!(matches!(read(dir.path().join("nothing.parquet")), Err(CampaignError::Read { .. })));
+    assert!(matches!(merge(&[], &file), Err(CampaignError::NoCampaign { .. })));
+    // One part is not the table.
+    let store = dir.path().join("store");
+    run_to(&store);
+    assert!(read(part(&store, 0)).unwrap_err().to_string().contains("give the folder"));
+    // A folder where a file of another kind stands.
+    let text = dir.path().join("notes.txt");
+    std::fs::write(&text, "notes").unwrap();
+    assert!(run(&plan(), &text, &RunOptions::default(), &mut |_| {}).is_err());
+    assert_eq!(bytes(&text), b"notes");
+}
+
+#[test]
+fn a_run_killed_before_it_removed_its_parts_is_tidied_up() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let (file, parts) = (dir.path().join("c.parquet"), dir.path().join("c.parquet.parts"));
+    run_to(&parts);
+    std::fs::write(&file, &expected).unwrap();
+    let outcome = run_to(&file);
+    assert_eq!((outcome.complete, outcome.progress.points, parts.exists()), (true, 0, false));
+    // A part under the file's name is not the table.
+    run_to(&parts);
+    std::fs::copy(part(&parts, 0), &file).unwrap();
+    assert!(run(&plan(), &file, &RunOptions::default(), &mut |_| {}).is_err());
+}
+
+#[test]
+fn what_a_killed_run_left_unfinished_is_swept_away() {
+    let dir = folder();
+    let left = dir.path().join(".unfinished-abc");
+    std::fs::write(&left, b"PAR1").unwrap();
+    run_to(dir.path());
+    assert!(!left.exists());
+    assert_eq!(read(dir.path()).unwrap().len(), 72);
+}

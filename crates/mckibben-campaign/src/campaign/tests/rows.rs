@@ -1,0 +1,133 @@
+//! What stands in the rows.
+
+use super::*;
+use crate::Row;
+use mckibben_fem::axisymmetric::Axisymmetric;
+
+fn run_plan(text: &str) -> Vec<Row> {
+    let dir = folder();
+    let out = dir.path().join("c.parquet");
+    run(&Plan::parse(text).unwrap(), &out, &RunOptions::default(), &mut |_| {}).unwrap();
+    read(&out).unwrap()
+}
+
+/// Rows are the finite elements' own answers, and their derivatives those of the forces around them.
+#[test]
+fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
+    let text = "[vary]\ntube.outer_diameter = \"30,45\"\n\
+        [test]\ncontractions = \"0.0999,0.1,0.1001\"\npressures = \"0.1999,0.2,0.2001\"\nmesh = \"4\"\nsensitivities = true\n";
+    let rows = run_plan(text);
+    let plan = Plan::parse(text).unwrap();
+    assert_eq!(rows.len(), 18);
+    for (muscle, nine) in rows.chunks(9).enumerate() {
+        let muscle = plan.inputs(muscle as u64).muscle(plan.base()).unwrap();
+        let model = Axisymmetric::with_mesh(&muscle, &plan.testing().mesh).unwrap();
+        let at = |e: usize, p: usize| nine[3 * e + p].force_n.unwrap();
+        let here = &nine[4];
+        let solution = model.solve(0.2, 0.1).unwrap();
+        assert!((at(1, 1) / solution.response.force_n - 1.0).abs() < 1e-9);
+        let slope = (at(1, 2) - at(1, 0)) / 2e-4;
+        assert!((here.force_per_pressure_n_per_mpa.unwrap() / slope - 1.0).abs() < 1e-5);
+        let stiffness = -(at(2, 1) - at(0, 1)) / 2e-4 / 285.0;
+        assert!((here.stiffness_n_per_mm.unwrap() / stiffness - 1.0).abs() < 1e-5);
+        assert_eq!(here.sensitivities.len(), solution.sensitivities.len());
+        for ((key, value), s) in here.sensitivities.iter().zip(&solution.sensitivities) {
+            assert_eq!(key, &s.name);
+            assert!((value - s.force_n_per_unit).abs() < 1e-6 * s.force_n_per_unit.abs().max(1.0), "{key}");
+        }
+        assert!(here.volume_mm3.unwrap() > muscle.rest_volume_mm3());
+        assert_eq!((here.status.as_str(), here.cause.as_str()), ("ok", ""));
+        assert_eq!(
+            (here.law.as_str(), here.constants[0].clone()),
+            ("mooney-rivlin", ("c10_mpa".into(), 0.12))
+        );
+    }
+}
+
+#[test]
+fn failures_are_rows() {
+    let rows = run_plan(
+        "[tube]\nouter_diameter = \"30 mm\"\n[vary]\ntube.wall_thickness = \"3,14.9,15,20\"\n\
+         [test]\ncontractions = \"0,0.6\"\npressures = \"0,0.2\"\nmesh = \"3\"\n",
+    );
+    assert_eq!(rows.len(), 16);
+    assert!(rows.iter().all(|r| (r.status == "ok") == r.force_n.is_some()));
+    assert!(rows.iter().all(|r| (r.status == "ok") == r.cause.is_empty()));
+    assert!(rows[8..].iter().all(|r| r.status == "no_muscle" && r.cause.contains("wall_thickness")));
+    assert_eq!(rows[8].wall_mm, 15.0);
+    assert!(rows[..8].iter().any(|r| ["collapsed", "not_converged"].contains(&r.status.as_str())));
+    assert_eq!((rows[0].status.as_str(), rows[0].force_n.is_some()), ("ok", true));
+}
+
+#[test]
+fn inextensible_strands_and_other_laws_have_their_columns() {
+    let rows = run_plan(
+        "[tube.material]\nlaw = \"ogden\"\nmu = [0.62, 0.0012, -0.01]\nalpha = [1.3, 5.0, -2.0]\n\
+         [braid]\nstiffness = \"inextensible\"\n[vary]\ntube.material.scale = \"0.5,1\"\n\
+         [test]\ncontractions = 0.1\npressures = 0.3\nmesh = \"3\"\nsensitivities = true\n",
+    );
+    let names: Vec<&str> = rows[1].constants.iter().map(|c| c.0.as_str()).collect();
+    assert_eq!(names, ["mu1_mpa", "alpha1", "mu2_mpa", "alpha2", "mu3_mpa", "alpha3"]);
+    assert_eq!((rows[0].constants[0].1, rows[1].constants[0].1), (0.31, 0.62));
+    assert_eq!(rows[0].stiffness_of_braid_n_per_mm, None);
+    let keys: Vec<&str> = rows[0].sensitivities.iter().map(|s| s.0.as_str()).collect();
+    assert!(keys.contains(&"tube.material.alpha3") && !keys.contains(&"braid.stiffness"), "{keys:?}");
+}
+
+/// Contractions as shares of the ideal muscle's largest: 1 − 1/(√3 cos θ0).
+#[test]
+fn contractions_can_be_shares_of_the_largest() {
+    let rows = run_plan(
+        "[vary]\nbraid.angle = \"20,30\"\n[test]\ncontractions = \"0,50%\"\nof_ideal = true\npressures = 0.2\nmesh = \"3\"\n",
+    );
+    let largest = |deg: f64| 1.0 - 1.0 / (3f64.sqrt() * deg.to_radians().cos());
+    assert!((rows[1].contraction - 0.5 * largest(20.0)).abs() < 1e-9);
+    assert!((rows[3].contraction - 0.5 * largest(30.0)).abs() < 1e-9);
+}
+
+/// Reading goes row group by row group; how a table was cut into parts cannot be told from its groups.
+#[test]
+fn tables_larger_than_a_group_come_back_row_by_row() {
+    use crate::campaign::store::{Opened, Provenance, Table, unfinished, whole};
+    let plan = Plan::parse(
+        "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length = \"100..200\"\n\
+         [test]\ncontractions = \"0..0.5:0.05\"\npressures = \"0..0.09:0.01\"\n",
+    )
+    .unwrap();
+    let provenance = Provenance::of(&plan);
+    assert_eq!(plan.points(), 77_000);
+    let blank = run_plan("[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n").remove(0);
+    let row = |i: u64| Row {
+        muscle: i / 110,
+        force_n: (!i.is_multiple_of(7)).then_some(i as f64 * 0.1),
+        cause: if i.is_multiple_of(7) { format!("cause “{}”", i % 21) } else { String::new() },
+        iterations: (i % 9) as u32,
+        ..blank.clone()
+    };
+    let dir = folder();
+    let mut files = vec![];
+    for cut in [1000, 33_333] {
+        let layout = std::sync::Arc::new(crate::campaign::store::Layout {
+            constants: plan.constants(),
+            sensitivities: vec![],
+        });
+        let tables = (0..77_000_u64).step_by(cut).map(|from| {
+            let mut table = Table::new(&layout);
+            (from..77_000.min(from + cut as u64)).for_each(|i| table.push(&row(i)));
+            Ok(table)
+        });
+        let path = dir.path().join(format!("{cut}.parquet"));
+        let (file, temporary) = unfinished(dir.path()).unwrap().into_parts();
+        whole(&provenance, tables, file, &path).unwrap();
+        temporary.persist(&path).unwrap();
+        files.push(bytes(&path));
+        assert_eq!(Opened::file(&path).unwrap().groups(), 2);
+        let mut count = 0;
+        for (i, found) in super::super::rows(&path).unwrap().enumerate() {
+            assert_eq!(found.unwrap(), row(i as u64));
+            count += 1;
+        }
+        assert_eq!(count, 77_000);
+    }
+    assert!(files[0] == files[1]);
+}
