@@ -85,13 +85,22 @@ pub fn compute(
     contractions: &[f64],
     pressures: &[f64],
 ) -> Vec<FitPoint> {
+    compute_with(|d, s| base.with_section(d, s).ok(), diameters, walls, contractions, pressures)
+}
+
+/// The same with a muscle for each diameter and wall; sections without one are left out.
+pub fn compute_with(
+    muscle: impl Fn(f64, f64) -> Option<Muscle> + Sync,
+    diameters: &[f64],
+    walls: &[f64],
+    contractions: &[f64],
+    pressures: &[f64],
+) -> Vec<FitPoint> {
     let sections: Vec<(f64, f64)> =
         diameters.iter().flat_map(|&d| walls.iter().map(move |&s| (d, s))).collect();
-    let curves: Vec<Vec<FitPoint>> = sections
-        .par_iter()
-        .map(|&(d, s)| base.with_section(d, s).map_or_else(|_| vec![], |m| of_muscle(&m, contractions, pressures)))
-        .collect();
-    curves.concat()
+    let one =
+        |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| of_muscle(&m, contractions, pressures));
+    sections.par_iter().map(one).collect::<Vec<_>>().concat()
 }
 
 fn of_muscle(muscle: &Muscle, contractions: &[f64], pressures: &[f64]) -> Vec<FitPoint> {

@@ -114,9 +114,7 @@ pub fn regions(list: &[Compared]) -> Vec<Region> {
     let mut out = vec![];
     for (quantity, of) in quantities {
         for value in distinct(list.iter().map(|c| of(&c.point))) {
-            out.extend(
-                errors(list, |p| same(of(p), value)).map(|errors| Region { quantity, value, errors }),
-            );
+            out.extend(errors(list, |p| same(of(p), value)).map(|errors| Region { quantity, value, errors }));
         }
     }
     out

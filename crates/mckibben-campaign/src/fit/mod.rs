@@ -1,10 +1,21 @@
 //! Formulas from tables: the paper's seven steps, and one least-squares problem.
 
+pub mod constants;
 pub mod data;
 mod error;
 pub mod errors;
+pub mod global;
+mod make;
 pub mod paper_method;
 pub mod polynomial;
+pub mod results;
+pub mod signs;
+pub mod tables;
 
 pub use error::FitError;
+pub use global::{GlobalFit, global};
+pub use make::{Fitted, Method, Request, make, usual_hold_out};
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+
+#[cfg(test)]
+mod tests;

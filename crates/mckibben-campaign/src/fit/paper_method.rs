@@ -164,7 +164,8 @@ fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<C
         SlackRule::PullOnly => points.retain(|q| q.1 > 0.0),
         SlackRule::Zero => points.iter_mut().for_each(|q| q.1 = q.1.max(0.0)),
     }
-    let left = |points| CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc: None, points, rule };
+    let left =
+        |points| CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc: None, points, rule };
     if rules.slack == SlackRule::PullOnly && points.len() < 3 {
         return Ok(CurveFit { rule: "left out: it pulls at fewer than three contractions", ..left(points) });
     }
@@ -208,8 +209,7 @@ fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit, FitError> {
     let place = || format!("the diameter D0 {d} mm");
     enough("wall_mm", lines.len(), 3, place)?;
     let of = |k: usize, j: usize| {
-        let points: Vec<(f64, f64)> =
-            lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
+        let points: Vec<(f64, f64)> = lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
         fit::<3>(&points).ok_or_else(|| FitError::Singular(place()))
     };
     let pair = |k| Ok([of(k, 0)?, of(k, 1)?]);

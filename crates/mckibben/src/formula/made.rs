@@ -118,8 +118,7 @@ impl Made {
         };
         if !same_braid {
             let text = |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
-            let (ours, theirs) =
-                (text(self.stiffness_n_per_mm(d)), text(muscle.family_stiffness_n_per_mm()));
+            let (ours, theirs) = (text(self.stiffness_n_per_mm(d)), text(muscle.family_stiffness_n_per_mm()));
             make.push(format!("the braid's stiffness is {theirs}, the formula is for {ours}"));
         }
         (measures, make)

@@ -3,8 +3,8 @@
 use super::error::{FormulaError, Problem};
 use super::node::Node;
 use super::{
-    Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms, HeldOut, Made, MadeBraid, Provenance,
-    RegionErrors, Scales, Term,
+    Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms, HeldOut, Made, MadeBraid,
+    Provenance, RegionErrors, Scales, Term,
 };
 use crate::model::Coefficients;
 
@@ -33,7 +33,9 @@ impl Formula {
         let (kind, terms) = (root.get("kind")?, root.get("terms")?);
         let body = match kind.text()? {
             "paper" => Body::Paper(paper(&terms)?),
-            "global" => Body::Global(GlobalTerms { scales: scales(&root.get("scales")?)?, terms: global(&terms)? }),
+            "global" => {
+                Body::Global(GlobalTerms { scales: scales(&root.get("scales")?)?, terms: global(&terms)? })
+            }
             other => return Err(kind.unknown(other, "paper, global")),
         };
         let name = root.get("name")?;
@@ -126,7 +128,8 @@ fn made(node: &Node<'_>) -> Read<Made> {
     let constants = constants.into_iter().map(|(k, v)| Ok((k.to_owned(), v.number()?)));
     let text = |n: Option<Node<'_>>| n.map(|n| n.text().map(str::to_owned)).transpose();
     let word = braid.maybe("stiffness")?;
-    let braid = match (&word, braid.maybe("stiffness_n_per_mm")?, braid.maybe("stiffness_times_diameter_n")?) {
+    let braid = match (&word, braid.maybe("stiffness_n_per_mm")?, braid.maybe("stiffness_times_diameter_n")?)
+    {
         (Some(word), ..) => match word.text()? {
             "paper" => MadeBraid::Paper,
             "inextensible" => MadeBraid::Inextensible,

@@ -41,8 +41,7 @@ impl Formula {
                             let inner = powers.filter(|(v, _)| **v != 0.0);
                             format!("({}){s}", sum(inner.map(|(v, d)| (*v, d.to_owned()))))
                         };
-                        let parts: Vec<String> =
-                            rows.iter().zip([" s^2", " s", ""]).map(part).collect();
+                        let parts: Vec<String> = rows.iter().zip([" s^2", " s", ""]).map(part).collect();
                         out.push_str(&format!("{symbol}_{letter} &= {}\\\\\n", parts.join(" + ")));
                     }
                 }

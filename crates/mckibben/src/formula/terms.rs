@@ -35,7 +35,13 @@ pub struct GlobalTerms {
 
 impl Scales {
     /// x, p, e, d.
-    pub fn variables(&self, outer_diameter_mm: f64, wall_mm: f64, pressure_mpa: f64, contraction: f64) -> [f64; 4] {
+    pub fn variables(
+        &self,
+        outer_diameter_mm: f64,
+        wall_mm: f64,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> [f64; 4] {
         [
             wall_mm / outer_diameter_mm / self.wall_ratio,
             pressure_mpa / self.pressure_mpa,

@@ -126,8 +126,7 @@ fn what_it_was_not_made_for_is_refused() {
 
 #[test]
 fn wrong_files_are_named_with_their_key() {
-    let (paper, global) =
-        (formula(Body::Paper(*Coefficients::published())).to_json(), global().to_json());
+    let (paper, global) = (formula(Body::Paper(*Coefficients::published())).to_json(), global().to_json());
     let cases = [
         ("truncated", global[..global.len() / 2].to_owned(), "is no JSON"),
         ("NaN", global.replace("1.1", "NaN"), "is no JSON"),
@@ -139,7 +138,11 @@ fn wrong_files_are_named_with_their_key() {
         ("no kind", global.replacen("\"kind\"", "\"kinds\"", 1), "the key `kind` is missing"),
         ("no range", global.replace("\"wall_mm\": [", "\"wall\": ["), "`range.wall_mm` is missing"),
         ("a power", global.replacen("\"pressure\": 1", "\"presure\": 1", 1), "says `presure`"),
-        ("half a power", global.replacen("\"pressure\": 1", "\"pressure\": 1.5", 1), "`terms[0].powers.pressure`"),
+        (
+            "half a power",
+            global.replacen("\"pressure\": 1", "\"pressure\": 1.5", 1),
+            "`terms[0].powers.pressure`",
+        ),
         ("scale", global.replace("\"wall_ratio\": 0.1", "\"wall_ratio\": 0"), "`scales.wall_ratio`"),
         ("errors", global.replace("\"max_n\"", "\"max\""), "max_n` is missing"),
         ("a term", paper.replace("\"A11\"", "\"D11\""), "says `D11`"),

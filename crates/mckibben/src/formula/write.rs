@@ -102,8 +102,10 @@ fn errors(e: &FormulaErrors) -> Value {
         .iter()
         .map(|r| joined(vec![("quantity", json!(r.quantity)), ("value", json!(r.value))], &r.errors))
         .collect();
-    let held_out =
-        e.held_out.as_ref().map(|h| joined(vec![("outer_diameters_mm", json!(h.outer_diameters_mm))], &h.errors));
+    let held_out = e
+        .held_out
+        .as_ref()
+        .map(|h| joined(vec![("outer_diameters_mm", json!(h.outer_diameters_mm))], &h.errors));
     json!({ "against": e.against, "fit": summary(&e.fit), "held_out": held_out, "regions": regions })
 }
 
