@@ -32,6 +32,9 @@ pub enum FitError {
         /// Largest value.
         high: f64,
     },
+    /// Muscles of different make.
+    #[error("the table mixes muscles of different {0}; a formula knows one: fit them one by one")]
+    MixedMake(&'static str),
     /// An error is a share of the blocked force, which is not in the table.
     #[error(
         "the muscle D0 {outer_diameter_mm} mm, s {wall_mm} mm has no point at contraction 0, so that its errors cannot be stated as shares of its blocked force"

@@ -1,6 +1,6 @@
 //! From points to a formula with its range, errors and provenance.
 
-use super::data::{DIAMETERS, FitPoint, PRESSURES, distinct, same};
+use super::data::{FitPoint, PRESSURES, distinct, same};
 use super::error::FitError;
 use super::errors::{Compared, Errors, compared, errors, regions};
 use super::global::{GlobalFit, MOST_TERMS, global};
@@ -155,15 +155,6 @@ fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
         && pressures.iter().all(|p| *p <= top + 1e-9);
     let wanted = |p: f64| if papers { PRESSURES.iter().any(|q| same(*q, p)) } else { p > 0.0 };
     points.iter().copied().filter(|p| wanted(p.pressure_mpa)).collect()
-}
-
-/// The diameters that are held out where nobody says which: those the paper's campaign does not have, if the rest is that of
-/// the paper.
-pub fn usual_hold_out(points: &[FitPoint]) -> Vec<f64> {
-    let diameters = distinct(points.iter().map(|p| p.outer_diameter_mm));
-    let paper = |d: &f64| DIAMETERS.iter().any(|p| same(*p, *d));
-    let (papers, others): (Vec<f64>, Vec<f64>) = diameters.into_iter().partition(paper);
-    if papers.len() == DIAMETERS.len() && others.len() == 1 { others } else { vec![] }
 }
 
 fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64) -> Result<f64, FitError> {

@@ -5,6 +5,7 @@ pub mod data;
 mod error;
 pub mod errors;
 pub mod global;
+mod made;
 mod make;
 pub mod paper_method;
 pub mod polynomial;
@@ -14,7 +15,8 @@ pub mod tables;
 
 pub use error::FitError;
 pub use global::{GlobalFit, global};
-pub use make::{Fitted, Method, Request, make, usual_hold_out};
+pub use made::made_for;
+pub use make::{Fitted, Method, Request, make};
 pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
 
 #[cfg(test)]

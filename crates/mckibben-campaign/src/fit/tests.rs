@@ -137,9 +137,8 @@ fn errors_by_hand() {
     assert_eq!(e.points, 500);
 }
 
-#[test]
-fn failed_rows_are_no_points() {
-    let row = |force_n, status: &str| Row {
+fn row(force_n: Option<f64>, status: &str) -> Row {
+    Row {
         muscle: 0,
         outer_diameter_mm: 30.0,
         wall_mm: 3.0,
@@ -158,7 +157,11 @@ fn failed_rows_are_no_points() {
         status: status.into(),
         cause: String::new(),
         iterations: 0,
-    };
+    }
+}
+
+#[test]
+fn failed_rows_are_no_points() {
     let rows =
         [row(Some(1.0), "ok"), row(None, "not_converged"), row(Some(f64::NAN), "ok"), row(Some(2.0), "x")];
     assert_eq!(points(&rows).len(), 1);
@@ -196,4 +199,32 @@ fn signs_and_tables_are_complete() {
         assert!(t.rows.iter().all(|r| r.len() == t.header.len()), "{}", t.name);
         assert_eq!(t.to_csv().lines().count(), t.rows.len() + 1);
     }
+}
+
+#[test]
+fn the_make_of_a_table_is_found_or_refused() {
+    use mckibben::formula::MadeBraid;
+    let with = |d: f64, k: Option<f64>, c10: f64| Row {
+        outer_diameter_mm: d,
+        stiffness_of_braid_n_per_mm: k,
+        constants: vec![("c10_mpa".into(), c10), ("c01_mpa".into(), 0.0)],
+        ..row(Some(1.0), "ok")
+    };
+    let paper = |d: f64| Made::of(&Muscle::prototype()).stiffness_n_per_mm(d);
+    let braid = |rows: &[Row]| made_for(rows).map(|m| m.braid);
+    let found = made_for(&[with(30.0, paper(30.0), 0.12), with(50.0, paper(50.0), 0.12)]).unwrap();
+    assert_eq!(found, Made::of(&Muscle::prototype()));
+    assert_eq!(braid(&[with(30.0, None, 0.1), with(50.0, None, 0.1)]), Ok(MadeBraid::Inextensible));
+    assert_eq!(
+        braid(&[with(30.0, Some(7.0), 0.1), with(50.0, Some(7.0), 0.1)]),
+        Ok(MadeBraid::Stiffness(7.0))
+    );
+    let falling = braid(&[with(30.0, Some(50.0), 0.1), with(50.0, Some(30.0), 0.1)]);
+    assert_eq!(falling, Ok(MadeBraid::TimesDiameter(1500.0)));
+    assert_eq!(
+        braid(&[with(30.0, Some(50.0), 0.1), with(50.0, Some(31.0), 0.1)]),
+        Err(FitError::MixedMake("braid"))
+    );
+    assert_eq!(braid(&[with(30.0, None, 0.1), with(50.0, None, 0.2)]), Err(FitError::MixedMake("rubber")));
+    assert!(made_for(&[]).is_err());
 }
