@@ -150,7 +150,8 @@ pub fn against_points(formula: &Formula, compared: &[Compared]) -> Figure {
         .palette(Palette::Sequential)
         .columns(2);
     let pressures = distinct(of_d.iter().map(|c| c.point.pressure_mpa));
-    let shown: Vec<f64> = pressures.iter().rev().step_by(pressures.len().div_ceil(5).max(1)).copied().collect();
+    let shown: Vec<f64> =
+        pressures.iter().rev().step_by(pressures.len().div_ceil(5).max(1)).copied().collect();
     for s in distinct(of_d.iter().map(|c| c.point.wall_mm)).into_iter().take(6) {
         let mut panel = Panel::new(contraction(), pull()).title(format!("s {} mm", number(s, 3)));
         for (n, &p) in shown.iter().rev().enumerate() {
