@@ -326,6 +326,16 @@ pub enum ObjectiveWord {
     Margin,
 }
 
+/// What the winner of a design is checked with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum VerifyWord {
+    /// Axisymmetric finite elements; a matter of milliseconds
+    #[default]
+    Fe,
+    /// Nothing
+    None,
+}
+
 /// `design`.
 #[derive(Debug, Args)]
 pub struct DesignArgs {
@@ -435,6 +445,9 @@ pub struct DesignArgs {
     /// Answer outside of the model's range, with a warning
     #[arg(long, help_heading = "Model")]
     pub extrapolate: bool,
+    /// Compute the winner again by finite elements and show the difference
+    #[arg(long, value_enum, default_value_t = VerifyWord::Fe, help_heading = "Model")]
+    pub verify: VerifyWord,
     /// How many candidates to show
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Output")]
     pub top: u16,

@@ -121,7 +121,9 @@ impl From<ModelError> for Failure {
                 Self::input("out_of_range", message, hint)
             }
             ModelError::Missing { .. } => Self::input("missing_input", message, ""),
-            ModelError::NotConverged { .. } => Self::new(NOT_CONVERGED, "not_converged", message, ""),
+            ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
+                Self::new(NOT_CONVERGED, "not_converged", message, "")
+            }
             _ => Self::new(NO_ANSWER, "no_answer", message, ""),
         }
     }

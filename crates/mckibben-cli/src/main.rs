@@ -11,6 +11,7 @@ mod flags;
 mod kind;
 mod output;
 mod resolve;
+mod simulated;
 
 use clap::Parser;
 use failure::Failure;

@@ -105,7 +105,7 @@ fn bench(c: &mut Criterion) {
     let mut group = c.benchmark_group("share");
     let discrete = || Discrete::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Make::of(&muscle)).unwrap();
     let mut walker = Walker::new(discrete());
-    walker.walk(0.2, -14.25).unwrap();
+    walker.walk(0.2, -14.25, 1.0).unwrap();
     let state = walker.body.state.clone();
     group.bench_function("tangent and factorisation", |b| b.iter(|| walker.body.linearise().unwrap()));
     group.bench_function("residual", |b| b.iter(|| walker.body.residual().unwrap()));

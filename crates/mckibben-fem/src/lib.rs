@@ -1,6 +1,29 @@
 //! Finite elements for McKibben muscles: the axisymmetric muscle in real time.
 //!
-//! One potential rules: Π(u; P, L) = W_tube + W_braid − P·V. Equilibrium is ∂Π/∂u = 0 and the pull F = −dΠ/d(ΔL).
+//! With a balanced braid there is no torsion, so the whole state is (r, z)(R, Z), and one potential rules:
+//!
+//!   Π(u; P, L) = W_tube(u) + W_braid(u) − P·V(u),   equilibrium ∂Π/∂u = 0,   pull F = −dΠ/d(ΔL)
+//!
+//! | part | what it does |
+//! |---|---|
+//! | [`element`] | Q2/P−1 rubber of any law, two strand families on a line |
+//! | [`load`] | the cavity's volume with its derivatives |
+//! | [`solver`] | dense and chained LDLᵀ, Newton's method; free of mechanics, for 3D as well |
+//! | [`axisymmetric`] | mesh, assembly, equilibrium, paths, the muscle as a [`ForceModel`](mckibben::model::ForceModel), curves, results, sensitivities |
+//! | [`verification`] | cases with exact values |
+//!
+//! ```
+//! use mckibben::{model::ForceModel, muscle::Muscle};
+//! use mckibben_fem::axisymmetric::Axisymmetric;
+//!
+//! let muscle = Axisymmetric::new(&Muscle::prototype())?;
+//! let force = muscle.force_n(0.25, 0.10)?;
+//! assert!((force - 482.82).abs() < 0.01);
+//! let curve = muscle.isometric(0.10, &[0.05, 0.15, 0.25]);
+//! assert_eq!(curve.iter().flatten().filter(|point| point.slack()).count(), 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Units: mm, MPa (= N/mm²), N.
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]

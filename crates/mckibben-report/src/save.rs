@@ -1,6 +1,5 @@
 //! Writing a figure to a file.
 
-use std::io::Write as _;
 use std::path::Path;
 
 use crate::{Figure, FigureError};
@@ -30,23 +29,7 @@ impl Figure {
         if !folder.is_dir() {
             return Err(FigureError::NoFolder { folder: folder.to_owned() });
         }
-        write(folder, path, &draw(self)?)
+        mckibben_files::replace(path, &draw(self)?)
             .map_err(|source| FigureError::Write { path: path.to_owned(), source })
     }
-}
-
-fn write(folder: &Path, path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".figure-");
-    #[cfg(unix)]
-    {
-        // the usual permissions of a new file (the umask applies), not those of a secret
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|failure| failure.error)?;
-    Ok(())
 }

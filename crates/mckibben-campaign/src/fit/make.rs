@@ -97,7 +97,7 @@ pub fn make(request: &Request<'_>) -> Result<Fitted, FitError> {
     let (body, paper, global) = match request.method {
         Method::Paper(rules) => {
             let steps = paper_method(&fitted, rules)?;
-            (Body::Paper(steps.coefficients), Some(steps), None)
+            (Body::Paper(Box::new(steps.coefficients)), Some(steps), None)
         }
         Method::Global(most) => {
             let fit = global(&fitted, most)?;

@@ -1,6 +1,6 @@
 //! `design`: the main job.
 
-use crate::cli::{DesignArgs, ObjectiveWord};
+use crate::cli::{DesignArgs, ObjectiveWord, VerifyWord};
 use crate::failure::{Failure, NO_ANSWER};
 use crate::figure;
 use crate::flags::{Format, MuscleFlags, PressureUnit};
@@ -8,6 +8,7 @@ use crate::kind::Kind;
 use crate::output::text::Pressures;
 use crate::output::{csv, emit, json, save};
 use crate::resolve;
+use mckibben::analysis::pressure_at;
 use mckibben::answer::Options;
 use mckibben::design::{
     BraidChoice, Candidate, Limits, Objective, OperatingPoint, Outcome, Spec, Spread, Tolerances, design,
@@ -16,6 +17,7 @@ use mckibben::design::{
 use mckibben::model::{ForceModel, ModelKind};
 use mckibben::muscle::{Motion, Muscle, Tube, file};
 use mckibben::units::{Dimension, Values, parse_quantity};
+use mckibben_fem::axisymmetric::Axisymmetric;
 
 mod present;
 
@@ -44,6 +46,10 @@ pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
         }
         _ => vec![],
     };
+    let checked = match (args.verify, outcome.candidates.first()) {
+        (VerifyWord::Fe, Some(winner)) if kind.name() != "fe" => verified(&spec, winner),
+        _ => vec![],
+    };
     if let (Some(path), Some(winner)) = (&args.output, outcome.candidates.first()) {
         save(path, file::to_toml(&winner.muscle).as_bytes())?;
     }
@@ -54,12 +60,12 @@ pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
         picture(&spec, &drawn, p).save(path)?;
     }
     let text = match args.format {
-        Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads)),
+        Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads, &checked)),
         Format::Csv => {
             csv::rows(&outcome.candidates.iter().map(present::candidate_json).collect::<Vec<_>>())?
         }
         Format::Text => {
-            let mut text = present::as_text(&spec, kind, &outcome, &spreads, p);
+            let mut text = present::as_text(&spec, kind, &outcome, &spreads, &checked, p);
             if !drawn.is_empty() && !args.no_chart {
                 text.push('\n');
                 text.push_str(&picture(&spec, &drawn, p).to_text(100, 24, colour()));
@@ -73,6 +79,29 @@ pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
     };
     emit(&text, None)?;
     Ok(if outcome.candidates.is_empty() { NO_ANSWER } else { 0 })
+}
+
+/// The winner at one operating point by finite elements.
+pub struct Checked {
+    /// The operating point.
+    pub wanted: OperatingPoint,
+    /// Pull at the maximum pressure in N, or why there is none.
+    pub available_n: Result<f64, String>,
+    /// Pressure it takes in MPa, where there is one.
+    pub pressure_mpa: Option<f64>,
+}
+
+fn verified(spec: &Spec, winner: &Candidate) -> Vec<Checked> {
+    let fe = match Axisymmetric::new(&winner.muscle) {
+        Ok(fe) => fe,
+        Err(_) => return vec![],
+    };
+    let one = |&wanted: &OperatingPoint| Checked {
+        wanted,
+        available_n: fe.force_n(spec.max_pressure_mpa, wanted.contraction).map_err(|e| e.to_string()),
+        pressure_mpa: pressure_at(&fe, wanted.force_n, wanted.contraction, true).ok(),
+    };
+    spec.points.iter().map(one).collect()
 }
 
 /// Colour on a terminal that did not ask for none.

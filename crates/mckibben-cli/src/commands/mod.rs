@@ -8,7 +8,7 @@ mod formula;
 mod models;
 mod muscle;
 mod rubber;
-pub mod simulate;
+mod simulate;
 mod study;
 mod validate;
 mod value;

@@ -8,40 +8,13 @@ use crate::kind;
 use crate::output::text::{Pressures, muscle_line, number, or_dash, percent, table};
 use crate::output::{csv, emit, json};
 use crate::resolve;
+use crate::simulated::{Point, Question, judged};
 use mckibben::curve::Test;
-use mckibben::model::{ForceModel, ThickWall};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
-use mckibben_fem::axisymmetric::{Axisymmetric, FemError, Solution};
+use mckibben_fem::axisymmetric::{Axisymmetric, Solution};
 use mckibben_fem::output::VtuSeries;
 use serde_json::{Map, Value, json};
-
-/// One point of the test: what was asked, and what came out.
-pub struct Point {
-    /// Pressure in MPa.
-    pub pressure_mpa: f64,
-    /// Contraction asked for.
-    pub contraction: Option<f64>,
-    /// Pull asked for in N.
-    pub force_n: Option<f64>,
-    /// The equilibrium.
-    pub solution: Result<Solution, FemError>,
-    /// Where it is slack: the free contraction at this pressure.
-    pub free_contraction: Option<f64>,
-    /// Whether it would have to push, and lies slack instead.
-    pub slack: bool,
-    collapsed: bool,
-}
-
-impl Point {
-    fn status(&self) -> &'static str {
-        match &self.solution {
-            Ok(_) => "ok",
-            Err(_) if self.collapsed => "collapsed",
-            Err(_) => "not_converged",
-        }
-    }
-}
 
 /// Runs the command.
 pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
@@ -105,9 +78,6 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     Ok(if failed { NOT_CONVERGED } else { 0 })
 }
 
-/// (pressure, contraction or pull) of each point, curve by curve.
-type Question = (f64, Result<f64, f64>);
-
 fn questions(args: &SimulateArgs, model: &Axisymmetric, test: Test) -> Result<Vec<Question>, Failure> {
     let p =
         resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?;
@@ -136,30 +106,6 @@ fn questions(args: &SimulateArgs, model: &Axisymmetric, test: Test) -> Result<Ve
     } else {
         second.iter().flat_map(|&s| p.iter().map(move |&p| (p, s))).collect()
     })
-}
-
-/// A point with what it means: slack, collapsed, or an answer.
-fn judged(
-    model: &Axisymmetric,
-    muscle: &Muscle,
-    (p, second): Question,
-    solution: Result<Solution, FemError>,
-    two_sided: bool,
-) -> Point {
-    let slack = second.is_ok() && !two_sided && solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
-    let free_contraction = if slack { model.free_contraction(p).ok() } else { None };
-    // Without an equilibrium where the endless muscle would push, the tube has collapsed.
-    let collapsed = solution.is_err()
-        && second.is_ok_and(|e| ThickWall::new(muscle).force_n(p, e).map_or(true, |force| force <= 0.0));
-    Point {
-        pressure_mpa: p,
-        contraction: second.ok(),
-        force_n: second.err(),
-        solution,
-        free_contraction,
-        slack,
-        collapsed,
-    }
 }
 
 fn point_json(q: &Point) -> Value {

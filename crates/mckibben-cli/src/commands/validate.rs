@@ -5,12 +5,19 @@ use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
 use crate::output::text::{number, table};
 use crate::output::{csv, emit, json};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
 use mckibben_fem::verification::{Kind, Row};
 use mckibben_fem::{validation, verification};
+use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::io::IsTerminal;
 
 /// Runs the command.
 pub fn run(args: &ValidateArgs) -> Result<u8, Failure> {
+    if let Some(count) = args.sweep {
+        return sweep(args, count as usize);
+    }
     let rows = [verification::cases(), validation::cases()].concat();
     let list: Vec<Value> = rows.iter().map(as_json).collect();
     let text = match args.output.format {
@@ -20,6 +27,49 @@ pub fn run(args: &ValidateArgs) -> Result<u8, Failure> {
     };
     emit(&text, args.output.output.as_deref())?;
     Ok(if rows.iter().all(|r| r.ok) { 0 } else { NO_ANSWER })
+}
+
+/// Random muscles, one question each, on all cores. Times are for people only: JSON and CSV hold nothing that depends on the
+/// machine.
+fn sweep(args: &ValidateArgs, count: usize) -> Result<u8, Failure> {
+    let bar = ProgressBar::new(count as u64);
+    if !std::io::stderr().is_terminal() {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
+    if let Ok(style) = ProgressStyle::with_template("{bar:30} {pos}/{len} muscles, {per_sec}, {eta} left") {
+        bar.set_style(style);
+    }
+    let one = |i: usize| {
+        let row = question(args.seed, i);
+        bar.inc(1);
+        row
+    };
+    let rows: Vec<SweepRow> = (0..count).into_par_iter().filter_map(one).collect();
+    bar.finish_and_clear();
+    let sweep = Sweep { rows };
+    let ((answered, asked), (answered_else, asked_else)) = (sweep.required(), sweep.others());
+    let value = json!({
+        "muscles": sweep.rows.len(), "seed": args.seed,
+        "required": asked, "required_answered": answered,
+        "others": asked_else, "others_answered": answered_else,
+        "most_factorisations": sweep.most_factorisations(),
+        "unanswered": sweep.rows.iter().filter(|r| r.required).filter_map(|r| r.answer.as_ref().err()).collect::<Vec<_>>(),
+    });
+    let text = match args.output.format {
+        Format::Json => json::print(&value),
+        Format::Csv => csv::rows(&[value])?,
+        Format::Text => format!(
+            "{} random muscles, one question each (seed {})\n\n  {answered} of {asked} answered where the endless muscle pulls and its strands stretch by less than 5 %\n  {answered_else} of {asked_else} answered elsewhere; the others ended in a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
+            sweep.rows.len(),
+            args.seed,
+            sweep.most_factorisations(),
+            1e3 * sweep.median_seconds(),
+            1e3 * sweep.longest_seconds()
+        ),
+    };
+    emit(&text, args.output.output.as_deref())?;
+    // At least 99.9 % of what must have an answer.
+    Ok(if 1000 * answered >= 999 * asked { 0 } else { NO_ANSWER })
 }
 
 fn word(kind: Kind) -> &'static str {

@@ -2,8 +2,8 @@
 
 use super::caption;
 use super::curves::axes;
-use crate::commands::simulate::Point;
 use crate::output::text::{Pressures, muscle_line, number, percent};
+use crate::simulated::Point;
 use mckibben::curve::Test;
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::Solution;

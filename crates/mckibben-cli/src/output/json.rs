@@ -79,7 +79,7 @@ pub fn status(error: &mckibben::analysis::AnalysisError) -> &'static str {
     use mckibben::model::ModelError;
     match error {
         AnalysisError::Model(ModelError::OutOfRange { .. }) => "out_of_range",
-        AnalysisError::Model(ModelError::NotConverged { .. }) => "not_converged",
+        AnalysisError::Model(ModelError::NotConverged { .. } | ModelError::Stopped { .. }) => "not_converged",
         _ => "no_answer",
     }
 }

@@ -20,31 +20,7 @@ pub fn warn(message: impl std::fmt::Display) {
     let _ = writeln!(std::io::stderr(), "warning: {message}");
 }
 
-/// Writes a file under a temporary name beside its place and renames it.
+/// Writes a file that appears whole or not at all.
 pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let fail = |e: std::io::Error| Failure::unwritable(path, &e);
-    if path.is_dir() {
-        return Err(fail(std::io::Error::new(std::io::ErrorKind::IsADirectory, "is a directory")));
-    }
-    // A device or pipe (/dev/stdout) is written in place.
-    if path.exists() && !path.is_file() {
-        return std::fs::write(path, bytes).map_err(fail);
-    }
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    if !folder.is_dir() {
-        let message = format!("the folder {} does not exist", folder.display());
-        return Err(fail(std::io::Error::new(std::io::ErrorKind::NotFound, message)));
-    }
-    let mut file = tempfile::Builder::new().prefix(".mckibben-").tempfile_in(folder).map_err(fail)?;
-    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(fail)?;
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        let mode = std::fs::metadata(path).map_or(0o644, |m| m.permissions().mode());
-        file.as_file().set_permissions(std::fs::Permissions::from_mode(mode)).map_err(fail)?;
-    }
-    file.persist(path).map(drop).map_err(|e| fail(e.error))
+    mckibben_files::replace(path, bytes).map_err(|e| Failure::unwritable(path, &e))
 }

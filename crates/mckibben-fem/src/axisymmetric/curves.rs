@@ -33,8 +33,9 @@ impl CurvePoint {
     fn here(e: &Engine, spent: (usize, usize)) -> Self {
         let (s, effort) = (&e.walker.body.state, e.walker.effort);
         Self {
-            pressure_mpa: s.pressure,
-            contraction: -s.terminal / e.half_length(),
+            // Zeros without a sign.
+            pressure_mpa: s.pressure + 0.0,
+            contraction: 0.0 - s.terminal / e.half_length(),
             force_n: e.walker.body.totals.pull,
             volume_mm3: 2.0 * e.walker.body.totals.volume,
             iterations: effort.iterations - spent.0,
@@ -78,7 +79,7 @@ fn run(
             Along::Length => -value * e.half_length(),
         };
         let held = control(e, value);
-        let foretold = running && e.next(along, place, held).is_ok() && e.stable();
+        let foretold = running && e.next(along, place, held).is_ok() && e.stable_under(held);
         let walked = |e: &mut Engine| match held {
             Control::Length(w) => {
                 let pressure = if along == Along::Pressure { value } else { e.pressure_of_trail() };
@@ -87,7 +88,9 @@ fn run(
             _ => false,
         };
         let point = if foretold || (running && walked(e)) { Ok(()) } else { afresh(e, value) };
-        if !foretold {
+        if foretold {
+            e.trail_here();
+        } else {
             running = point.is_ok();
             if running {
                 e.begin_trail();

@@ -4,7 +4,7 @@ use super::discrete::{BraidSpec, Discrete, Make, State};
 use super::equilibrium::Control;
 use super::error::FemError;
 use super::mesh::{Mesh, MeshSpec};
-use super::path::{Halt, Walker};
+use super::path::{Guess, Halt, Walker};
 use crate::solver::newton::Stopped;
 use mckibben::model::{ForceModel, ThickWall};
 use mckibben::muscle::Muscle;
@@ -32,10 +32,15 @@ pub struct Engine {
 }
 
 /// See [`Engine::budget`].
-const BUDGET: usize = 60;
+const BUDGET: usize = 50;
 const BUDGET_PULLING: usize = 600;
 /// Factorisations of a point of a curve that its neighbours did not foretell.
 const BUDGET_CURVE: usize = 250;
+
+/// Strands are taut at this share of the pressure at which the endless muscle begins to pull.
+const TAUT: f64 = 1.3;
+/// First share of the way down from there.
+const LET_DOWN: f64 = 0.3;
 
 /// Along what a curve runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,6 +101,12 @@ impl Engine {
         self.walker.body.unstable_directions() == 0
     }
 
+    /// The same, and under a held pull also that a longer muscle pulls harder.
+    pub fn stable_under(&self, control: Control) -> bool {
+        self.stable()
+            && (!matches!(control, Control::Force(_)) || self.walker.body.terminal_stiffness() > 0.0)
+    }
+
     /// Finds the equilibrium at a pressure in MPa and a contraction.
     ///
     /// First from the nearest one kept, then straight from rest, then the long way: pressurised at rest length to where
@@ -113,14 +124,14 @@ impl Engine {
             return Ok(());
         }
         let before = self.walker.effort.iterations;
-        self.walker.deadline = self.walker.effort.factorisations + self.budget(pressure, contraction);
+        self.walker.allow(Some(self.budget(pressure, contraction)));
         let found = if self.leap(pressure, terminal) {
             Ok(())
         } else {
             self.long_way(pressure, terminal)
                 .or_else(|halt| self.straight(pressure, terminal).map_err(|_| halt))
         };
-        self.walker.deadline = usize::MAX;
+        self.walker.allow(None);
         found.map_err(|(reason, last)| FemError::Path {
             pressure_mpa: pressure,
             contraction,
@@ -148,10 +159,14 @@ impl Engine {
 
     /// One step from rest to the answer.
     fn leap(&mut self, pressure: f64, terminal: f64) -> bool {
-        [true, false].into_iter().any(|shaped| {
-            self.walker.reset();
-            self.walker.leap(pressure, terminal, shaped).is_ok() && self.stable()
-        })
+        let slack = self.thick_wall.response(pressure, -terminal / self.half).ok().and_then(|r| {
+            let radius = 0.5 * r.bulged_diameter_mm?;
+            (r.braid_tension_n? <= 0.0).then_some(Guess::Slack { radius })
+        });
+        [slack, Some(Guess::Taut), Some(Guess::Loads)]
+            .into_iter()
+            .flatten()
+            .any(|from| self.walker.leap(pressure, terminal, from).is_ok() && self.stable())
     }
 
     fn factorised(&mut self) -> Result<(), FemError> {
@@ -160,12 +175,18 @@ impl Engine {
     }
 
     /// dF/dw of the present equilibrium, factorised anew.
+    ///
+    /// # Errors
+    /// [`FemError::Force`] where the tangent is singular.
     pub fn tangent_stiffness(&mut self) -> Result<f64, FemError> {
         self.factorised()?;
         Ok(self.walker.body.terminal_stiffness())
     }
 
     /// ∂F/∂P of the present equilibrium, factorised anew.
+    ///
+    /// # Errors
+    /// [`FemError::Force`] where the tangent is singular.
     pub fn tangent_per_pressure(&mut self) -> Result<f64, FemError> {
         self.factorised()?;
         Ok(self.walker.body.force_per_pressure())
@@ -173,7 +194,7 @@ impl Engine {
 
     fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
         self.walker.reset();
-        self.walker.walk(pressure, terminal)
+        self.walker.walk(pressure, terminal, 1.0)
     }
 
     fn near_kept(&mut self, pressure: f64, terminal: f64) -> bool {
@@ -197,11 +218,15 @@ impl Engine {
     }
 
     fn long_way(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
-        let taut = self.pulling_pressure(-terminal / self.half).map_or(pressure, |p| pressure.max(1.3 * p));
-        self.walker.reset();
-        self.walker.walk(taut, 0.0)?;
-        self.walker.walk(taut, terminal)?;
-        if taut > pressure { self.walker.walk(pressure, terminal) } else { Ok(()) }
+        let taut = self.pulling_pressure(-terminal / self.half).map_or(pressure, |p| pressure.max(TAUT * p));
+        let there = taut > pressure && self.walker.leap(taut, terminal, Guess::Taut).is_ok() && self.stable();
+        if !there {
+            self.walker.reset();
+            self.walker.walk(taut, 0.0, 1.0)?;
+            self.walker.walk(taut, terminal, 1.0)?;
+        }
+        // Strands go slack one after the other: small steps.
+        if taut > pressure { self.walker.walk(pressure, terminal, LET_DOWN) } else { Ok(()) }
     }
 
     /// The pressure in MPa at which the endless muscle begins to pull at a contraction.
@@ -255,9 +280,9 @@ impl Engine {
             return false;
         }
         self.walker.body.state.copy_from(&self.trail[self.trailed - 1]);
-        self.walker.deadline = self.walker.effort.factorisations + BUDGET_CURVE;
-        let found = self.walker.walk(pressure, terminal).is_ok() && self.stable();
-        self.walker.deadline = usize::MAX;
+        self.walker.allow(Some(BUDGET_CURVE));
+        let found = self.walker.walk(pressure, terminal, 1.0).is_ok() && self.stable();
+        self.walker.allow(None);
         found
     }
 
@@ -296,8 +321,6 @@ impl Engine {
         if along == Along::Pressure {
             state.pressure = value;
         }
-        self.walker.solve(control)?;
-        self.trail_here();
-        Ok(())
+        self.walker.solve(control)
     }
 }

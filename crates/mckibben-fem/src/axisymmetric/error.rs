@@ -21,14 +21,16 @@ pub struct LastConverged {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum FemError {
     /// Numbers that make no mesh.
-    #[error(
-        "mesh: {name} is {value}; elements are counted from 1 to 4096, the grading lies between 0.5 and 8"
-    )]
+    #[error("mesh: {name} is {value}; it must lie between {low} and {high}")]
     Mesh {
-        /// Which number.
+        /// Which number: `through`, `along` or `grading`.
         name: &'static str,
         /// What was given.
         value: f64,
+        /// Least.
+        low: f64,
+        /// Most.
+        high: f64,
     },
     /// An element of the undeformed mesh that is turned inside out.
     #[error("mesh: element {element} is turned inside out at rest")]
@@ -76,14 +78,15 @@ impl FemError {
     pub fn into_model(self, pressure_mpa: f64, contraction: f64) -> ModelError {
         match self {
             Self::Question { .. } => ModelError::Geometry { contraction, lowest: -1.0, highest: 1.0 },
-            Self::Path { iterations, reason, .. } => {
-                let residual = match reason {
-                    Stopped::Iterations { residual, .. } => residual,
-                    Stopped::Diverged { correction } => correction,
-                    _ => f64::MAX,
-                };
-                ModelError::NotConverged { pressure_mpa, contraction, iterations, residual }
-            }
+            Self::Path { iterations, reason, last, .. } => ModelError::Stopped {
+                pressure_mpa,
+                contraction,
+                iterations,
+                reason: reason.to_string(),
+                last_pressure_mpa: last.pressure_mpa,
+                last_contraction: last.contraction,
+                smallest_volume_ratio: last.smallest_j,
+            },
             _ => ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction },
         }
     }

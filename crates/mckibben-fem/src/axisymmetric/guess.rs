@@ -5,7 +5,8 @@
 //!
 //!   λm² = (λf² − sin²θ0 λθ²)/cos²θ0,   r = Ro [1 + b (1 − e^(−(L0/2 − Z)/ℓ))],   z' = √(λm² − r'²),
 //!
-//! with the bulge b that brings the terminal to its place; the wall behind it keeps its volume.
+//! with the bulge b that brings the terminal to its place; the wall behind it keeps its volume. Where the strands of the
+//! endless muscle are slack there is no tension, and the bulge is the endless muscle's.
 
 use super::discrete::{BraidSpec, Discrete, State};
 use crate::element::strand::STRAND_POINTS;
@@ -74,9 +75,9 @@ impl Line {
     }
 }
 
-/// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal; `false` where no bulge
-/// brings it there.
-pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64) -> bool {
+/// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal and, where the strands
+/// are slack, the outer radius in the middle; `false` where no bulge brings the terminal there.
+pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64, slack: Option<f64>) -> bool {
     let Some(BraidSpec { angle_rad, stiffness, .. }) = d.make.braid else { return false };
     let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
     let outer = 2 * l.through;
@@ -88,13 +89,21 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64) -> bool {
     let length =
         |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
     let wanted = half + terminal;
-    let (mut low, mut high) = (-0.3, 0.995 * (strand2 / sin2).sqrt() - 1.0);
-    for _ in 0..14 {
-        line.bulge = 0.5 * (low + high);
-        if length(&line) > wanted { low = line.bulge } else { high = line.bulge }
-    }
-    if low == -0.3 {
-        return false;
+    if let Some(radius) = slack {
+        line.bulge = radius / d.radius - 1.0;
+        state.q.fill(0.0);
+        if l.multipliers {
+            (0..l.along).for_each(|slab| state.x[l.tension(slab)..][..STRAND_POINTS].fill(0.0));
+        }
+    } else {
+        let (mut low, mut high) = (-0.3, 0.995 * (strand2 / sin2).sqrt() - 1.0);
+        for _ in 0..14 {
+            line.bulge = 0.5 * (low + high);
+            if length(&line) > wanted { low = line.bulge } else { high = line.bulge }
+        }
+        if low == -0.3 {
+            return false;
+        }
     }
     let scale = wanted / length(&line);
     let mut z = 0.0;
@@ -103,11 +112,11 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64) -> bool {
         if j > 0 {
             z += scale * line.advance(station(j - 1), at);
         }
-        let ((r, dr), (dz, meridian)) = (line.radius(at), line.slope(at));
+        let ((r, dr), (_, meridian)) = (line.radius(at), line.slope(at));
         // The normal turns with the line, but not at the terminal, which holds the wall.
         let tilt = (-dr / meridian).clamp(-0.7, 0.7)
             * ((half - at) / (2.0 * (d.radius - d.mesh.node(0, j)[0]))).min(1.0);
-        let upright = (dz / meridian).clamp(0.5, 1.0);
+        let lean = (1.0 - tilt * tilt).sqrt();
         for i in 0..=outer {
             let rest = d.mesh.node(i, j);
             let k = l.at(j) + 2 * i;
@@ -118,7 +127,6 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64) -> bool {
             // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.
             let section = (d.radius * d.radius - rest[0] * rest[0]) / meridian;
             let depth = r - (r * r - section).max(0.04 * r * r).sqrt();
-            let lean = (1.0 - tilt * tilt).sqrt().max(upright.min(1.0));
             state.x[k] = r - depth * lean - rest[0];
             state.x[k + 1] = z - depth * tilt - rest[1];
         }

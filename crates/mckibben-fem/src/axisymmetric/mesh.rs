@@ -14,8 +14,10 @@ pub struct MeshSpec {
     pub grading: Option<f64>,
 }
 
-/// Most elements along and through that are accepted.
-pub const MOST_ELEMENTS: usize = 4096;
+/// Most elements along the half length.
+pub const MOST_ALONG: usize = 1024;
+/// Most elements through the wall.
+pub const MOST_THROUGH: usize = 16;
 
 impl MeshSpec {
     /// Fills in what is not said, for a tube of outer radius, wall and half length in mm.
@@ -27,13 +29,15 @@ impl MeshSpec {
         let through = self.through.unwrap_or(chosen.0);
         let along = self.along.unwrap_or(chosen.1);
         let grading = self.grading.unwrap_or(chosen.2);
-        for (name, value) in [("through", through), ("along", along)] {
-            if value == 0 || value > MOST_ELEMENTS {
-                return Err(FemError::Mesh { name, value: value as f64 });
+        let bounds = [
+            ("through", through as f64, 1.0, MOST_THROUGH as f64),
+            ("along", along as f64, 1.0, MOST_ALONG as f64),
+            ("grading", grading, 0.5, 8.0),
+        ];
+        for (name, value, low, high) in bounds {
+            if !(low..=high).contains(&value) {
+                return Err(FemError::Mesh { name, value, low, high });
             }
-        }
-        if !(0.5..=8.0).contains(&grading) {
-            return Err(FemError::Mesh { name: "grading", value: grading });
         }
         Ok((through, along, grading))
     }
@@ -47,7 +51,7 @@ fn default_mesh(outer: f64, wall: f64, half: f64) -> (usize, usize, f64) {
     let thickness = wall / outer;
     let through = if thickness <= 0.4 { 1 } else { 1 + (thickness * 3.0) as usize };
     let beyond = (half / outer - 10.0).max(0.0) / 5.0;
-    (through, 6 + (beyond.ceil() as usize).min(MOST_ELEMENTS - 6), 2.0)
+    (through, 6 + (beyond.ceil() as usize).min(MOST_ALONG - 6), 2.0)
 }
 
 /// Nodes of a mesh, station by station along the muscle, each from the bore outwards.

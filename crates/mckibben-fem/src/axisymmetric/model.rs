@@ -131,11 +131,11 @@ fn close_in(
     for _ in 0..STEPS {
         let control = step(e)?;
         match e.walker.solve(control) {
-            Ok(_) if e.stable() => {
+            Ok(()) if e.stable_under(control) => {
                 e.keep();
                 return Ok(());
             }
-            Ok(_) => {}
+            Ok(()) => {}
             Err(stop) => reason = stop,
         }
     }

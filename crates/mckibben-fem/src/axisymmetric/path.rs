@@ -34,10 +34,24 @@ pub struct Walker {
     pub options: PathOptions,
     /// Cost so far.
     pub effort: Effort,
-    /// Factorisations, counted from the first, at which a walk is given up.
-    pub deadline: usize,
+    /// Where the present question's factorisations are counted from, and how many it may cost.
+    allowed: Option<(usize, usize)>,
     base: State,
     before: State,
+}
+
+/// From what a leap starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Guess {
+    /// The body at rest with the tensions of the ideal muscle.
+    Loads,
+    /// The shape of strands that keep their length.
+    Taut,
+    /// The shape of a tube that does not reach its strands.
+    Slack {
+        /// Outer radius in the middle in mm.
+        radius: f64,
+    },
 }
 
 /// Why a walk ended, and the last equilibrium on it.
@@ -51,7 +65,7 @@ impl Walker {
             body: Body::new(discrete),
             options: PathOptions::default(),
             effort: Effort::default(),
-            deadline: usize::MAX,
+            allowed: None,
             base: rest.clone(),
             before: rest,
         }
@@ -65,6 +79,11 @@ impl Walker {
         (state.pressure, state.terminal) = (0.0, 0.0);
     }
 
+    /// Sets how many factorisations may be spent from here on; `None` lifts the bound.
+    pub fn allow(&mut self, factorisations: Option<usize>) {
+        self.allowed = factorisations.map(|n| (self.effort.factorisations, n));
+    }
+
     /// Takes over a state that is an equilibrium.
     pub fn start_from(&mut self, state: &State) {
         self.body.state.copy_from(state);
@@ -75,46 +94,60 @@ impl Walker {
     /// # Errors
     /// [`Stopped`].
     pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
-        if self.effort.factorisations > self.deadline {
-            return Err(Stopped::Budget { factorisations: self.effort.factorisations });
+        let mut options = self.options.newton;
+        if let Some((start, budget)) = self.allowed {
+            let factorisations = self.effort.factorisations - start;
+            if factorisations >= budget {
+                return Err(Stopped::Budget { factorisations });
+            }
+            options.factorisations = budget - factorisations;
         }
         self.body.control = control;
-        newton::solve(&mut self.body, &self.options.newton, &mut self.effort, |_| ())
+        newton::solve(&mut self.body, &options, &mut self.effort, |_| ())
     }
 
-    /// One step from rest to a pressure in MPa and a displacement of the terminal in mm; `shaped`: from a guessed shape.
+    /// One step from rest to a pressure in MPa and a displacement of the terminal in mm, from a guess.
     ///
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
-    pub fn leap(&mut self, pressure: f64, terminal: f64, shaped: bool) -> Result<(), Stopped> {
+    pub fn leap(&mut self, pressure: f64, terminal: f64, from: Guess) -> Result<(), Stopped> {
+        self.reset();
         let (d, state) = (&self.body.discrete, &mut self.body.state);
         state.pressure = pressure;
         guess::loads(d, state, 1.0 + terminal / d.half_length());
-        if shaped && !guess::shape(d, state, terminal) {
+        let shaped = match from {
+            Guess::Loads => true,
+            Guess::Taut => guess::shape(d, state, terminal, None),
+            Guess::Slack { radius } => guess::shape(d, state, terminal, Some(radius)),
+        };
+        if !shaped {
             return Err(Stopped::Diverged { correction: 0.0 });
         }
         self.solve(Control::Length(terminal))
     }
 
-    fn last(&self, state: &State, pull: f64, smallest_j: f64) -> LastConverged {
+    /// Back to an equilibrium, and what is to be told of it.
+    fn last(&mut self) -> LastConverged {
+        self.body.state.copy_from(&self.base);
+        let totals = self.body.evaluate().unwrap_or_default();
         LastConverged {
-            pressure_mpa: state.pressure,
-            contraction: -state.terminal / self.body.discrete.half_length(),
-            force_n: pull,
-            smallest_j,
+            pressure_mpa: self.base.pressure,
+            contraction: 0.0 - self.base.terminal / self.body.discrete.half_length(),
+            force_n: totals.pull,
+            smallest_j: totals.smallest_j,
         }
     }
 
-    /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal in mm.
+    /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal in mm; `first` is the
+    /// share of the way that is tried first.
     ///
     /// # Errors
     /// [`Halt`]; the body then is back at the last equilibrium.
-    pub fn walk(&mut self, pressure: f64, terminal: f64) -> Result<(), Halt> {
+    pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Halt> {
         self.base.copy_from(&self.body.state);
         let (p0, w0) = (self.base.pressure, self.base.terminal);
         let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.x.iter().all(|x| *x == 0.0);
-        let (mut done, mut step, mut step_before) = (0.0_f64, 1.0_f64, 0.0_f64);
-        let (mut pull, mut smallest) = (0.0, 1.0);
+        let (mut done, mut step, mut step_before) = (0.0_f64, first, 0.0_f64);
         loop {
             let next = (done + step).min(1.0);
             let p = p0 + next * (pressure - p0);
@@ -128,7 +161,6 @@ impl Walker {
             }
             match self.solve(Control::Length(w)) {
                 Ok(()) => {
-                    (pull, smallest) = (self.body.totals.pull, self.body.totals.smallest_j);
                     if next >= 1.0 {
                         return Ok(());
                     }
@@ -141,11 +173,7 @@ impl Walker {
                 Err(stop) => {
                     step = 0.5 * (next - done);
                     if step < self.options.smallest_step || matches!(stop, Stopped::Budget { .. }) {
-                        let base = std::mem::replace(&mut self.base, self.before.clone());
-                        self.body.state.copy_from(&base);
-                        let last = self.last(&base, pull, smallest);
-                        self.base = base;
-                        return Err((stop, last));
+                        return Err((stop, self.last()));
                     }
                 }
             }

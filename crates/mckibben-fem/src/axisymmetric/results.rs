@@ -120,8 +120,9 @@ impl Solution {
         let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
         let all = 2.0 * std::f64::consts::PI * muscle.outer_diameter_mm() * cos * largest;
         Ok(Response {
-            pressure_mpa: s.pressure,
-            contraction: -s.terminal / d.half_length(),
+            // Zeros without a sign.
+            pressure_mpa: s.pressure + 0.0,
+            contraction: 0.0 - s.terminal / d.half_length(),
             force_n: totals.pull,
             volume_mm3: Some(2.0 * totals.volume),
             stiffness_n_per_mm: Some(0.5 * body.terminal_stiffness()),

@@ -145,7 +145,12 @@ fn case(seed: u64, index: usize) -> Option<SweepCase> {
 /// θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa,
 /// contraction up to 95 % of the ideal maximum.
 pub fn sweep(n: usize, seed: u64) -> Sweep {
-    Sweep { rows: (0..n).filter_map(|i| case(seed, i)).map(ask).collect() }
+    Sweep { rows: (0..n).filter_map(|i| question(seed, i)).collect() }
+}
+
+/// Question number `index` of a sweep, asked: for callers that spread a sweep over threads.
+pub fn question(seed: u64, index: usize) -> Option<SweepRow> {
+    case(seed, index).map(ask)
 }
 
 fn ask(case: SweepCase) -> SweepRow {

@@ -5,3 +5,4 @@ pub mod q2;
 pub mod solid;
 pub mod strand;
 pub mod stretches;
+pub mod truss;

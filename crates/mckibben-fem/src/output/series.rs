@@ -5,7 +5,6 @@ use super::vtu::{Grid, collection};
 use super::{helices, revolve};
 use crate::axisymmetric::Section;
 use mckibben::model::Response;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 /// The parts of a step.
@@ -77,7 +76,7 @@ impl VtuSeries {
 
     fn write(&self, file: &str, text: &str) -> Result<PathBuf, VtuError> {
         let path = self.folder.join(file);
-        match replace(&self.folder, &path, text.as_bytes()) {
+        match mckibben_files::replace(&path, text.as_bytes()) {
             Ok(()) => Ok(path),
             Err(source) => Err(VtuError::Write { path, source }),
         }
@@ -101,20 +100,4 @@ fn fill(grid: &mut Grid, r: &Response, more: Vec<(&'static str, f64)>) {
         ("strand_tension_n", r.strand_tension_n),
     ];
     grid.field = known.into_iter().filter_map(|(name, value)| value.map(|v| (name, v))).chain(more).collect();
-}
-
-fn replace(folder: &Path, path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".vtu-");
-    #[cfg(unix)]
-    {
-        // The usual permissions of a new file (the umask applies), not those of a secret.
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|failure| failure.error)?;
-    Ok(())
 }

@@ -87,6 +87,8 @@ pub struct NewtonOptions {
     pub rounding: f64,
     /// See `rounding`.
     pub rounding_residual: f64,
+    /// Most factorisations of one solve.
+    pub factorisations: usize,
 }
 
 impl Default for NewtonOptions {
@@ -98,6 +100,7 @@ impl Default for NewtonOptions {
             large: 50.0,
             rounding: 1e-11,
             rounding_residual: 1e-8,
+            factorisations: usize::MAX,
         }
     }
 }
@@ -128,6 +131,7 @@ pub fn solve<S: NewtonSystem>(
     effort: &mut Effort,
     mut watch: impl FnMut(f64),
 ) -> Result<(), Stopped> {
+    let before = effort.factorisations;
     effort.factorisations += 1;
     let mut norm = system.linearise()?;
     watch(norm);
@@ -165,6 +169,10 @@ pub fn solve<S: NewtonSystem>(
         }
         let mut retreats = 0;
         norm = loop {
+            let factorisations = effort.factorisations - before;
+            if factorisations >= options.factorisations {
+                return Err(Stopped::Budget { factorisations });
+            }
             effort.factorisations += 1;
             match system.linearise() {
                 Ok(norm) => break norm,

@@ -48,8 +48,8 @@ pub fn endless_braid() -> Vec<Row> {
         let solved = walker.as_mut().and_then(|w| {
             // Pressure first: the strands must be taut.
             let terminal = (stretch - 1.0) * w.body.discrete.half_length();
-            w.walk(pressure, 0.0).ok()?;
-            w.walk(pressure, terminal).ok()?;
+            w.walk(pressure, 0.0, 1.0).ok()?;
+            w.walk(pressure, terminal, 1.0).ok()?;
             Some(&w.body)
         });
         let found = solved.map(|w| {
@@ -70,7 +70,7 @@ pub fn endless_braid() -> Vec<Row> {
         let mut walker = slice(Some(k));
         let ours = walker.as_mut().and_then(|w| {
             let terminal = -e * w.body.discrete.half_length();
-            w.walk(pressure, terminal).ok()?;
+            w.walk(pressure, terminal, 1.0).ok()?;
             Some(w.body.totals.pull)
         });
         rows.push(Row::new(format!("endless muscle, k {k} N/mm, ε {e}: F (N)"), STRANDS, exact, ours, 1e-7));

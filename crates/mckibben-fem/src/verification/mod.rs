@@ -9,6 +9,7 @@ mod muscle;
 mod numerics;
 mod pressure;
 mod sphere;
+mod truss;
 mod tube;
 
 pub use endless::{endless_braid, long_muscles};
@@ -17,6 +18,7 @@ pub use muscle::{identities, prototype};
 pub use numerics::numerics;
 pub use pressure::follower_pressure;
 pub use sphere::thick_sphere;
+pub use truss::trusses;
 pub use tube::thick_tube;
 
 use crate::axisymmetric::FemError;
@@ -74,6 +76,7 @@ pub fn cases() -> Vec<Row> {
         thick_tube(),
         thick_sphere(),
         follower_pressure(),
+        trusses(),
         endless_braid(),
         long_muscles(),
         identities(),
@@ -97,8 +100,8 @@ fn body(mesh: Mesh, braid: Option<BraidSpec>, ends: Ends) -> Result<Walker, FemE
 /// Goes to a pressure and an axial stretch of the whole; gives the body where that succeeds.
 fn at(walker: &mut Walker, pressure: f64, stretch: f64) -> Option<&mut Body> {
     let terminal = (stretch - 1.0) * walker.body.discrete.half_length();
-    walker.walk(0.0, terminal).ok()?;
-    walker.walk(pressure, terminal).ok()?;
+    walker.walk(0.0, terminal, 1.0).ok()?;
+    walker.walk(pressure, terminal, 1.0).ok()?;
     // To the last digit.
     let tight = walker.options.newton;
     walker.options.newton.tolerance = 1e-13;

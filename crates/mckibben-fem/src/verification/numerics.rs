@@ -46,7 +46,7 @@ pub fn numerics() -> Vec<Row> {
         ] {
             let name = mckibben::rubber::RubberLaw::name(&law);
             let error = muscle_body(law.clone(), bulk, stiffness).and_then(|mut w| {
-                w.walk(0.2, -0.08 * 142.5).ok()?;
+                w.walk(0.2, -0.08 * 142.5, 1.0).ok()?;
                 w.solve(Control::Length(-0.08 * 142.5)).ok()?;
                 tangent_error(&mut w.body)
             });
@@ -96,7 +96,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
 fn order_of_newton() -> Row {
     let order = (|| {
         let mut w = muscle_body(super::rubber(), Bulk::Incompressible, BraidStiffness::NewtonPerMm(321.0))?;
-        w.walk(0.2, -0.05 * 142.5).ok()?;
+        w.walk(0.2, -0.05 * 142.5, 1.0).ok()?;
         let mut residuals = Vec::new();
         w.body.control = Control::Length(-0.10 * 142.5);
         let options = NewtonOptions { small: 0.0, tolerance: 1e-13, ..NewtonOptions::default() };
@@ -168,7 +168,7 @@ fn steps() -> Row {
         let mut w = muscle_body(super::rubber(), Bulk::Incompressible, BraidStiffness::NewtonPerMm(321.0))?;
         for i in 1..=n {
             let t = i as f64 / n as f64;
-            w.walk(0.25 * t, -0.15 * 142.5 * t).ok()?;
+            w.walk(0.25 * t, -0.15 * 142.5 * t, 1.0).ok()?;
         }
         Some(w.body.totals.pull)
     };

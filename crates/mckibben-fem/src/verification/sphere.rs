@@ -44,11 +44,11 @@ fn balloon() -> Row {
         let make = Make { law, bulk: Bulk::Incompressible, braid: None, ends: Ends::Pole };
         let mut walker = Walker::new(Discrete::new(mesh, make).ok()?);
         let mut low = 0.5 * exact;
-        walker.walk(low, 0.0).ok()?;
+        walker.walk(low, 0.0, 1.0).ok()?;
         let mut step = 0.4 * exact;
         while step > 1e-5 * exact {
             let before = walker.body.state.clone();
-            if walker.walk(low + step, 0.0).is_ok() && walker.body.unstable_directions() == 0 {
+            if walker.walk(low + step, 0.0, 1.0).is_ok() && walker.body.unstable_directions() == 0 {
                 low += step;
             } else {
                 walker.start_from(&before);

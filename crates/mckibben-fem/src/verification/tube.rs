@@ -57,7 +57,7 @@ fn lame() -> Row {
     let make = Make { law, bulk: Bulk::Modulus(k), braid: None, ends: Ends::Sliding };
     let ours = Discrete::new(slice(a, b, 16), make).ok().and_then(|d| {
         let mut walker = Walker::new(d);
-        walker.walk(p, 0.0).ok()?;
+        walker.walk(p, 0.0, 1.0).ok()?;
         Some(walker.body.state.x[0])
     });
     Row::new(
@@ -76,7 +76,7 @@ fn finite_bulk() -> Row {
         let make = Make { law: super::rubber(), bulk, braid: None, ends: Ends::Sliding };
         let mut walker = Walker::new(Discrete::new(slice(inner, outer, 4), make).ok()?);
         walker.options.newton.tolerance = 1e-13;
-        walker.walk(pressure, (stretch - 1.0) * walker.body.discrete.half_length()).ok()?;
+        walker.walk(pressure, (stretch - 1.0) * walker.body.discrete.half_length(), 1.0).ok()?;
         walker.solve(Control::Length(0.0)).ok()?;
         Some(radius(&walker.body, 0, 0))
     };

@@ -36,7 +36,8 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
     extrapolate: bool,
 ) -> Result<f64, AnalysisError> {
     let lowest = model.range().pressure_mpa.0;
-    if lowest <= 0.0 && model.force_n(lowest, contraction)? >= 0.0 {
+    // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
+    if lowest <= 0.0 && model.force_n(lowest, contraction).is_ok_and(|force| force >= 0.0) {
         return Ok(lowest);
     }
     pressure_at(model, 0.0, contraction, extrapolate)

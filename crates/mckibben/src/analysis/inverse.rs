@@ -40,7 +40,14 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         return Err(none(end, model.force_n(end, contraction)?));
     }
     let at = |p: f64| model.force_n(p, contraction).map(|f| f - force_n);
-    let first = at(lowest)?;
+    // Where there is no equilibrium without pressure, the search starts below any pull.
+    let first = match at(lowest) {
+        Ok(first) => first,
+        Err(error @ (ModelError::OutOfRange { .. } | ModelError::Geometry { .. })) => {
+            return Err(error.into());
+        }
+        Err(_) => f64::NEG_INFINITY,
+    };
     if first.abs() <= 1e-12 * force_n.abs().max(1.0) {
         return Ok(lowest);
     }
@@ -65,6 +72,9 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             Err(_) if high - low > 1e-9 => step = 0.25 * (high - low),
             Err(_) => break,
         }
+    }
+    if best.1 == f64::NEG_INFINITY {
+        at(lowest)?;
     }
     Err(none(best.0, best.1 + force_n))
 }

@@ -14,6 +14,8 @@ use rayon::prelude::*;
 
 /// Halvings of a refinement; 20 mm/2^24 is a nanometre.
 const HALVINGS: usize = 24;
+/// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
+const LEAST_BORE: f64 = 0.1;
 const WALL_HALVINGS: usize = 14;
 const ANGLE_HALVINGS: usize = 6;
 const SAMPLES: usize = 30;
@@ -165,7 +167,8 @@ impl Search<'_> {
                 }
             }
             Values::Interval(low, high) => {
-                let low = low.max(2.0 * s * (1.0 + 1e-9));
+                // A tube without a bore is no muscle: at least a tenth of the diameter.
+                let low = low.max(2.0 * s / (1.0 - LEAST_BORE));
                 if low > *high {
                     // No diameter is above twice the wall: say so with the widest.
                     self.try_one(Pick { choice, d0: *high, s }, &mut harvest);
@@ -243,13 +246,14 @@ impl Search<'_> {
                 let angles = interval.sampled(ANGLE_SAMPLES);
                 let sheets: Vec<Harvest> =
                     angles.iter().map(|&angle| sheet(AngleRule::Fixed(angle))).collect();
-                let extra = best_index(&sheets).map(|i| {
+                let extra = best_index(&sheets).and_then(|i| {
                     let (left, right) = around(&angles, i);
                     let value = sheets[i].best();
                     let at = refine(left, angles[i], right, value, ANGLE_HALVINGS, |angle| {
                         sheet(AngleRule::Fixed(angle)).best()
                     });
-                    sheet(AngleRule::Fixed((at * 100.0).round() / 100.0))
+                    let at = (at * 100.0).round() / 100.0;
+                    angles.iter().all(|a| (a - at).abs() > 1e-9).then(|| sheet(AngleRule::Fixed(at)))
                 });
                 self.gather(sheets.into_iter().chain(extra))
             }

@@ -31,7 +31,7 @@ use std::path::Path;
 #[derive(Debug, Clone, PartialEq)]
 pub enum Body {
     /// The paper's (11).
-    Paper(Coefficients),
+    Paper(Box<Coefficients>),
     /// A sum of products of powers.
     Global(GlobalTerms),
 }

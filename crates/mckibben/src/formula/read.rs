@@ -32,7 +32,7 @@ impl Formula {
         }
         let (kind, terms) = (root.get("kind")?, root.get("terms")?);
         let body = match kind.text()? {
-            "paper" => Body::Paper(paper(&terms)?),
+            "paper" => Body::Paper(Box::new(paper(&terms)?)),
             "global" => {
                 Body::Global(GlobalTerms { scales: scales(&root.get("scales")?)?, terms: global(&terms)? })
             }

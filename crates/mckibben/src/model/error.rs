@@ -90,6 +90,26 @@ pub enum ModelError {
         /// Last residual.
         residual: f64,
     },
+    /// A path of equilibria ended before the one that was asked for.
+    #[error(
+        "no equilibrium found at {pressure_mpa} MPa and contraction {contraction} in {iterations} iterations: {reason}; the last one stands at {last_pressure_mpa:.4} MPa and contraction {last_contraction:.4} (smallest volume ratio {smallest_volume_ratio:.3})"
+    )]
+    Stopped {
+        /// Pressure asked for, in MPa.
+        pressure_mpa: f64,
+        /// Contraction asked for.
+        contraction: f64,
+        /// Iterations done in all.
+        iterations: usize,
+        /// Why the last step was given up.
+        reason: String,
+        /// Pressure of the last equilibrium in MPa.
+        last_pressure_mpa: f64,
+        /// Its contraction.
+        last_contraction: f64,
+        /// Its smallest volume ratio at an integration point.
+        smallest_volume_ratio: f64,
+    },
     /// A formula that is not finite here.
     #[error("the {model} formula has no finite value at {pressure_mpa} MPa and contraction {contraction}")]
     NotFinite {

@@ -79,6 +79,13 @@ impl Muscle {
         self.outer_diameter_mm() * (1.0 - c * c).max(0.0).sqrt() / sin
     }
 
+    /// Strain of the strands under a tension of all of them together, in N; `None` for inextensible strands.
+    /// N·T = 2π D0 cosθ0 k (λf − 1).
+    pub fn strand_strain(&self, braid_tension_n: f64) -> Option<f64> {
+        let k = self.family_stiffness_n_per_mm()?;
+        Some(braid_tension_n / (2.0 * PI * self.outer_diameter_mm() * self.braid().angle_rad().cos() * k))
+    }
+
     /// What a workshop needs.
     pub fn build_sheet(&self) -> BuildSheet {
         let cut = self.length_mm() + 2.0 * self.terminals().insertion_mm;

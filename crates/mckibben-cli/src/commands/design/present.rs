@@ -1,9 +1,10 @@
 //! A design as text and as JSON.
 
+use super::Checked;
 use crate::kind::Kind;
 use crate::output::json as shapes;
 use crate::output::text::{Pressures, number, or_dash, percent, plus_minus, rubber_name, table};
-use mckibben::design::{Candidate, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread};
+use mckibben::design::{BraidChoice, Candidate, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread};
 use serde_json::{Map, Value, json};
 
 /// One candidate with all it knows.
@@ -78,7 +79,7 @@ fn points_json(points: &[OperatingPoint]) -> Vec<Value> {
 }
 
 /// The whole design.
-pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -> Value {
+pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], checked: &[Checked]) -> Value {
     let p_mpa = Pressures(crate::flags::PressureUnit::Mpa);
     let mut out = json!({
         "model": kind.name(),
@@ -89,6 +90,18 @@ pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -
         "rejected": outcome.rejected.iter().map(|r| rejected_json(r, p_mpa)).collect::<Vec<_>>(),
     });
     let Some(map) = out.as_object_mut() else { return out };
+    if !checked.is_empty() {
+        let list: Vec<Value> = checked
+            .iter()
+            .map(|c| {
+                json!({
+                    "force_n": c.wanted.force_n, "contraction": c.wanted.contraction, "pressure_mpa": c.pressure_mpa,
+                    "force_at_max_pressure_n": c.available_n.as_ref().ok(), "cause": c.available_n.as_ref().err(),
+                })
+            })
+            .collect();
+        map.insert("verification".into(), json!({ "model": "fe", "points": list }));
+    }
     if !spreads.is_empty() {
         let list: Vec<Value> = spreads
             .iter()
@@ -107,6 +120,7 @@ pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -
             inner.insert("length_mm".into(), json!(closest.muscle.length_mm()));
             let list: Vec<Value> = closest.relaxations.iter().map(relaxation_json).collect();
             inner.insert("relaxations".into(), json!(list));
+            inner.insert("hint".into(), json!(beyond(spec)));
         }
         map.insert("closest".into(), value);
     }
@@ -114,7 +128,14 @@ pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread]) -
 }
 
 /// The design for people.
-pub fn as_text(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], p: Pressures) -> String {
+pub fn as_text(
+    spec: &Spec,
+    kind: Kind,
+    outcome: &Outcome,
+    spreads: &[Spread],
+    checked: &[Checked],
+    p: Pressures,
+) -> String {
     let wanted: Vec<String> = spec
         .points
         .iter()
@@ -131,8 +152,12 @@ pub fn as_text(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], p
     ));
     if let Some(closest) = &outcome.closest {
         out.push_str(&nothing_fits(closest, p));
+        if let Some(hint) = beyond(spec) {
+            out.push_str(&format!("{hint}\n"));
+        }
     } else {
         out.push_str(&candidates(outcome, p));
+        out.push_str(&checked_text(spec, outcome, checked, p));
         out.push_str(&spread_text(spreads, p));
     }
     if !outcome.rejected.is_empty() && outcome.closest.is_none() {
@@ -221,6 +246,7 @@ fn candidates(outcome: &Outcome, p: Pressures) -> String {
         "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{braid}. ±: 95 % of the model's error in the pull.\n"
     ));
     out.push_str(&list.first().map_or_else(String::new, doubt));
+    out.push_str(&list.first().map_or_else(String::new, strain));
     if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
@@ -239,6 +265,68 @@ fn doubt(best: &Candidate) -> String {
             "The first has less to spare than the ± of {error} N: to be sure of {force} N, ask for {ask} N.\n"
         )
     })
+}
+
+/// Strands that stretch further than the models were looked at.
+fn strain(best: &Candidate) -> String {
+    let tension = best.largest(|q| q.response.braid_tension_n);
+    let strain = tension.and_then(|t| best.muscle.strand_strain(t)).filter(|s| *s > 0.06);
+    strain.map_or_else(String::new, |s| {
+        format!(
+            "Its strands stretch by {}: past 6 % the models have not been compared with anything.\n",
+            percent((s * 1e3).round() / 1e3)
+        )
+    })
+}
+
+/// Contractions that no braid of the search reaches, and the angle that would.
+fn beyond(spec: &Spec) -> Option<String> {
+    let BraidChoice::Angle(angles) = &spec.braid else { return None };
+    let smallest = angles.bounds().0;
+    let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
+    let wanted = spec.points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+    if wanted < most(smallest) {
+        return None;
+    }
+    let cos = 1.0 / (3f64.sqrt() * (1.0 - wanted));
+    let reach = if cos < 1.0 {
+        format!("{} needs one well below {}°", percent(wanted), number(cos.acos().to_degrees().floor(), 3))
+    } else {
+        format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
+    };
+    let at = number(smallest, 4);
+    Some(format!(
+        "A braid at {at}° contracts by {} at most; {reach}.",
+        percent((most(smallest) * 1e3).floor() / 1e3)
+    ))
+}
+
+/// What finite elements say of the first candidate.
+fn checked_text(spec: &Spec, outcome: &Outcome, checked: &[Checked], p: Pressures) -> String {
+    let mut out = String::new();
+    let Some(winner) = outcome.candidates.first().filter(|_| !checked.is_empty()) else { return out };
+    out.push_str("\nThe first by finite elements\n");
+    for (c, q) in checked.iter().zip(&winner.points) {
+        let at = percent(c.wanted.contraction);
+        let max = p.show(spec.max_pressure_mpa);
+        let line = match &c.available_n {
+            Ok(f) => {
+                let difference = f - q.available_n;
+                let sign = if difference < 0.0 { "less" } else { "more" };
+                let needs = c.pressure_mpa.map_or_else(String::new, |v| {
+                    format!("; {} N take {}", number(c.wanted.force_n, 5), p.show(v))
+                });
+                format!(
+                    "{} N at {at} and {max}, {} N {sign}{needs}",
+                    number(*f, 4),
+                    number(difference.abs(), 3)
+                )
+            }
+            Err(error) => format!("no answer at {at}: {error}"),
+        };
+        out.push_str(&format!("  {line}\n"));
+    }
+    out
 }
 
 fn spread_text(spreads: &[Spread], p: Pressures) -> String {

@@ -1,0 +1,258 @@
+//! Equilibrium of the endless muscle: one scalar equation in the outer radius.
+
+use super::ThickWall;
+use crate::model::{ModelError, WallEnergy};
+use crate::rubber::RubberLaw;
+use std::f64::consts::PI;
+
+/// How far strands are followed before the answer is "no equilibrium".
+const LARGEST_STRAND_STRETCH: f64 = 1.5;
+const ITERATIONS: usize = 60;
+
+/// One equilibrium of the endless muscle.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct State {
+    pub(super) r: f64,
+    pub(super) force: f64,
+    /// ∂F/∂λ at fixed P
+    pub(super) force_l: f64,
+    /// ∂F/∂P at fixed λ
+    pub(super) force_p: f64,
+    pub(super) tension: f64,
+}
+
+/// Energy of both strand families per unit length at rest, and its derivatives in (λ, r).
+struct BraidEnergy {
+    l: f64,
+    r: f64,
+    ll: f64,
+    lr: f64,
+    rr: f64,
+    strain: f64,
+}
+
+impl ThickWall {
+    fn braid(&self, k: f64, l: f64, r: f64) -> BraidEnergy {
+        let (a, b) = (self.cos2, self.sin2 / (self.ro * self.ro));
+        let stretch = (a * l * l + b * r * r).sqrt();
+        let strain = stretch - 1.0;
+        if strain <= 0.0 && !self.compression {
+            return BraidEnergy { l: 0.0, r: 0.0, ll: 0.0, lr: 0.0, rr: 0.0, strain };
+        }
+        let c = 4.0 * PI * self.ro * k;
+        let (fl, fr) = (a * l / stretch, b * r / stretch);
+        BraidEnergy {
+            l: c * strain * fl,
+            r: c * strain * fr,
+            ll: c * (fl * fl + strain * (a - fl * fl) / stretch),
+            lr: c * (fl * fr - strain * fl * fr / stretch),
+            rr: c * (fr * fr + strain * (b - fr * fr) / stretch),
+            strain,
+        }
+    }
+
+    /// Sum of all strand tensions at a strain: N·T = 4π Ro cosθ0 k (λf − 1).
+    fn tension(&self, k: f64, strain: f64) -> f64 {
+        if strain <= 0.0 && !self.compression {
+            return 0.0;
+        }
+        4.0 * PI * self.ro * self.cos2.sqrt() * k * strain
+    }
+
+    /// Equilibrium at a pressure and an axial stretch.
+    pub(super) fn state(&self, p: f64, l: f64) -> Result<State, ModelError> {
+        let contraction = 1.0 - l;
+        let straight = 1.0 / self.cos2.sqrt();
+        if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
+            return Err(ModelError::Geometry { contraction, lowest: 1.0 - straight, highest: 1.0 });
+        }
+        match self.k {
+            Some(k) => self.extensible(k, p, l),
+            None => {
+                let r = self.pantograph(l);
+                if self.wall.bore2(l, r) <= 0.0 {
+                    return Err(ModelError::Geometry { contraction, lowest: 1.0 - straight, highest: 1.0 });
+                }
+                let w = self.finite(self.wall.energy(&self.law, l, r), l, r)?;
+                // Contact pressure between tube and braid: q = P − (∂W/∂r)/(2π r λ).
+                let contact = 2.0 * PI * r * l * p - w.r;
+                if contact < 0.0 && !self.compression {
+                    return self.without_braid(p, l, r);
+                }
+                Ok(self.rigid(p, l, r, &w, contact))
+            }
+        }
+    }
+
+    /// Strands that do not stretch: everything along r(λ) = Ro √((1 − λ² cos²θ0)/sin²θ0).
+    fn rigid(&self, p: f64, l: f64, r: f64, w: &WallEnergy, contact: f64) -> State {
+        let g = self.ro * self.ro / self.sin2;
+        let r1 = -g * self.cos2 * l / r;
+        let r2 = -(g * self.cos2 + r1 * r1) / r;
+        let area = PI * g * (3.0 * l * l * self.cos2 - 1.0);
+        State {
+            r,
+            force: p * area + w.l + w.r * r1,
+            force_l: p * 6.0 * PI * g * self.cos2 * l + w.ll + 2.0 * w.lr * r1 + w.rr * r1 * r1 + w.r * r2,
+            force_p: area,
+            tension: contact * self.cos2.sqrt() * self.ro * self.ro / (self.sin2 * r),
+        }
+    }
+
+    /// The tube alone, short of the braid at `r_braid`.
+    fn without_braid(&self, p: f64, l: f64, r_braid: f64) -> Result<State, ModelError> {
+        let lowest = (self.wall.section() / l).sqrt();
+        self.solve(0.0, p, l, lowest, r_braid, r_braid)
+    }
+
+    fn extensible(&self, k: f64, p: f64, l: f64) -> Result<State, ModelError> {
+        let lowest = (self.wall.section() / l).sqrt();
+        let at_rest = self.pantograph(l).max(lowest);
+        let b = self.sin2 / (self.ro * self.ro);
+        let far = LARGEST_STRAND_STRETCH * LARGEST_STRAND_STRETCH - self.cos2 * l * l;
+        let highest = (far.max(0.0) / b).sqrt().max(1.0001 * at_rest);
+        let guess = (at_rest * 1.005).max(lowest * 1.01).min(highest);
+        self.solve(k, p, l, lowest, highest, guess)
+    }
+
+    /// Root of ∂Π/∂r between `low` (bore closed) and `high`, by Newton's method kept inside the bracket.
+    fn solve(&self, k: f64, p: f64, l: f64, low: f64, high: f64, guess: f64) -> Result<State, ModelError> {
+        let (mut low, mut high, mut r) = (low, high, guess);
+        let scale = 2.0 * PI * self.ro * (p.abs() + self.law.shear_modulus_mpa());
+        let mut residual = f64::INFINITY;
+        for iteration in 0..ITERATIONS {
+            let w = self.wall.energy(&self.law, l, r);
+            let b = self.braid(k, l, r);
+            let g = w.r + b.r - 2.0 * PI * r * l * p;
+            let g_r = w.rr + b.rr - 2.0 * PI * l * p;
+            if !g.is_finite() || !g_r.is_finite() {
+                // A law that locks: the root lies below.
+                if iteration + 1 == ITERATIONS || r - low <= 1e-14 * r {
+                    return Err(self.locked(l, r));
+                }
+                high = r;
+                r = 0.5 * (low + high);
+                continue;
+            }
+            residual = g.abs() / scale;
+            let step = -g / g_r;
+            if residual < 1e-13 || (g_r > 0.0 && step.abs() <= 4.0 * f64::EPSILON * r) {
+                return self.at(k, p, l, r, &w, &b, g_r);
+            }
+            if g > 0.0 {
+                high = r;
+            } else {
+                low = r;
+            }
+            let newton = r + step;
+            r = if g_r > 0.0 && newton > low && newton < high {
+                newton
+            } else if g < 0.0 && high - r > 0.2 * r {
+                1.2 * r
+            } else {
+                0.5 * (low + high)
+            };
+            if high - low <= 4.0 * f64::EPSILON * high {
+                let at_end = g < 0.0;
+                if at_end && k > 0.0 {
+                    break;
+                }
+                return self.at(k, p, l, r, &w, &b, g_r);
+            }
+        }
+        if r >= 0.999 * self.radius_at_strand_stretch(LARGEST_STRAND_STRETCH, l) {
+            return Err(ModelError::Overstretched {
+                pressure_mpa: p,
+                contraction: 1.0 - l,
+                strand_stretch: LARGEST_STRAND_STRETCH,
+            });
+        }
+        Err(ModelError::NotConverged {
+            pressure_mpa: p,
+            contraction: 1.0 - l,
+            iterations: ITERATIONS,
+            residual,
+        })
+    }
+
+    fn radius_at_strand_stretch(&self, stretch: f64, l: f64) -> f64 {
+        self.ro * ((stretch * stretch - self.cos2 * l * l).max(0.0) / self.sin2).sqrt()
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn at(
+        &self,
+        k: f64,
+        p: f64,
+        l: f64,
+        r: f64,
+        w: &WallEnergy,
+        b: &BraidEnergy,
+        g_r: f64,
+    ) -> Result<State, ModelError> {
+        if g_r <= 0.0 {
+            return Err(ModelError::Overstretched {
+                pressure_mpa: p,
+                contraction: 1.0 - l,
+                strand_stretch: 1.0 + b.strain,
+            });
+        }
+        let pi_lr = w.lr + b.lr - 2.0 * PI * r * p;
+        Ok(State {
+            r,
+            force: w.l + b.l - p * PI * r * r,
+            force_l: w.ll + b.ll - pi_lr * pi_lr / g_r,
+            force_p: -PI * r * r + pi_lr * 2.0 * PI * r * l / g_r,
+            tension: self.tension(k, b.strain),
+        })
+    }
+
+    /// The pressure at which the pull is `force` at a stretch, with the strands taut.
+    ///
+    /// ∂Π/∂r = 0 and F = ∂Π/∂λ are both linear in P; without it they leave one equation in r:
+    /// ∂(W + B)/∂λ − (r/2λ) ∂(W + B)/∂r = F, and P = ∂(W + B)/∂r/(2π r λ). `None` where Newton's method does not reach a
+    /// taut root within a few steps; the general search takes over then.
+    pub(super) fn pressure_for(&self, force: f64, l: f64) -> Option<f64> {
+        let taut = self.pantograph(l);
+        if l.is_nan() || l <= 0.0 || self.wall.bore2(l, taut) <= 0.0 {
+            return None;
+        }
+        let Some(k) = self.k else {
+            let w = self.wall.energy(&self.law, l, taut);
+            let rest = self.rigid(0.0, l, taut, &w, 0.0);
+            let p = (force - rest.force) / rest.force_p;
+            let tight = 2.0 * PI * taut * l * p >= w.r || self.compression;
+            return (rest.force_p > 0.0 && p >= 0.0 && p.is_finite() && tight).then_some(p);
+        };
+        let mut r = taut * 1.002;
+        for _ in 0..25 {
+            let w = self.wall.energy(&self.law, l, r);
+            let b = self.braid(k, l, r);
+            let (g, g_r) = (w.r + b.r, w.rr + b.rr);
+            let value = w.l + b.l - 0.5 * r / l * g - force;
+            let slope = w.lr + b.lr - 0.5 / l * (g + r * g_r);
+            let step = -value / slope;
+            if !(slope > 0.0 && step.is_finite()) {
+                return None;
+            }
+            r = (r + step).max(taut);
+            if step.abs() < 1e-13 * r {
+                let w = self.wall.energy(&self.law, l, r);
+                let b = self.braid(k, l, r);
+                let p = (w.r + b.r) / (2.0 * PI * r * l);
+                let stable = w.rr + b.rr > 2.0 * PI * l * p && b.strain < LARGEST_STRAND_STRETCH - 1.0;
+                return (b.strain > 0.0 && stable && p >= 0.0).then_some(p);
+            }
+        }
+        None
+    }
+
+    fn finite(&self, w: WallEnergy, l: f64, r: f64) -> Result<WallEnergy, ModelError> {
+        if w.l.is_finite() && w.r.is_finite() && w.ll.is_finite() { Ok(w) } else { Err(self.locked(l, r)) }
+    }
+
+    fn locked(&self, l: f64, r: f64) -> ModelError {
+        let bore = self.wall.bore2(l, r).max(0.0).sqrt() / self.muscle.tube().inner_radius_mm();
+        ModelError::Locked { contraction: 1.0 - l, hoop_stretch: bore, law: self.law.name() }
+    }
+}

@@ -1,0 +1,113 @@
+//! The thick wall against verification G, its limits, and its own derivatives.
+
+use super::*;
+use crate::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
+use crate::rubber::{MooneyRivlin, RubberLaw};
+
+fn muscle(stiffness: BraidStiffness) -> Muscle {
+    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 });
+    let tube = Tube { outer_diameter_mm: 19.0, wall_mm: 1.5, length_mm: 200.0, rubber: Rubber::of(law) };
+    let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
+    Muscle::new(tube, braid, Terminals::default(), None).unwrap()
+}
+
+/// Verification G: A = 8, B = 9.5, α = 25°, p = 0.3 (kinematics of Liu & Rahn 2003).
+#[test]
+fn verification_g_rigid_strands() {
+    let model = ThickWall::new(&muscle(BraidStiffness::Inextensible));
+    let rows = [
+        (1.00, 697.295254, 0.30000000, 8.0, 9.5),
+        (0.95, 535.363511, 0.27769901, 10.15312534, 11.43317686),
+        (0.90, 415.638252, 0.26911405, 11.82975661, 13.00422270),
+        (0.80, 214.347501, 0.26045986, 14.38249226, 15.48123327),
+        (0.75, 124.603748, 0.25724553, 15.38944717, 16.48742200),
+    ];
+    for (l, force, contact, a, b) in rows {
+        let response = model.response(0.3, 1.0 - l).unwrap();
+        assert!((response.force_n - force).abs() < 1e-6, "λ {l}: {}", response.force_n);
+        let r = 0.5 * response.bulged_diameter_mm.unwrap();
+        assert!((r - b).abs() < 1e-8, "λ {l}: b {r}");
+        assert!((model.wall.bore2(l, r).sqrt() - a).abs() < 1e-8, "λ {l}: a");
+        let q = model.contact_pressure_mpa(0.3, 1.0 - l).unwrap();
+        assert!((q - contact).abs() < 1e-8, "λ {l}: contact {q}");
+    }
+    assert!(model.force_n(0.3, 1.0 - 0.67479861).unwrap().abs() < 1e-5);
+}
+
+#[test]
+fn strands_that_stretch_tend_to_rigid_ones_like_1_over_k() {
+    let rigid = ThickWall::new(&muscle(BraidStiffness::Inextensible));
+    for e in [0.0, 0.1, 0.2] {
+        let exact = rigid.response(0.3, e).unwrap();
+        let mut before = f64::NAN;
+        for k in [1e4, 1e5, 1e6, 1e7] {
+            let soft = ThickWall::new(&muscle(BraidStiffness::NewtonPerMm(k))).response(0.3, e).unwrap();
+            let error = exact.force_n - soft.force_n;
+            // error = c/k + O(1/k²): the ratio of neighbours is 10 up to O(1/k).
+            let ratio = before / error / 10.0;
+            assert!(before.is_nan() || (ratio - 1.0).abs() < 2e3 / k, "ε {e}, k {k}: {ratio}");
+            before = error;
+            let tension = soft.braid_tension_n.unwrap() / exact.braid_tension_n.unwrap();
+            assert!((tension - 1.0).abs() < 1e2 / k, "ε {e}, k {k}: {tension}");
+        }
+    }
+}
+
+#[test]
+fn derivatives_are_those_of_finite_differences_and_maxwell_holds() {
+    for stiffness in [BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm(200.0)] {
+        let m = muscle(stiffness);
+        let model = ThickWall::new(&m);
+        let (p, e, h) = (0.3, 0.12, 1e-5);
+        let at = |p: f64, e: f64| model.response(p, e).unwrap();
+        let (r, length) = (at(p, e), m.length_mm());
+        let stiffness = -(at(p, e + h).force_n - at(p, e - h).force_n) / (2.0 * h * length);
+        assert!((stiffness - r.stiffness_n_per_mm.unwrap()).abs() < 1e-7 * stiffness.abs());
+        let f_p = (at(p + h, e).force_n - at(p - h, e).force_n) / (2.0 * h);
+        assert!((f_p - r.force_per_pressure_mm2.unwrap()).abs() < 1e-7 * f_p.abs());
+        // Maxwell: ∂F/∂P at fixed L = −∂V/∂L at fixed P.
+        let v_l = -(at(p, e + h).volume_mm3.unwrap() - at(p, e - h).volume_mm3.unwrap()) / (2.0 * h * length);
+        assert!((f_p + v_l).abs() < 1e-7 * f_p.abs(), "{f_p} {v_l}");
+    }
+}
+
+/// Axial balance of a cut through the muscle: F + Pπa² = strands + rubber, here with the rubber made negligible.
+#[test]
+fn without_rubber_the_strands_carry_all() {
+    let mut tube = muscle(BraidStiffness::Inextensible).tube().clone();
+    tube.rubber.law = tube.rubber.law.scaled(1e-9);
+    tube.wall_mm = 1e-3;
+    let m = muscle(BraidStiffness::NewtonPerMm(300.0)).with_tube(tube).unwrap();
+    let response = ThickWall::new(&m).response(0.3, 0.1).unwrap();
+    let d = response.bulged_diameter_mm.unwrap();
+    let stretch =
+        1.0 + response.braid_tension_n.unwrap() / (2.0 * PI * 19.0 * m.braid().angle_rad().cos() * 300.0);
+    let cos_now = 0.9 * m.braid().angle_rad().cos() / stretch;
+    let axial = response.braid_tension_n.unwrap() * cos_now - 0.3 * PI * d * d / 4.0;
+    assert!((axial / response.force_n - 1.0).abs() < 1e-3, "{axial} {}", response.force_n);
+}
+
+#[test]
+fn soft_strands_and_high_pressure_end_in_a_typed_error() {
+    let model = ThickWall::new(&muscle(BraidStiffness::NewtonPerMm(1.0)));
+    assert!(
+        matches!(model.force_n(1.0, 0.0), Err(ModelError::Overstretched { .. })),
+        "{:?}",
+        model.force_n(1.0, 0.0)
+    );
+    assert!(matches!(model.force_n(0.1, 1.0), Err(ModelError::Geometry { .. })));
+    assert!(matches!(model.force_n(0.1, f64::NAN), Err(ModelError::Geometry { .. })));
+}
+
+#[test]
+fn without_pressure_a_shortened_tube_leaves_the_braid_and_pushes() {
+    for stiffness in [BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm(200.0)] {
+        let model = ThickWall::new(&muscle(stiffness));
+        let response = model.response(0.0, 0.1).unwrap();
+        // Uniaxial compression of the rubber alone: nominal stress × section.
+        let law = MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 };
+        let expected = law.uniaxial_stress_mpa(0.9) * PI * (9.5f64.powi(2) - 8.0f64.powi(2));
+        assert!((response.force_n - expected).abs() < 1e-9, "{} {expected}", response.force_n);
+        assert_eq!(response.braid_tension_n, Some(0.0));
+    }
+}
