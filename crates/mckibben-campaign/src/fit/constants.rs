@@ -59,7 +59,12 @@ impl Constants {
 
     /// The campaign's points with these constants.
     pub fn campaign(&self) -> Vec<FitPoint> {
-        compute_with(|d, s| self.muscle(d, s), &DIAMETERS, &WALLS, &CONTRACTIONS, &PRESSURES)
+        self.points(&DIAMETERS)
+    }
+
+    /// The same for other diameters.
+    pub fn points(&self, diameters: &[f64]) -> Vec<FitPoint> {
+        compute_with(|d, s| self.muscle(d, s), diameters, &WALLS, &CONTRACTIONS, &PRESSURES)
     }
 }
 

@@ -5,6 +5,7 @@ pub mod data;
 mod error;
 pub mod errors;
 pub mod global;
+pub mod held_out;
 mod made;
 mod make;
 pub mod paper_method;

@@ -228,3 +228,20 @@ fn the_make_of_a_table_is_found_or_refused() {
     assert_eq!(braid(&[with(30.0, None, 0.1), with(50.0, None, 0.2)]), Err(FitError::MixedMake("rubber")));
     assert!(made_for(&[]).is_err());
 }
+
+/// A regression test: the table that is shipped is the one that the program computes.
+#[test]
+fn the_shipped_campaign_is_what_is_computed() {
+    let text = include_str!("../../../../data/campaign/paper.csv");
+    let rows: Vec<Vec<f64>> =
+        text.lines().skip(1).map(|l| l.split(',').map(|v| v.parse().unwrap()).collect()).collect();
+    let diameters = [&DIAMETERS[..], &[HELD_OUT]].concat();
+    let points = compute(&Muscle::prototype(), &diameters, &WALLS, &CONTRACTIONS, &PRESSURES);
+    assert_eq!(rows.len(), points.len());
+    for (row, p) in rows.iter().zip(&points) {
+        assert_eq!(row[..2], [p.outer_diameter_mm, p.wall_mm]);
+        assert_eq!(row[4..6], [p.pressure_mpa, p.contraction]);
+        // Newton's tolerance, and five decimals in the file.
+        assert!((row[6] - p.force_n).abs() < 1e-3, "{row:?} {}", p.force_n);
+    }
+}
