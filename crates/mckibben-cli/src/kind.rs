@@ -34,7 +34,8 @@ impl Kind {
         if name == FE {
             return Ok(Kind::Fe(mesh));
         }
-        if name.to_ascii_lowercase().ends_with(".json") {
+        let is_file = || name.parse::<ModelKind>().is_err() && std::path::Path::new(name).is_file();
+        if name.to_ascii_lowercase().ends_with(".json") || is_file() {
             return Ok(Kind::Formula(Box::leak(Box::new(Arc::new(Formula::read(name)?)))));
         }
         let known = name.parse::<ModelKind>();
@@ -42,6 +43,11 @@ impl Kind {
             let message = format!("{e}, {FE}").replace(&format!("?, {FE}"), "?");
             Failure::input("model", message, "`mckibben models` describes them")
         })
+    }
+
+    /// Whether a word is the name of a model already.
+    pub fn is_taken(name: &str) -> bool {
+        name.trim() == FE || name.trim().parse::<ModelKind>().is_ok()
     }
 
     /// Its name.

@@ -38,7 +38,9 @@ fn a_fitted_formula_is_a_model_of_every_command() {
     assert!((number(&ours, "force_n") - number(&fe, "force_n")).abs() < 5.0, "{ours} {fe}");
     assert!(number(&ours, "uncertainty_n") > 0.0);
     assert!(ours.get("start_pressure_mpa").is_none(), "P′ lies below its lowest pressure: {ours}");
+    std::fs::copy(dir.path().join("g.json"), dir.path().join("plain")).unwrap();
     for line in [
+        format!("force {muscle} -p 0.2 --model plain"),
         format!("pressure {muscle} -F 300N -e 0.05 --model g.json"),
         format!("contraction {muscle} -F 300N -p 0.2 --model ./g.json"),
         format!("curve isobaric {muscle} --model g.json"),
@@ -124,7 +126,9 @@ fn wrong_tables_and_formulas_are_named() {
         }
     }
     let table = table();
-    for extra in [["--hold-out", "36"], ["--method", "cubic"], ["--terms", "49"]] {
+    for extra in
+        [["--hold-out", "36"], ["--method", "cubic"], ["--terms", "49"], ["--name", "paper"], ["--name", " "]]
+    {
         assert_eq!(run_in(dir.path(), &[&["fit", &table][..], &extra[..]].concat()).code, 2, "{extra:?}");
     }
     let tables = run_in(dir.path(), &["fit", &table, "--method", "global", "--tables", "t"]);

@@ -245,3 +245,21 @@ fn the_shipped_campaign_is_what_is_computed() {
         assert!((row[6] - p.force_n).abs() < 1e-3, "{row:?} {}", p.force_n);
     }
 }
+
+/// `global` is not fitted where the muscle lies slack; it must not promise a pull there either. 0.4 % of the blocked force is
+/// its error elsewhere.
+#[test]
+fn no_pull_is_promised_where_the_muscle_lies_slack() {
+    let base = Muscle::prototype();
+    let f = results::fitted(&paper_campaign(&base), Method::GLOBAL, &[]).unwrap();
+    let contractions: Vec<f64> = (0..=8).map(|i| 0.025 * f64::from(i)).collect();
+    let walls = [2.5, 4.0, 5.0];
+    let points = compute(&base, &[30.0, 35.0, 42.5, 50.0], &walls, &contractions, &pressure_steps(5));
+    let list =
+        compared(&points, |p| f.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction));
+    let slack: Vec<_> = list.unwrap().into_iter().filter(|c| c.point.force_n < 0.0).collect();
+    assert!(slack.len() > 100, "{}", slack.len());
+    for c in slack {
+        assert!(c.difference_n < 0.004 * c.blocked_n, "{:?}: {} N", c.point, c.difference_n);
+    }
+}

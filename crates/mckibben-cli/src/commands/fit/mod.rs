@@ -11,6 +11,7 @@ pub use present::{error_rows, errors_table, made_text, range_text};
 use crate::failure::Failure;
 use crate::figure;
 use crate::flags::Format;
+use crate::kind::Kind;
 use crate::output::{csv, emit, json, save};
 use crate::resolve;
 use mckibben::formula::Made;
@@ -27,6 +28,10 @@ pub fn run(args: &FitArgs) -> Result<u8, Failure> {
     if let (Method::Global(_), Some(_)) = (method, &args.tables) {
         let message = "--tables: the method global has no intermediate tables";
         return Err(Failure::input("usage", message, "take --method paper"));
+    }
+    if let Some(name) = args.name.as_deref().filter(|n| Kind::is_taken(n) || n.trim().is_empty()) {
+        let message = format!("--name: \"{name}\" cannot be told from a model that exists already");
+        return Err(Failure::input("usage", message, "take another name"));
     }
     let hold_out = match &args.hold_out {
         Some(text) => resolve::points("--hold-out", Some(text), Dimension::Length, "", 1)?,
