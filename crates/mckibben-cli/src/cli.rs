@@ -4,6 +4,7 @@ mod campaign;
 
 pub use campaign::{CampaignArgs, CampaignCommand, CampaignMergeArgs, CampaignRunArgs, CampaignShowArgs};
 
+use crate::commands::fit::{FitArgs, FormulaShowArgs};
 use crate::flags::{AskFlags, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -52,6 +53,12 @@ pub enum Command {
     /// Several models, and measured points, on one figure with their errors
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(Box<CompareArgs>),
+    /// From a table of finite-element points to a formula, with its errors and where it holds
+    #[command(after_help = FIT_EXAMPLES)]
+    Fit(Box<FitArgs>),
+    /// Fitted formulas
+    #[command(subcommand)]
+    Formula(FormulaCommand),
     /// What was understood of a muscle, what follows from it, and a build sheet
     #[command(subcommand)]
     Muscle(MuscleCommand),
@@ -96,6 +103,19 @@ const SIMULATE_EXAMPLES: &str = "Examples:
 const VALIDATE_EXAMPLES: &str = "Examples:
   mckibben validate
   mckibben validate --sweep 50";
+
+const FIT_EXAMPLES: &str = "Examples:
+  mckibben fit data/campaign/paper.csv --method paper --hold-out 35 \\
+    -o formula.json --tables tables --plots plots
+  mckibben fit data/campaign/paper.csv --method global --hold-out 35 \\
+    -o global.json
+  mckibben force -D 35 -s 2 -p 2bar -e 10% --model global.json
+  mckibben fit --report";
+
+const FORMULA_EXAMPLES: &str = "Examples:
+  mckibben fit data/campaign/paper.csv --method global -o formula.json
+  mckibben formula show formula.json
+  mckibben formula show formula.json --latex";
 
 const COMPARE_EXAMPLES: &str = "Examples:
   mckibben compare --models ideal,paper,thick-wall -p 1,2bar
@@ -479,6 +499,14 @@ pub struct MuscleShowArgs {
     pub muscle: MuscleFlags,
     #[command(flatten)]
     pub output: OutputFlags,
+}
+
+/// `formula …`.
+#[derive(Debug, Subcommand)]
+pub enum FormulaCommand {
+    /// Show a formula: its terms, where it holds, its errors, where it comes from
+    #[command(after_help = FORMULA_EXAMPLES)]
+    Show(FormulaShowArgs),
 }
 
 /// `rubber …`.

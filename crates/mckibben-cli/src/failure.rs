@@ -3,12 +3,14 @@
 use mckibben::analysis::AnalysisError;
 use mckibben::compare::{FitError, MeasuredError};
 use mckibben::design::{SpecError, SpreadError};
+use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
 use mckibben::units::{QuantityError, RangeError};
 use mckibben_campaign::campaign::CampaignError;
+use mckibben_campaign::fit::FitError as FormulaFitError;
 use mckibben_fem::output::VtuError;
 use mckibben_report::FigureError;
 use serde_json::{Map, Value, json};
@@ -202,6 +204,18 @@ impl From<FitError> for Failure {
             FitError::Start(model) => model.into(),
             _ => Self::input("fit", error.to_string(), ""),
         }
+    }
+}
+
+impl From<FormulaError> for Failure {
+    fn from(error: FormulaError) -> Self {
+        Self::input("formula", error.to_string(), "`mckibben fit` writes such files")
+    }
+}
+
+impl From<FormulaFitError> for Failure {
+    fn from(error: FormulaFitError) -> Self {
+        Self::input("fit", error.to_string(), "")
     }
 }
 

@@ -46,7 +46,7 @@ pub struct MuscleFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Model")]
 pub struct ModelFlags {
-    /// Force model [paper inside its box, else thick-wall]; `mckibben models` lists them
+    /// Force model, or the JSON of a fitted formula [paper inside its box, else thick-wall]; `mckibben models` lists them
     #[arg(long, value_name = "NAME")]
     pub model: Option<String>,
     #[command(flatten)]

@@ -1,9 +1,11 @@
 //! Every model there is, by name: the closed forms of the library and the finite elements.
 
 use crate::failure::Failure;
+use mckibben::formula::{Formula, FormulaModel};
 use mckibben::model::{ForceModel, ModelError, ModelKind};
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+use std::sync::Arc;
 
 /// A model by name.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,6 +14,8 @@ pub enum Kind {
     Closed(ModelKind),
     /// Axisymmetric finite elements.
     Fe(MeshSpec),
+    /// A fitted formula. It is read once and kept until the program ends, so that a kind stays a small value.
+    Formula(&'static Arc<Formula>),
 }
 
 const FE: &str = "fe";
@@ -24,10 +28,15 @@ impl Kind {
         closed.chain([(FE, FE_ABOUT)]).collect()
     }
 
-    /// A model's name; `fe` is built on `mesh`.
+    /// A model's name, or the path of a formula's JSON; `fe` is built on `mesh`.
     pub fn parse(name: &str, mesh: MeshSpec) -> Result<Self, Failure> {
-        if name.trim() == FE {
+        let name = name.trim();
+        if name == FE {
             return Ok(Kind::Fe(mesh));
+        }
+        let is_file = || name.parse::<ModelKind>().is_err() && std::path::Path::new(name).is_file();
+        if name.to_ascii_lowercase().ends_with(".json") || is_file() {
+            return Ok(Kind::Formula(Box::leak(Box::new(Arc::new(Formula::read(name)?)))));
         }
         let known = name.parse::<ModelKind>();
         known.map(Kind::Closed).map_err(|e| {
@@ -36,11 +45,26 @@ impl Kind {
         })
     }
 
+    /// Whether a word is the name of a model already.
+    pub fn is_taken(name: &str) -> bool {
+        name.trim() == FE || name.trim().parse::<ModelKind>().is_ok()
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Closed(kind) => kind.name(),
             Kind::Fe(_) => FE,
+            Kind::Formula(formula) => &formula.name,
+        }
+    }
+
+    /// Diameters and walls it was made for, where it is bound to some.
+    pub fn sections(self) -> Option<((f64, f64), (f64, f64))> {
+        match self {
+            Kind::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
+            Kind::Closed(ModelKind::Paper) => Some(((30.0, 50.0), (1.0, 5.0))),
+            _ => None,
         }
     }
 
@@ -52,6 +76,7 @@ impl Kind {
                 Ok(model) => Ok(Box::new(model)),
                 Err(error) => Err(error.into_model(0.0, 0.0)),
             },
+            Kind::Formula(formula) => Ok(Box::new(FormulaModel::new(Arc::clone(formula), muscle))),
         }
     }
 }

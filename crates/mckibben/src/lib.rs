@@ -28,6 +28,7 @@ pub mod answer;
 pub mod compare;
 pub mod curve;
 pub mod design;
+pub mod formula;
 pub mod model;
 pub mod muscle;
 mod nearest;

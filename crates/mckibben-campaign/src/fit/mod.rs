@@ -1,1 +1,24 @@
-//! Formulas from tables.
+//! Formulas from tables: the paper's seven steps, and one least-squares problem.
+
+pub mod constants;
+pub mod data;
+mod error;
+pub mod errors;
+pub mod global;
+pub mod held_out;
+mod made;
+mod make;
+pub mod paper_method;
+pub mod polynomial;
+pub mod results;
+pub mod signs;
+pub mod tables;
+
+pub use error::FitError;
+pub use global::{GlobalFit, global};
+pub use made::made_for;
+pub use make::{Fitted, Method, Request, make};
+pub use paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+
+#[cfg(test)]
+mod tests;

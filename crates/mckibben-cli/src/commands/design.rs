@@ -167,10 +167,9 @@ fn specification(args: &DesignArgs) -> Result<(Spec, Kind), Failure> {
         None if inside_paper(&spec) => Kind::Closed(ModelKind::Paper),
         None => Kind::Closed(ModelKind::ThickWall),
     };
-    if kind != Kind::Closed(ModelKind::Paper) {
-        spec.outer_diameter_mm = diameter.unwrap_or(Values::Interval(5.0, 80.0));
-        spec.wall_mm = wall.unwrap_or(Values::Interval(0.5, 10.0));
-    }
+    let (diameters, walls) = kind.sections().unwrap_or(((5.0, 80.0), (0.5, 10.0)));
+    spec.outer_diameter_mm = diameter.unwrap_or(Values::Interval(diameters.0, diameters.1));
+    spec.wall_mm = wall.unwrap_or(Values::Interval(walls.0, walls.1));
     Ok((spec, kind))
 }
 

@@ -4,6 +4,8 @@ mod campaign;
 mod compare;
 mod curve;
 mod design;
+pub mod fit;
+mod formula;
 mod models;
 mod muscle;
 mod rubber;
@@ -12,7 +14,7 @@ mod study;
 mod validate;
 mod value;
 
-use crate::cli::{Cli, Command, MuscleCommand, RubberCommand};
+use crate::cli::{Cli, Command, FormulaCommand, MuscleCommand, RubberCommand};
 use crate::failure::Failure;
 use crate::output::emit;
 use clap::CommandFactory;
@@ -30,6 +32,8 @@ pub fn run(command: Command) -> Result<u8, Failure> {
         Command::Campaign(args) => campaign::run(&args),
         Command::Validate(args) => validate::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Fit(args) => fit::run(&args),
+        Command::Formula(FormulaCommand::Show(args)) => formula::show(&args),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args),
         Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args),

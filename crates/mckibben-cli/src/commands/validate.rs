@@ -6,6 +6,7 @@ use crate::flags::Format;
 use crate::output::text::{number, table};
 use crate::output::{csv, emit, json};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
 use mckibben_fem::verification::{Kind, Row};
 use mckibben_fem::{validation, verification};
@@ -18,7 +19,7 @@ pub fn run(args: &ValidateArgs) -> Result<u8, Failure> {
     if let Some(count) = args.sweep {
         return sweep(args, count as usize);
     }
-    let rows = [verification::cases(), validation::cases()].concat();
+    let rows = [verification::cases(), held_out::cases(), validation::cases()].concat();
     let list: Vec<Value> = rows.iter().map(as_json).collect();
     let text = match args.output.format {
         Format::Json => json::print(&json!({ "cases": list })),

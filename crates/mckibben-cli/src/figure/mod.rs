@@ -3,12 +3,14 @@
 mod compare;
 mod curves;
 mod design;
+mod fit;
 mod simulate;
 mod study;
 
 pub use compare::compare;
 pub use curves::curves;
 pub use design::design;
+pub use fit::{against_points, paper_figures};
 pub use simulate::simulate;
 pub use study::study;
 

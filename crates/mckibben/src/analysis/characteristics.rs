@@ -28,7 +28,8 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
 /// Dead pressure P′ in MPa: below it the muscle does not pull at this contraction. Zero where it pulls from the start.
 ///
 /// # Errors
-/// As [`pressure_at`]: no pressure in the model's range makes it pull at this contraction.
+/// As [`pressure_at`]: no pressure in the model's range makes it pull at this contraction; also where it pulls already at the
+/// lowest pressure of a range that does not begin at zero, since P′ lies below.
 pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
     model: &M,
     contraction: f64,
@@ -36,7 +37,7 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
 ) -> Result<f64, AnalysisError> {
     let lowest = model.range().pressure_mpa.0;
     // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
-    if model.force_n(lowest, contraction).is_ok_and(|force| force >= 0.0) {
+    if lowest <= 0.0 && model.force_n(lowest, contraction).is_ok_and(|force| force >= 0.0) {
         return Ok(lowest);
     }
     pressure_at(model, 0.0, contraction, extrapolate)

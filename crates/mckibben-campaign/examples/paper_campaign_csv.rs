@@ -1,0 +1,13 @@
+//! The paper's campaign and its held-out diameter as CSV: `data/campaign/paper.csv` is what this prints.
+
+use mckibben::muscle::Muscle;
+use mckibben_campaign::fit::data::{CONTRACTIONS, DIAMETERS, HELD_OUT, PRESSURES, WALLS, compute};
+
+fn main() {
+    println!("outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n");
+    let diameters = [&DIAMETERS[..], &[HELD_OUT]].concat();
+    for p in compute(&Muscle::prototype(), &diameters, &WALLS, &CONTRACTIONS, &PRESSURES) {
+        let (d, s, l, a) = (p.outer_diameter_mm, p.wall_mm, p.length_mm, p.angle_deg);
+        println!("{d},{s},{l},{a},{},{},{:.5}", p.pressure_mpa, p.contraction, p.force_n);
+    }
+}

@@ -1,0 +1,129 @@
+//! The points that formulas are fitted to: of a campaign's table, or computed here.
+
+use crate::Row;
+use mckibben::muscle::Muscle;
+use mckibben_fem::axisymmetric::Axisymmetric;
+use rayon::prelude::*;
+
+/// The diameters of the paper's campaign in mm.
+pub const DIAMETERS: [f64; 4] = [30.0, 40.0, 45.0, 50.0];
+/// Its walls in mm.
+pub const WALLS: [f64; 5] = [1.0, 2.0, 3.0, 4.0, 5.0];
+/// Its contractions.
+pub const CONTRACTIONS: [f64; 5] = [0.0, 0.05, 0.10, 0.15, 0.20];
+/// The pressures of its isobaric curves in MPa.
+pub const PRESSURES: [f64; 5] = [0.05, 0.10, 0.15, 0.20, 0.25];
+/// The diameter it holds out, in mm.
+pub const HELD_OUT: f64 = 35.0;
+/// The highest pressure in MPa: its blocked force is what errors are shares of.
+pub const FULL_PRESSURE: f64 = 0.25;
+
+/// The pull of one muscle at a pressure and contraction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FitPoint {
+    /// D0 in mm.
+    pub outer_diameter_mm: f64,
+    /// s in mm.
+    pub wall_mm: f64,
+    /// L0 in mm.
+    pub length_mm: f64,
+    /// θ0 in degrees.
+    pub angle_deg: f64,
+    /// P in MPa.
+    pub pressure_mpa: f64,
+    /// ε
+    pub contraction: f64,
+    /// F in N, two-sided.
+    pub force_n: f64,
+}
+
+impl FitPoint {
+    /// The point of a row, where it has an answer.
+    pub fn of(row: &Row) -> Option<Self> {
+        let force_n = row.force_n.filter(|f| f.is_finite() && row.status == "ok")?;
+        Some(Self {
+            outer_diameter_mm: row.outer_diameter_mm,
+            wall_mm: row.wall_mm,
+            length_mm: row.length_mm,
+            angle_deg: row.angle_deg,
+            pressure_mpa: row.pressure_mpa,
+            contraction: row.contraction,
+            force_n,
+        })
+    }
+}
+
+/// The answered points of a table.
+pub fn points(rows: &[Row]) -> Vec<FitPoint> {
+    rows.iter().filter_map(FitPoint::of).collect()
+}
+
+/// Whether two numbers of a plan are the same one (0.1 + 0.05 and 0.15).
+pub fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-9 * (1.0 + a.abs().max(b.abs()))
+}
+
+/// The different values of a list, rising.
+pub fn distinct(values: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    let mut list: Vec<f64> = values.into_iter().filter(|v| v.is_finite()).collect();
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| same(*a, *b));
+    list
+}
+
+/// P from `first` to .25 MPa in steps of .01 MPa, as in the paper's isometric tests.
+pub fn pressure_steps(first: u32) -> Vec<f64> {
+    (first..=25).map(|i| f64::from(i) / 100.0).collect()
+}
+
+/// Isometric tests of the muscles of all diameters and walls, by finite elements; `base` gives the rest of the muscle.
+/// Points without an answer are left out. The order is that of the lists, whatever the number of threads.
+pub fn compute(
+    base: &Muscle,
+    diameters: &[f64],
+    walls: &[f64],
+    contractions: &[f64],
+    pressures: &[f64],
+) -> Vec<FitPoint> {
+    compute_with(|d, s| base.with_section(d, s).ok(), diameters, walls, contractions, pressures)
+}
+
+/// The same with a muscle for each diameter and wall; sections without one are left out.
+pub fn compute_with(
+    muscle: impl Fn(f64, f64) -> Option<Muscle> + Sync,
+    diameters: &[f64],
+    walls: &[f64],
+    contractions: &[f64],
+    pressures: &[f64],
+) -> Vec<FitPoint> {
+    let sections: Vec<(f64, f64)> =
+        diameters.iter().flat_map(|&d| walls.iter().map(move |&s| (d, s))).collect();
+    let one =
+        |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| of_muscle(&m, contractions, pressures));
+    sections.par_iter().map(one).collect::<Vec<_>>().concat()
+}
+
+fn of_muscle(muscle: &Muscle, contractions: &[f64], pressures: &[f64]) -> Vec<FitPoint> {
+    let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
+    let mut out = vec![];
+    for &contraction in contractions {
+        model.forget();
+        for (&pressure_mpa, point) in pressures.iter().zip(model.isometric(contraction, pressures)) {
+            out.extend(point.ok().map(|p| FitPoint {
+                outer_diameter_mm: muscle.outer_diameter_mm(),
+                wall_mm: muscle.wall_mm(),
+                length_mm: muscle.length_mm(),
+                angle_deg: muscle.braid().angle_deg,
+                pressure_mpa,
+                contraction,
+                force_n: p.force_n,
+            }));
+        }
+    }
+    out
+}
+
+/// The paper's campaign at the pressures of its isobaric curves: 500 points.
+pub fn paper_campaign(base: &Muscle) -> Vec<FitPoint> {
+    compute(base, &DIAMETERS, &WALLS, &CONTRACTIONS, &PRESSURES)
+}

@@ -1,0 +1,121 @@
+//! How far forces are from reference forces, and where.
+
+use super::data::{FitPoint, distinct, same};
+use super::error::FitError;
+
+/// Errors over a set of points where the muscle pulls (reference force above zero).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Errors {
+    /// Points where the muscle pulls.
+    pub points: usize,
+    /// Root mean square as a share of the muscle's blocked force at the highest pressure.
+    pub rms: f64,
+    /// The share that 95 % of the points do not exceed.
+    pub p95: f64,
+    /// Largest, likewise.
+    pub max: f64,
+    /// Largest difference in N.
+    pub max_n: f64,
+    /// Largest by the paper's (12): as a share of the largest force of the same isobaric curve.
+    pub max_12: f64,
+    /// Where the largest share is.
+    pub worst: FitPoint,
+}
+
+/// Errors of the part of the points with one value of a quantity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Region {
+    /// `outer_diameter_mm`, `wall_mm`, `pressure_mpa` or `contraction`.
+    pub quantity: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// The errors there.
+    pub errors: Errors,
+}
+
+/// A point with a force to compare, its reference and the forces it is a share of.
+#[derive(Debug, Clone, Copy)]
+pub struct Compared {
+    /// The point; its force is that of the finite elements.
+    pub point: FitPoint,
+    /// The difference in N.
+    pub difference_n: f64,
+    /// Blocked force of the muscle at the highest pressure in N.
+    pub blocked_n: f64,
+    /// Largest force of the isobaric curve in N.
+    pub isobar_n: f64,
+}
+
+/// Points beside the forces of the muscle and of the curve they belong to.
+///
+/// # Errors
+/// [`FitError::NoBlockedForce`] where a muscle has no point at ε = 0.
+pub fn compared(
+    points: &[FitPoint],
+    difference_n: impl Fn(&FitPoint) -> f64,
+) -> Result<Vec<Compared>, FitError> {
+    let key = |p: &FitPoint| (bits(p.outer_diameter_mm), bits(p.wall_mm));
+    let mut blocked = std::collections::BTreeMap::<_, (f64, f64)>::new();
+    let mut isobars = std::collections::BTreeMap::<_, f64>::new();
+    for p in points {
+        let isobar = isobars.entry((key(p), bits(p.pressure_mpa))).or_insert(0.0);
+        *isobar = isobar.max(p.force_n);
+        if same(p.contraction, 0.0) {
+            let at = blocked.entry(key(p)).or_insert((f64::MIN, 0.0));
+            if p.pressure_mpa > at.0 {
+                *at = (p.pressure_mpa, p.force_n);
+            }
+        }
+    }
+    let one = |p: &FitPoint| {
+        let (outer_diameter_mm, wall_mm) = (p.outer_diameter_mm, p.wall_mm);
+        let missing = FitError::NoBlockedForce { outer_diameter_mm, wall_mm };
+        let blocked_n = blocked.get(&key(p)).filter(|b| b.1 > 0.0).ok_or(missing)?.1;
+        let isobar_n = isobars.get(&(key(p), bits(p.pressure_mpa))).copied().unwrap_or(0.0);
+        Ok(Compared { point: *p, difference_n: difference_n(p), blocked_n, isobar_n })
+    };
+    points.iter().map(one).collect()
+}
+
+/// Numbers that agree to nine digits have the same key.
+fn bits(v: f64) -> i64 {
+    (v * 1e9).round() as i64
+}
+
+/// The errors of what `chosen` picks, over points where the muscle pulls; `None` where nothing is left.
+pub fn errors(list: &[Compared], chosen: impl Fn(&FitPoint) -> bool) -> Option<Errors> {
+    let used: Vec<&Compared> = list.iter().filter(|c| c.point.force_n > 0.0 && chosen(&c.point)).collect();
+    let share = |c: &Compared| c.difference_n.abs() / c.blocked_n;
+    let worst = used.iter().max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    let mut shares: Vec<f64> = used.iter().map(|c| share(c)).collect();
+    shares.sort_by(f64::total_cmp);
+    let largest = |of: fn(&Compared) -> f64| used.iter().map(|c| of(c)).fold(0.0, f64::max);
+    let squares: f64 = shares.iter().map(|e| e * e).sum();
+    Some(Errors {
+        points: used.len(),
+        rms: (squares / used.len() as f64).sqrt(),
+        p95: shares[((shares.len() * 95).div_ceil(100)).saturating_sub(1)],
+        max: share(worst),
+        max_n: largest(|c| c.difference_n.abs()),
+        max_12: largest(|c| c.difference_n.abs() / c.isobar_n),
+        worst: worst.point,
+    })
+}
+
+/// The errors by each value of D0, s, P and ε.
+pub fn regions(list: &[Compared]) -> Vec<Region> {
+    type Of = fn(&FitPoint) -> f64;
+    let quantities: [(&'static str, Of); 4] = [
+        ("outer_diameter_mm", |p| p.outer_diameter_mm),
+        ("wall_mm", |p| p.wall_mm),
+        ("pressure_mpa", |p| p.pressure_mpa),
+        ("contraction", |p| p.contraction),
+    ];
+    let mut out = vec![];
+    for (quantity, of) in quantities {
+        for value in distinct(list.iter().map(|c| of(&c.point))) {
+            out.extend(errors(list, |p| same(of(p), value)).map(|errors| Region { quantity, value, errors }));
+        }
+    }
+    out
+}

@@ -1,0 +1,225 @@
+//! One least-squares problem for the whole range.
+//!
+//!   F = D0² Σ c · xᵃ pᵇ eᶜ dᵈ,   x = (s/D0)/0.1, p = P/P_max, e = ε/ε_max, d = D0/40 mm
+//!   Σ ((F − F_FE)/F_blocked)² → min   over the points where the muscle pulls
+//!
+//! F_blocked is the muscle's blocked force at the highest pressure, so that the sum is what errors are stated in. Points
+//! below zero are left out: there the strands go slack one after the other, F(P) has kinks that no short formula follows,
+//! and nobody asks for them.
+//!
+//! Terms are chosen by forward selection: at each step the one that, made orthogonal to those already chosen, takes most
+//! from the sum (S. Chen, S. A. Billings, W. Luo, Int. J. Control 50, 1873, 1989). How many: the smallest number whose error
+//! on diameters left out one at a time is within 5 % of the smallest such error, and at most 48. Only inner
+//! diameters are left out; without the outermost the formula would have to extrapolate, which it refuses to do later.
+
+use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
+use super::error::FitError;
+use super::errors::{Compared, compared};
+use mckibben::formula::{GlobalTerms, Scales, Term};
+use nalgebra::{DMatrix, DVector};
+
+/// As many coefficients as the paper's formula.
+pub const MOST_TERMS: usize = 48;
+/// Highest powers of x, p, e and d, and of all but p together.
+const HIGHEST: [usize; 4] = [3, 4, 4, 2];
+const HIGHEST_TOGETHER: usize = 6;
+/// A term this close (squared sine of the angle) to the space of those chosen brings nothing but rounding.
+const DEPENDENT: f64 = 1e-12;
+/// The sum of squares is met to rounding.
+const MET: f64 = 1e-26;
+/// A number of terms is as good as the best within this factor.
+const AS_GOOD: f64 = 1.05;
+
+/// Errors with so many terms.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// How many terms.
+    pub terms: usize,
+    /// rms over the points fitted, as a share of the blocked force.
+    pub rms: f64,
+    /// rms over the diameters left out one at a time; `None` where there are too few diameters.
+    pub left_out: Option<f64>,
+}
+
+/// A formula and how its terms were chosen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GlobalFit {
+    /// The terms.
+    pub terms: GlobalTerms,
+    /// Errors by number of terms.
+    pub steps: Vec<Step>,
+    /// How many candidates there were.
+    pub candidates: usize,
+    /// How many points were fitted.
+    pub points: usize,
+}
+
+struct Problem {
+    matrix: DMatrix<f64>,
+    values: DVector<f64>,
+}
+
+/// Fits at most `most` terms.
+///
+/// # Errors
+/// [`FitError`] where there are too few points.
+pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
+    let all = compared(points, |_| 0.0)?;
+    let used: Vec<Compared> = all.into_iter().filter(|c| c.point.force_n > 0.0).collect();
+    if used.is_empty() {
+        return Err(FitError::Empty(" where the muscle pulls"));
+    }
+    let of = |f: fn(&FitPoint) -> f64| distinct(used.iter().map(|c| f(&c.point)));
+    let (diameters, walls) = (of(|p| p.outer_diameter_mm), of(|p| p.wall_mm));
+    let (pressures, contractions) = (of(|p| p.pressure_mpa), of(|p| p.contraction));
+    let last = |list: &[f64], default: f64| list.last().copied().filter(|v| *v > 0.0).unwrap_or(default);
+    let scales = Scales {
+        wall_ratio: 0.1,
+        pressure_mpa: last(&pressures, FULL_PRESSURE),
+        contraction: last(&contractions, 0.2),
+        outer_diameter_mm: 40.0,
+    };
+    // A power takes one value more than it is high, that of d one more for what s/D0 says of D0 already.
+    let counts = [walls.len(), pressures.len() + 1, contractions.len(), diameters.len().saturating_sub(1)];
+    let candidates = candidates(counts);
+    let most = most.min(MOST_TERMS);
+    let full = problem(&used, &candidates, &scales);
+    let chosen = select(&full, most);
+    let (coefficients, rms) = nested(&full, &chosen);
+    let left_out = leave_out(&used, &candidates, &scales, &diameters, most);
+    let steps: Vec<Step> = (1..=chosen.len())
+        .map(|terms| Step {
+            terms,
+            rms: rms[terms - 1],
+            left_out: left_out.as_ref().and_then(|l| l.get(terms - 1)).copied(),
+        })
+        .collect();
+    let count = enough(&steps);
+    let values = coefficients(count).ok_or_else(|| FitError::Singular("the global formula".into()))?;
+    let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term { powers: candidates[j], value: v });
+    let terms = GlobalTerms { scales, terms: terms.collect() };
+    Ok(GlobalFit { terms, steps, candidates: candidates.len(), points: used.len() })
+}
+
+/// All products of powers that the values in the table can tell apart.
+fn candidates(counts: [usize; 4]) -> Vec<[u8; 4]> {
+    let highest = |i: usize| HIGHEST[i].min(counts[i].saturating_sub(1));
+    let mut out = vec![];
+    for a in 0..=highest(0) {
+        for b in 0..=highest(1) {
+            for c in 0..=highest(2) {
+                for d in 0..=highest(3) {
+                    if a + c + d <= HIGHEST_TOGETHER {
+                        out.push([a, b, c, d].map(|n| u8::try_from(n).unwrap_or(u8::MAX)));
+                    }
+                }
+            }
+        }
+    }
+    out
+}
+
+/// Rows D0² xᵃ pᵇ eᶜ dᵈ/F_blocked, values F/F_blocked.
+fn problem(used: &[Compared], candidates: &[[u8; 4]], scales: &Scales) -> Problem {
+    let mut matrix = DMatrix::zeros(used.len(), candidates.len());
+    for (i, c) in used.iter().enumerate() {
+        let p = &c.point;
+        let variables = scales.variables(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction);
+        let weight = p.outer_diameter_mm.powi(2) / c.blocked_n;
+        for (j, powers) in candidates.iter().enumerate() {
+            matrix[(i, j)] = weight * Term::product(*powers, variables);
+        }
+    }
+    let values = DVector::from_iterator(used.len(), used.iter().map(|c| c.point.force_n / c.blocked_n));
+    Problem { matrix, values }
+}
+
+/// Forward selection by modified Gram–Schmidt: the order in which terms are chosen.
+fn select(problem: &Problem, most: usize) -> Vec<usize> {
+    let mut columns: Vec<DVector<f64>> = problem.matrix.column_iter().map(|c| c.into_owned()).collect();
+    let lengths: Vec<f64> = columns.iter().map(DVector::norm_squared).collect();
+    let (mut rest, all) = (problem.values.clone(), problem.values.norm_squared());
+    let mut free: Vec<usize> = (0..columns.len()).collect();
+    let mut chosen = vec![];
+    while chosen.len() < most.min(problem.values.len()) && rest.norm_squared() > MET * all {
+        let gain = |&j: &usize| {
+            let square = columns[j].norm_squared();
+            if square > DEPENDENT * lengths[j] { columns[j].dot(&rest).powi(2) / square } else { 0.0 }
+        };
+        let best = free.iter().map(|j| (gain(j), *j)).filter(|b| b.0 > 0.0);
+        // Among equals the first, so that the order does not depend on rounding of the comparison.
+        let Some((_, j)) = best.reduce(|a, b| if b.0 > a.0 { b } else { a }) else { break };
+        free.retain(|&k| k != j);
+        chosen.push(j);
+        let unit = columns[j].normalize();
+        let share = unit.dot(&rest);
+        rest.axpy(-share, &unit, 1.0);
+        for &k in &free {
+            let share = unit.dot(&columns[k]);
+            columns[k].axpy(-share, &unit, 1.0);
+        }
+    }
+    chosen
+}
+
+/// Coefficients of the first n chosen terms, for any n, from one QR (Householder); and the rms left with each n.
+fn nested(problem: &Problem, chosen: &[usize]) -> (impl Fn(usize) -> Option<DVector<f64>> + use<>, Vec<f64>) {
+    let qr = problem.matrix.select_columns(chosen).qr();
+    let (r, turned) = (qr.r(), qr.q().transpose() * &problem.values);
+    let mut left = problem.values.norm_squared();
+    let rows = problem.values.len() as f64;
+    let one = |v: &f64| {
+        left -= v * v;
+        (left.max(0.0) / rows).sqrt()
+    };
+    let rms = turned.iter().map(one).collect();
+    let solve = move |n: usize| {
+        let square = r.view((0, 0), (n, n)).into_owned();
+        square
+            .solve_upper_triangular(&turned.rows(0, n).into_owned())
+            .filter(|x| x.iter().all(|v| v.is_finite()))
+    };
+    (solve, rms)
+}
+
+/// rms over inner diameters left out one at a time, by number of terms; the terms are chosen anew each time.
+fn leave_out(
+    used: &[Compared],
+    candidates: &[[u8; 4]],
+    scales: &Scales,
+    diameters: &[f64],
+    most: usize,
+) -> Option<Vec<f64>> {
+    let inner = diameters.get(1..diameters.len().checked_sub(1)?)?;
+    if inner.is_empty() || diameters.len() < 4 {
+        return None;
+    }
+    let mut sums = vec![0.0; most];
+    let (mut rows, mut length) = (0, most);
+    for &d in inner {
+        let (out, kept): (Vec<Compared>, Vec<Compared>) =
+            used.iter().partition(|c| same(c.point.outer_diameter_mm, d));
+        let kept = problem(&kept, candidates, scales);
+        let chosen = select(&kept, most);
+        let (coefficients, _) = nested(&kept, &chosen);
+        let out = problem(&out, candidates, scales);
+        let columns = out.matrix.select_columns(&chosen);
+        length = length.min(chosen.len());
+        for n in 1..=length {
+            let error = columns.columns(0, n) * coefficients(n)? - &out.values;
+            sums[n - 1] += error.norm_squared();
+        }
+        rows += out.values.len();
+    }
+    sums.truncate(length);
+    Some(sums.into_iter().map(|s| (s / rows as f64).sqrt()).collect())
+}
+
+/// The smallest number of terms that is as good as the best on what was left out.
+fn enough(steps: &[Step]) -> usize {
+    let known = || steps.iter().filter_map(|s| s.left_out.map(|e| (s.terms, e)));
+    let best = known().map(|s| s.1).fold(f64::INFINITY, f64::min);
+    // Errors of rounding are all alike.
+    let good = (AS_GOOD * best).max(1e-10);
+    known().find(|s| s.1 <= good).map_or(steps.len(), |s| s.0)
+}

@@ -1,0 +1,44 @@
+//! The paper's validation on the diameter it held out (D0 35), as rows of `validate`: largest error of a formula against the
+//! finite elements, as a share of the muscle's blocked force at .25 MPa, over points where they pull.
+
+use super::data::{CONTRACTIONS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign};
+use super::errors::{compared, errors};
+use super::make::Method;
+use super::paper_method::Rules;
+use super::results::fitted;
+use mckibben::model::Coefficients;
+use mckibben::muscle::Muscle;
+use mckibben_fem::verification::{Kind, Row};
+
+/// The formulas by both methods, fitted without D0 35, and the published one.
+pub fn cases() -> Vec<Row> {
+    let base = Muscle::prototype();
+    let campaign = paper_campaign(&base);
+    let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &PRESSURES);
+    let row = |name: &str, source, tolerance: f64, largest: Option<f64>| Row {
+        name: format!("{name} on D0 35, held out: largest error / blocked force"),
+        kind: Kind::Verification,
+        source,
+        reference: 0.0,
+        ours: largest,
+        error: largest,
+        tolerance,
+        ok: largest.is_some_and(|e| e <= tolerance),
+    };
+    let largest = |difference: &dyn Fn(&FitPoint) -> f64| {
+        compared(&held, difference).ok().and_then(|list| errors(&list, |_| true)).map(|e| e.max)
+    };
+    let by = |method| {
+        let f = fitted(&campaign, method, &[]).ok()?;
+        largest(&|p| f.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction) - p.force_n)
+    };
+    let published = |p: &FitPoint| {
+        let section = Coefficients::published().section(p.outer_diameter_mm, p.wall_mm);
+        section.force_n(p.pressure_mpa, p.contraction) - p.force_n
+    };
+    vec![
+        row("global formula", "fe", 0.004, by(Method::GLOBAL)),
+        row("formula by the paper's method", "fe", 0.06, by(Method::Paper(Rules::default()))),
+        row("published formula", "fe", 0.08, largest(&published)),
+    ]
+}

@@ -1,0 +1,212 @@
+//! From points to a formula with its range, errors and provenance.
+
+use super::data::{FitPoint, PRESSURES, distinct, same};
+use super::error::FitError;
+use super::errors::{Compared, Errors, compared, errors, regions};
+use super::global::{GlobalFit, MOST_TERMS, global};
+use super::paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+use mckibben::formula::{
+    Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, Provenance, RegionErrors,
+};
+
+/// Which method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// The paper's seven steps.
+    Paper(Rules),
+    /// One least-squares problem with at most so many terms.
+    Global(usize),
+}
+
+impl Method {
+    /// `global` with as many terms as the paper has coefficients.
+    pub const GLOBAL: Method = Method::Global(MOST_TERMS);
+
+    /// The method with its rules, in words.
+    pub fn text(self) -> String {
+        match self {
+            Method::Paper(rules) => {
+                let thin = match rules.thin {
+                    ThinRule::LeaveOut => "left out",
+                    ThinRule::Line => "a straight line over ε ≤ 0.05",
+                    ThinRule::Whole => "used whole",
+                };
+                let slack = match rules.slack {
+                    SlackRule::TwoSided => "two-sided (negative forces count)",
+                    SlackRule::PullOnly => "only where the muscle pulls",
+                    SlackRule::Zero => "zero where the muscle would push",
+                };
+                format!("paper (seven steps; curves at 0.05 MPa of D0 < 35, s > 3: {thin}; force {slack})")
+            }
+            Method::Global(most) => format!(
+                "global (forward selection, at most {most} terms, number by diameters left out one at a time; points where the muscle pulls)"
+            ),
+        }
+    }
+}
+
+/// What to fit.
+#[derive(Debug, Clone)]
+pub struct Request<'a> {
+    /// The points.
+    pub points: &'a [FitPoint],
+    /// What their muscles have in common beside length and angle, which the points say.
+    pub made_for: Made,
+    /// Which method.
+    pub method: Method,
+    /// Diameters in mm that are kept out of the fit, to test it.
+    pub hold_out: &'a [f64],
+    /// Name of the formula.
+    pub name: String,
+    /// Name of the table, plan hash and seed, where they are known.
+    pub table: Option<String>,
+    /// Hash of the campaign's plan.
+    pub plan_hash: Option<String>,
+    /// Seed of the plan.
+    pub seed: Option<u64>,
+}
+
+/// What comes out.
+#[derive(Debug, Clone)]
+pub struct Fitted {
+    /// The formula.
+    pub formula: Formula,
+    /// The tables of the paper's method.
+    pub paper: Option<PaperMethod>,
+    /// The steps of the global method.
+    pub global: Option<GlobalFit>,
+    /// The points beside their errors, fitted and held out.
+    pub compared: Vec<Compared>,
+    /// Points that no method uses: those at other pressures than the paper's.
+    pub unused: usize,
+}
+
+/// Fits a formula.
+///
+/// # Errors
+/// [`FitError`].
+pub fn make(request: &Request<'_>) -> Result<Fitted, FitError> {
+    if request.points.is_empty() {
+        return Err(FitError::Empty(""));
+    }
+    let length_mm = single(request.points, "length_mm", |p| p.length_mm)?;
+    let angle_deg = single(request.points, "angle_deg", |p| p.angle_deg)?;
+    let points = at_pressures(request.points, request.method);
+    let held = |p: &FitPoint| request.hold_out.iter().any(|&d| same(d, p.outer_diameter_mm));
+    let fitted: Vec<FitPoint> = points.iter().copied().filter(|p| !held(p)).collect();
+    let (body, paper, global) = match request.method {
+        Method::Paper(rules) => {
+            let steps = paper_method(&fitted, rules)?;
+            (Body::Paper(Box::new(steps.coefficients)), Some(steps), None)
+        }
+        Method::Global(most) => {
+            let fit = global(&fitted, most)?;
+            (Body::Global(fit.terms.clone()), None, Some(fit))
+        }
+    };
+    let mut formula = Formula {
+        name: request.name.clone(),
+        body,
+        made_for: Made { length_mm, angle_deg, ..request.made_for.clone() },
+        range: range(&fitted),
+        errors: FormulaErrors {
+            against: "the forces of its table, where they pull, as shares of the muscle's blocked force at the table's highest pressure".into(),
+            fit: summary(None),
+            regions: vec![],
+            held_out: None,
+        },
+        provenance: Provenance {
+            version: env!("CARGO_PKG_VERSION").into(),
+            method: request.method.text(),
+            points: fitted.len(),
+            data_hash: hash(&fitted),
+            table: request.table.clone(),
+            plan_hash: request.plan_hash.clone(),
+            seed: request.seed,
+        },
+    };
+    let list = compared(&points, |p| {
+        formula.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction) - p.force_n
+    })?;
+    formula.errors.fit = summary(errors(&list, |p| !held(p)));
+    let seen: Vec<Compared> = list.iter().copied().filter(|c| !held(&c.point)).collect();
+    let region = |r: super::errors::Region| RegionErrors {
+        quantity: r.quantity.into(),
+        value: r.value,
+        errors: summary(Some(r.errors)),
+    };
+    formula.errors.regions = regions(&seen).into_iter().map(region).collect();
+    formula.errors.held_out = errors(&list, held).map(|e| HeldOut {
+        outer_diameters_mm: distinct(list.iter().map(|c| c.point).filter(held).map(|p| p.outer_diameter_mm)),
+        errors: summary(Some(e)),
+    });
+    let unused = request.points.len() - points.len();
+    Ok(Fitted { formula, paper, global, compared: list, unused })
+}
+
+/// The paper's method takes the paper's five pressures where the table has them all and none above, else every pressure above
+/// zero; `global` takes everything above zero.
+fn at_pressures(points: &[FitPoint], method: Method) -> Vec<FitPoint> {
+    let pressures = distinct(points.iter().map(|p| p.pressure_mpa));
+    let has = |v: &f64| pressures.iter().any(|p| same(*p, *v));
+    let top = PRESSURES[PRESSURES.len() - 1];
+    let papers = matches!(method, Method::Paper(_))
+        && PRESSURES.iter().all(has)
+        && pressures.iter().all(|p| *p <= top + 1e-9);
+    let wanted = |p: f64| if papers { PRESSURES.iter().any(|q| same(*q, p)) } else { p > 0.0 };
+    points.iter().copied().filter(|p| wanted(p.pressure_mpa)).collect()
+}
+
+fn single(points: &[FitPoint], quantity: &'static str, of: fn(&FitPoint) -> f64) -> Result<f64, FitError> {
+    let list = distinct(points.iter().map(of));
+    match list.as_slice() {
+        [one] => Ok(*one),
+        [low, .., high] => Err(FitError::Mixed { quantity, low: *low, high: *high }),
+        [] => Err(FitError::Empty("")),
+    }
+}
+
+fn range(points: &[FitPoint]) -> FormulaRange {
+    let of = |f: fn(&FitPoint) -> f64| {
+        points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)))
+    };
+    FormulaRange {
+        outer_diameter_mm: of(|p| p.outer_diameter_mm),
+        wall_mm: of(|p| p.wall_mm),
+        pressure_mpa: of(|p| p.pressure_mpa),
+        contraction: of(|p| p.contraction),
+    }
+}
+
+fn summary(e: Option<Errors>) -> ErrorSummary {
+    e.map_or(ErrorSummary { points: 0, rms: 0.0, p95: 0.0, max: 0.0, max_n: 0.0, max_12: 0.0 }, |e| {
+        ErrorSummary {
+            points: e.points,
+            rms: e.rms,
+            p95: e.p95,
+            max: e.max,
+            max_n: e.max_n,
+            max_12: e.max_12,
+        }
+    })
+}
+
+/// FNV-1a over the bits of all numbers, in their order.
+fn hash(points: &[FitPoint]) -> String {
+    let numbers =
+        points.iter().flat_map(|p| {
+            let FitPoint {
+                outer_diameter_mm,
+                wall_mm,
+                length_mm,
+                angle_deg,
+                pressure_mpa,
+                contraction,
+                force_n,
+            } = *p;
+            [outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n]
+        });
+    let bytes = numbers.flat_map(f64::to_le_bytes);
+    let sum = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
+    format!("fnv1a:{sum:016x}")
+}

@@ -1,0 +1,239 @@
+//! The paper's method (section 3.3): 48 coefficients in seven steps.
+//!
+//!   1–2  for each (D0, s, P)   F = a ε² + b ε + c                                  (5)
+//!   3    for each (D0, s)      a = m_a P + q_a, likewise b, c                      (8)
+//!   4–5  for each D0           m_a = A1 s² + A2 s + A3, q_a = A4 s² + A5 s + A6    (9), (10)
+//!   6–7                        A_k = A_k1 D0² + A_k2 D0 + A_k3, B_k likewise, C_k = C_k1 D0 + C_k2   (11)
+//!
+//! Each step is a least-squares fit of its own; what one leaves over, the next does not see.
+
+use super::data::{FitPoint, distinct, same};
+use super::error::FitError;
+use super::polynomial::{Fitted, fit};
+use mckibben::model::Coefficients;
+
+/// What becomes of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε ≤ .05 alone: two of its
+/// five contractions, too few for a quadratic, and the paper does not say how it went on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ThinRule {
+    /// The curve is left out; step 3 of that muscle has one pressure less.
+    #[default]
+    LeaveOut,
+    /// A straight line through its two points: a = 0.
+    Line,
+    /// No exception: all contractions, as for every other curve.
+    Whole,
+}
+
+/// What becomes of points where the muscle would have to push.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SlackRule {
+    /// The negative force of the finite elements counts like any other.
+    #[default]
+    TwoSided,
+    /// They are left out; a curve with fewer than three points left is left out whole.
+    PullOnly,
+    /// They count as zero force.
+    Zero,
+}
+
+/// How the method is applied.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Rules {
+    /// Thick walls of thin muscles at low pressure.
+    pub thin: ThinRule,
+    /// Points where the muscle would push.
+    pub slack: SlackRule,
+}
+
+/// Steps 1–2: one isobaric curve (a row of the paper's Table 1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurveFit {
+    /// D0 in mm.
+    pub outer_diameter_mm: f64,
+    /// s in mm.
+    pub wall_mm: f64,
+    /// P in MPa.
+    pub pressure_mpa: f64,
+    /// a, b, c in N, with R²; `None` where a rule leaves the curve out.
+    pub abc: Option<Fitted<3>>,
+    /// (ε, F) as used.
+    pub points: Vec<(f64, f64)>,
+    /// The rule that was applied to it, in words; empty where none was.
+    pub rule: &'static str,
+}
+
+/// Step 3: a, b, c over P for one (D0, s).
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineFit {
+    /// D0 in mm.
+    pub outer_diameter_mm: f64,
+    /// s in mm.
+    pub wall_mm: f64,
+    /// Slope m (mm²) and intercept q (N) of a, b and c.
+    pub lines: [Fitted<2>; 3],
+    /// How many pressures they rest on.
+    pub pressures: usize,
+}
+
+/// Steps 4–5: slopes and intercepts over s for one D0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WallFit {
+    /// D0 in mm.
+    pub outer_diameter_mm: f64,
+    /// Of a, b and c: the parabola of m (X1, X2, X3) and that of q (X4, X5, X6).
+    pub parabolas: [[Fitted<3>; 2]; 3],
+}
+
+impl WallFit {
+    /// X1…X6 of a, b or c.
+    pub fn x(&self, family: usize) -> [f64; 6] {
+        let [m, q] = &self.parabolas[family];
+        let ([x1, x2, x3], [x4, x5, x6]) = (m.coefficients, q.coefficients);
+        [x1, x2, x3, x4, x5, x6]
+    }
+}
+
+/// Everything the method makes on its way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PaperMethod {
+    /// The rules.
+    pub rules: Rules,
+    /// Steps 1–2.
+    pub curves: Vec<CurveFit>,
+    /// Step 3.
+    pub lines: Vec<LineFit>,
+    /// Steps 4–5.
+    pub walls: Vec<WallFit>,
+    /// Steps 6–7: R² of A_k, B_k and C_k over D0.
+    pub r2: [[f64; 6]; 3],
+    /// The result, in the layout of Table 2.
+    pub coefficients: Coefficients,
+}
+
+/// D0 below which the exception of thick walls holds, s above which it does, and its pressure.
+const THIN: (f64, f64, f64) = (35.0, 3.0, 0.05);
+/// The contractions that the exception leaves.
+const THIN_CONTRACTION: f64 = 0.05;
+
+/// The seven steps. All points count: choose pressures and diameters before.
+///
+/// # Errors
+/// [`FitError`] names what there are too few of.
+pub fn paper_method(points: &[FitPoint], rules: Rules) -> Result<PaperMethod, FitError> {
+    if points.is_empty() {
+        return Err(FitError::Empty(" at the method's pressures"));
+    }
+    let diameters = distinct(points.iter().map(|p| p.outer_diameter_mm));
+    enough("outer_diameter_mm", diameters.len(), 3, || "the table".into())?;
+    let (mut curves, mut lines, mut walls) = (vec![], vec![], vec![]);
+    for &d in &diameters {
+        let of_d: Vec<&FitPoint> = points.iter().filter(|p| same(p.outer_diameter_mm, d)).collect();
+        let start = lines.len();
+        for s in distinct(of_d.iter().map(|p| p.wall_mm)) {
+            let of_s: Vec<&FitPoint> = of_d.iter().copied().filter(|p| same(p.wall_mm, s)).collect();
+            let first = curves.len();
+            for p in distinct(of_s.iter().map(|q| q.pressure_mpa)) {
+                let of_p = of_s.iter().filter(|q| same(q.pressure_mpa, p));
+                curves.push(curve(d, s, p, of_p.map(|q| (q.contraction, q.force_n)).collect(), rules)?);
+            }
+            lines.push(line(d, s, &curves[first..])?);
+        }
+        walls.push(parabolas(d, &lines[start..])?);
+    }
+    let (coefficients, r2) = over_diameters(&walls)?;
+    Ok(PaperMethod { rules, curves, lines, walls, r2, coefficients })
+}
+
+fn enough(
+    quantity: &'static str,
+    found: usize,
+    needed: usize,
+    place: impl Fn() -> String,
+) -> Result<(), FitError> {
+    if found >= needed { Ok(()) } else { Err(FitError::TooFew { quantity, found, needed, place: place() }) }
+}
+
+/// Step 1.
+fn curve(d: f64, s: f64, p: f64, all: Vec<(f64, f64)>, rules: Rules) -> Result<CurveFit, FitError> {
+    let thin = d < THIN.0 && s > THIN.1 && same(p, THIN.2);
+    let mut points = all;
+    let mut rule = "";
+    match rules.slack {
+        SlackRule::TwoSided => {}
+        SlackRule::PullOnly => points.retain(|q| q.1 > 0.0),
+        SlackRule::Zero => points.iter_mut().for_each(|q| q.1 = q.1.max(0.0)),
+    }
+    let left =
+        |points| CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc: None, points, rule };
+    if rules.slack == SlackRule::PullOnly && points.len() < 3 {
+        return Ok(CurveFit { rule: "left out: it pulls at fewer than three contractions", ..left(points) });
+    }
+    if thin && rules.thin != ThinRule::Whole {
+        points.retain(|q| q.0 <= THIN_CONTRACTION + 1e-9);
+        if rules.thin == ThinRule::LeaveOut {
+            return Ok(CurveFit { rule: "left out: D0 < 35, s > 3 at 0.05 MPa", ..left(points) });
+        }
+        rule = "straight line over ε ≤ 0.05: D0 < 35, s > 3 at 0.05 MPa";
+        let line = fit::<2>(&points).ok_or_else(|| singular(d, s, p))?;
+        let [b, c] = line.coefficients;
+        let abc = Some(Fitted { coefficients: [0.0, b, c], r2: line.r2 });
+        return Ok(CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc, points, rule });
+    }
+    let count = distinct(points.iter().map(|q| q.0)).len();
+    enough("contraction", count, 3, || format!("the curve of D0 {d}, s {s} mm at {p} MPa"))?;
+    let abc = Some(fit::<3>(&points).ok_or_else(|| singular(d, s, p))?);
+    Ok(CurveFit { outer_diameter_mm: d, wall_mm: s, pressure_mpa: p, abc, points, rule })
+}
+
+fn singular(d: f64, s: f64, p: f64) -> FitError {
+    FitError::Singular(format!("the curve of D0 {d}, s {s} mm at {p} MPa"))
+}
+
+/// Step 3.
+fn line(d: f64, s: f64, curves: &[CurveFit]) -> Result<LineFit, FitError> {
+    let place = || format!("the muscle D0 {d}, s {s} mm");
+    let used: Vec<(f64, [f64; 3])> =
+        curves.iter().filter_map(|c| c.abc.map(|f| (c.pressure_mpa, f.coefficients))).collect();
+    enough("pressure_mpa", used.len(), 2, place)?;
+    let of = |k: usize| {
+        let points: Vec<(f64, f64)> = used.iter().map(|(p, abc)| (*p, abc[k])).collect();
+        fit::<2>(&points).ok_or_else(|| FitError::Singular(place()))
+    };
+    let lines = [of(0)?, of(1)?, of(2)?];
+    Ok(LineFit { outer_diameter_mm: d, wall_mm: s, lines, pressures: used.len() })
+}
+
+/// Steps 4–5.
+fn parabolas(d: f64, lines: &[LineFit]) -> Result<WallFit, FitError> {
+    let place = || format!("the diameter D0 {d} mm");
+    enough("wall_mm", lines.len(), 3, place)?;
+    let of = |k: usize, j: usize| {
+        let points: Vec<(f64, f64)> = lines.iter().map(|l| (l.wall_mm, l.lines[k].coefficients[j])).collect();
+        fit::<3>(&points).ok_or_else(|| FitError::Singular(place()))
+    };
+    let pair = |k| Ok([of(k, 0)?, of(k, 1)?]);
+    Ok(WallFit { outer_diameter_mm: d, parabolas: [pair(0)?, pair(1)?, pair(2)?] })
+}
+
+/// Steps 6–7.
+fn over_diameters(walls: &[WallFit]) -> Result<(Coefficients, [[f64; 6]; 3]), FitError> {
+    let mut x = [[[0.0; 3]; 6]; 3];
+    let mut r2 = [[0.0; 6]; 3];
+    for family in 0..3 {
+        for k in 0..6 {
+            let points: Vec<(f64, f64)> =
+                walls.iter().map(|w| (w.outer_diameter_mm, w.x(family)[k])).collect();
+            let failed = || FitError::Singular(format!("{}{} over D0", ["A", "B", "C"][family], k + 1));
+            if family < 2 {
+                let f = fit::<3>(&points).ok_or_else(failed)?;
+                (x[family][k], r2[family][k]) = (f.coefficients, f.r2);
+            } else {
+                let f = fit::<2>(&points).ok_or_else(failed)?;
+                (x[family][k], r2[family][k]) = ([0.0, f.coefficients[0], f.coefficients[1]], f.r2);
+            }
+        }
+    }
+    let [a, b, c] = x;
+    Ok((Coefficients { a, b, c }, r2))
+}

@@ -1,0 +1,186 @@
+//! What comes out of the paper's campaign: the table of `docs/results.md`, which `mckibben fit --report` prints.
+//!
+//! Errors are shares of the finite elements' blocked force of the same muscle at .25 MPa, over points where they pull.
+
+use super::constants::{Constants, fit_constants, table_1};
+use super::data::{
+    CONTRACTIONS, DIAMETERS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign, pressure_steps,
+    same,
+};
+use super::error::FitError;
+use super::errors::{Errors, compared, errors};
+use super::make::{Method, Request, make};
+use super::paper_method::{Rules, SlackRule, ThinRule};
+use mckibben::formula::{Formula, Made};
+use mckibben::model::Coefficients;
+use mckibben::muscle::Muscle;
+
+/// One comparison.
+#[derive(Debug, Clone)]
+pub struct Finding {
+    /// What is compared with what.
+    pub comparison: String,
+    /// The largest share that was set as a goal, where there is one.
+    pub at_most: Option<f64>,
+    /// What came out.
+    pub errors: Errors,
+}
+
+impl Finding {
+    /// Whether the goal is met.
+    pub fn ok(&self) -> bool {
+        self.at_most.is_none_or(|most| self.errors.max <= most)
+    }
+}
+
+/// Everything that came out.
+#[derive(Debug, Clone)]
+pub struct Results {
+    /// The comparisons.
+    pub findings: Vec<Finding>,
+    /// The fitted constants of the paper's finite elements.
+    pub constants: Constants,
+    /// Seconds from nothing to the paper's formula with its errors: campaign, fit, report.
+    pub seconds: f64,
+    /// Terms of the `global` formula.
+    pub global_terms: usize,
+}
+
+fn force(c: &Coefficients, p: &FitPoint) -> f64 {
+    c.section(p.outer_diameter_mm, p.wall_mm).force_n(p.pressure_mpa, p.contraction)
+}
+
+fn of_formula(f: &Formula, p: &FitPoint) -> f64 {
+    f.force_n(p.outer_diameter_mm, p.wall_mm, p.pressure_mpa, p.contraction)
+}
+
+struct Findings(Vec<Finding>);
+
+impl Findings {
+    fn add(
+        &mut self,
+        comparison: impl Into<String>,
+        at_most: Option<f64>,
+        points: &[FitPoint],
+        difference: impl Fn(&FitPoint) -> f64,
+        chosen: impl Fn(&FitPoint) -> bool,
+    ) -> Result<(), FitError> {
+        let errors = errors(&compared(points, difference)?, chosen).ok_or(FitError::Empty(" to compare"))?;
+        self.0.push(Finding { comparison: comparison.into(), at_most, errors });
+        Ok(())
+    }
+}
+
+/// A formula of the paper's muscles from points.
+///
+/// # Errors
+/// [`FitError`].
+pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula, FitError> {
+    let made_for = Made::of(&Muscle::prototype());
+    let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };
+    let request = Request {
+        points,
+        made_for,
+        method,
+        hold_out,
+        name: name.into(),
+        table: None,
+        plan_hash: None,
+        seed: None,
+    };
+    Ok(make(&request)?.formula)
+}
+
+/// Computes everything anew.
+///
+/// # Errors
+/// [`FitError`].
+pub fn results() -> Result<Results, FitError> {
+    let base = Muscle::prototype();
+    let published = Coefficients::published();
+    let start = std::time::Instant::now();
+    let campaign = paper_campaign(&base);
+    let ours = fitted(&campaign, Method::Paper(Rules::default()), &[])?;
+    let seconds = start.elapsed().as_secs_f64();
+
+    let mut out = Findings(vec![]);
+    let is_table = |p: &FitPoint| same(p.outer_diameter_mm, 50.0) && same(p.wall_mm, 1.0);
+    let to_table =
+        |p: &FitPoint| table_1(p.pressure_mpa, p.contraction).map_or(0.0, |force| force - p.force_n);
+    let constants = fit_constants()?;
+    let good = constants.campaign();
+    out.add("FE with fitted constants vs Table 1 (D0 50, s 1)", Some(0.015), &good, to_table, is_table)?;
+    out.add("FE as shipped vs Table 1", None, &campaign, to_table, is_table)?;
+
+    let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &PRESSURES);
+    let all = [campaign.clone(), held].concat();
+    let wide = |p: &FitPoint| p.outer_diameter_mm > 34.0 && p.wall_mm < 4.5;
+    let slim = |p: &FitPoint| p.outer_diameter_mm < 34.0;
+    let variants = [
+        ("", Rules::default()),
+        (
+            " (.05 MPa curves of thick walls: straight line)",
+            Rules { thin: ThinRule::Line, ..Rules::default() },
+        ),
+        (" (.05 MPa curves of thick walls: whole)", Rules { thin: ThinRule::Whole, ..Rules::default() }),
+        (" (points that pull only)", Rules { slack: SlackRule::PullOnly, ..Rules::default() }),
+        (" (zero where it would push)", Rules { slack: SlackRule::Zero, ..Rules::default() }),
+    ];
+    for (i, (text, rules)) in variants.into_iter().enumerate() {
+        let f = fitted(&campaign, Method::Paper(rules), &[])?;
+        let difference = |p: &FitPoint| of_formula(&f, p) - force(published, p);
+        let goal = |v| (i == 0).then_some(v);
+        let name = format!("paper's method on our FE vs published, D0 35-50, s 1-4{text}");
+        out.add(name, goal(0.025), &all, difference, wide)?;
+        out.add(format!("the same, D0 30, s 1-5{text}"), goal(0.09), &all, difference, slim)?;
+    }
+
+    // With the constants of the first line, so that one set of constants answers both questions.
+    let f = fitted(&good, Method::Paper(Rules::default()), &[])?;
+    let difference = |p: &FitPoint| of_formula(&f, p) - force(published, p);
+    let name = "paper's method on our FE with fitted constants vs published, D0 35-50, s 1-4";
+    let all_good = [good.clone(), constants.points(&[HELD_OUT])].concat();
+    out.add(name, Some(0.025), &all_good, difference, wide)?;
+    out.add("the same, D0 30, s 1-5", Some(0.09), &all_good, difference, slim)?;
+
+    let steps = pressure_steps(1);
+    let full = compute(&base, &DIAMETERS, &WALLS, &CONTRACTIONS, &steps);
+    let global = fitted(&full, Method::GLOBAL, &[])?;
+    let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &steps);
+    let difference = |p: &FitPoint| of_formula(&global, p) - p.force_n;
+    out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, difference, |_| true)?;
+    out.add("global vs FE, D0 35 held out", Some(0.004), &held, difference, |_| true)?;
+
+    // Between the points: half steps of D0, s and ε.
+    let half = |low: f64, step: f64, n: u32| (0..=n).map(|i| low + step * f64::from(i)).collect::<Vec<f64>>();
+    let halves = half(0.0, 0.025, 8);
+    let between = compute(&base, &half(30.0, 2.5, 8), &half(1.0, 0.5, 8), &halves, &steps);
+    out.add("global vs FE between the points too (half steps)", None, &between, difference, |_| true)?;
+    let finer = compute(&base, &DIAMETERS, &WALLS, &halves, &steps);
+    let of_finer = fitted(&finer, Method::GLOBAL, &[])?;
+    let difference = |p: &FitPoint| of_formula(&of_finer, p) - p.force_n;
+    let name = "global of a campaign with ε by 2.5 % vs FE, between the points too";
+    out.add(name, Some(0.004), &between, difference, |_| true)?;
+
+    let difference = |p: &FitPoint| force(published, p) - p.force_n;
+    out.add("published formula vs FE, the campaign", None, &campaign, difference, |_| true)?;
+    out.add("published formula vs FE, between the points too", None, &between, difference, |p| {
+        p.pressure_mpa > 0.045
+    })?;
+    out.add("published formula vs FE, D0 35", None, &all, difference, |p| {
+        same(p.outer_diameter_mm, HELD_OUT)
+    })?;
+    let difference = |p: &FitPoint| of_formula(&ours, p) - p.force_n;
+    out.add("paper's method on our FE vs FE, the campaign", None, &campaign, difference, |_| true)?;
+    out.add("paper's method on our FE vs FE, D0 35", None, &all, difference, |p| {
+        same(p.outer_diameter_mm, HELD_OUT)
+    })?;
+    Ok(Results { findings: out.0, constants, seconds, global_terms: terms(&global) })
+}
+
+fn terms(f: &Formula) -> usize {
+    match &f.body {
+        mckibben::formula::Body::Paper(_) => 48,
+        mckibben::formula::Body::Global(t) => t.terms.len(),
+    }
+}

@@ -1,0 +1,59 @@
+//! How wrong a formula is, as its file says it. Shares are of the muscle's blocked force at the highest pressure of the table.
+
+/// Errors over points where the muscle pulls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ErrorSummary {
+    /// How many points.
+    pub points: usize,
+    /// Root mean square as a share of the blocked force.
+    pub rms: f64,
+    /// The share that 95 % of the points do not exceed.
+    pub p95: f64,
+    /// Largest share.
+    pub max: f64,
+    /// Largest difference in N.
+    pub max_n: f64,
+    /// Largest by the paper's (12): share of the largest force of the same isobaric curve.
+    pub max_12: f64,
+}
+
+/// Errors where one quantity has one value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RegionErrors {
+    /// `outer_diameter_mm`, `wall_mm`, `pressure_mpa` or `contraction`.
+    pub quantity: String,
+    /// Its value.
+    pub value: f64,
+    /// The errors there.
+    pub errors: ErrorSummary,
+}
+
+/// Errors on muscles that the fit did not see.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldOut {
+    /// Their diameters in mm.
+    pub outer_diameters_mm: Vec<f64>,
+    /// The errors there.
+    pub errors: ErrorSummary,
+}
+
+/// Everything a formula's file says of its errors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FormulaErrors {
+    /// Against what, in words.
+    pub against: String,
+    /// Over all points it was fitted to.
+    pub fit: ErrorSummary,
+    /// By regions.
+    pub regions: Vec<RegionErrors>,
+    /// Over muscles it was not fitted to, where there are any.
+    pub held_out: Option<HeldOut>,
+}
+
+impl FormulaErrors {
+    /// The half-width that 95 % of the points stay within, as a share of the blocked force at the highest pressure: the
+    /// larger of fit and held-out muscles.
+    pub fn half_width(&self) -> f64 {
+        self.held_out.as_ref().map_or(self.fit.p95, |h| self.fit.p95.max(h.errors.p95))
+    }
+}

@@ -1,0 +1,118 @@
+//! Formulas as data: fitted force formulas that are files, and answer like any other model.
+//!
+//! A file says its terms, for which muscles they were made, over which range, how wrong they are, and where they come
+//! from. Two kinds:
+//!
+//!   paper    F = a ε² + b ε + c with the 48 numbers of the paper's (11)
+//!   global   F = D0² Σ c · xᵃ pᵇ eᶜ dᵈ,   x = s/D0, p = P, e = ε, d = D0, each divided by its scale
+//!
+//! F in N, P in MPa, lengths in mm.
+
+mod error;
+mod errors;
+mod made;
+mod model;
+mod node;
+mod read;
+mod show;
+mod terms;
+mod write;
+
+pub use error::FormulaError;
+pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
+pub use made::{Made, MadeBraid};
+pub use model::FormulaModel;
+pub use terms::{GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
+
+use crate::model::Coefficients;
+use std::path::Path;
+
+/// The terms of a formula.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Body {
+    /// The paper's (11).
+    Paper(Box<Coefficients>),
+    /// A sum of products of powers.
+    Global(GlobalTerms),
+}
+
+/// Where a formula was fitted; both ends belong to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FormulaRange {
+    /// D0 in mm.
+    pub outer_diameter_mm: (f64, f64),
+    /// s in mm.
+    pub wall_mm: (f64, f64),
+    /// P in MPa.
+    pub pressure_mpa: (f64, f64),
+    /// ε
+    pub contraction: (f64, f64),
+}
+
+/// Where a formula comes from.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Provenance {
+    /// Version of the program that made it.
+    pub version: String,
+    /// The method with its rules, in words.
+    pub method: String,
+    /// Points it was fitted to.
+    pub points: usize,
+    /// Hash of these points.
+    pub data_hash: String,
+    /// Name of the table, where it had one.
+    pub table: Option<String>,
+    /// Hash of the campaign's plan, where it is known.
+    pub plan_hash: Option<String>,
+    /// Seed of the plan, where it has one.
+    pub seed: Option<u64>,
+}
+
+/// A formula with all that is known of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Formula {
+    /// Its name, which answers carry.
+    pub name: String,
+    /// Its terms.
+    pub body: Body,
+    /// The muscles it was made for.
+    pub made_for: Made,
+    /// Where it was fitted.
+    pub range: FormulaRange,
+    /// How wrong it is.
+    pub errors: FormulaErrors,
+    /// Where it comes from.
+    pub provenance: Provenance,
+}
+
+impl Formula {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`FormulaError`] names the file and the key.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FormulaError> {
+        let path = path.as_ref();
+        let named = |e: FormulaError| e.in_file(path);
+        let text = std::fs::read_to_string(path).map_err(|e| named(FormulaError::unreadable(&e)))?;
+        Self::parse(&text).map_err(named)
+    }
+
+    /// F in N, two-sided; does not look at the range.
+    pub fn force_n(&self, outer_diameter_mm: f64, wall_mm: f64, pressure_mpa: f64, contraction: f64) -> f64 {
+        match &self.body {
+            Body::Paper(c) => c.section(outer_diameter_mm, wall_mm).force_n(pressure_mpa, contraction),
+            Body::Global(t) => t.section(outer_diameter_mm, wall_mm).at(pressure_mpa, contraction)[0],
+        }
+    }
+
+    /// `paper` or `global`.
+    pub fn kind(&self) -> &'static str {
+        match self.body {
+            Body::Paper(_) => "paper",
+            Body::Global(_) => "global",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,119 @@
+//! A formula as a force model.
+
+use super::terms::GlobalSection;
+use super::{Body, Formula};
+use crate::model::{
+    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response, Section,
+};
+use crate::muscle::Muscle;
+use std::sync::Arc;
+
+#[derive(Debug, Clone)]
+enum Bound {
+    Paper(Section),
+    Global(GlobalSection),
+}
+
+/// A formula with a muscle's diameter and wall put in.
+#[derive(Debug, Clone)]
+pub struct FormulaModel {
+    formula: Arc<Formula>,
+    muscle: Muscle,
+    bound: Bound,
+    source: String,
+}
+
+impl FormulaModel {
+    /// The formula for one muscle.
+    pub fn new(formula: Arc<Formula>, muscle: &Muscle) -> Self {
+        let (d, s) = (muscle.outer_diameter_mm(), muscle.wall_mm());
+        let bound = match &formula.body {
+            Body::Paper(c) => Bound::Paper(c.section(d, s)),
+            Body::Global(t) => Bound::Global(t.section(d, s)),
+        };
+        let source = format!("a fitted formula, method {}", formula.provenance.method);
+        Self { formula, muscle: muscle.clone(), bound, source }
+    }
+
+    /// F, ∂F/∂ε, ∂F/∂P.
+    fn at(&self, pressure_mpa: f64, contraction: f64) -> Result<[f64; 3], ModelError> {
+        let (p, e) = (pressure_mpa, contraction);
+        let all = match &self.bound {
+            Bound::Paper(s) => [s.force_n(p, e), s.by_contraction(p, e), s.by_pressure(e)],
+            Bound::Global(s) => s.at(p, e),
+        };
+        if all.iter().all(|v| v.is_finite()) {
+            Ok(all)
+        } else {
+            Err(ModelError::NotFinite { model: self.formula.name.clone(), pressure_mpa, contraction })
+        }
+    }
+}
+
+impl ForceModel for FormulaModel {
+    fn name(&self) -> &str {
+        &self.formula.name
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        &self.source
+    }
+
+    fn range(&self) -> ModelRange {
+        let (r, m) = (&self.formula.range, &self.muscle);
+        let (differing, make) = self.formula.made_for.differences(m);
+        let mut muscle = vec![];
+        for (quantity, value, (low, high)) in [
+            ("outer_diameter", m.outer_diameter_mm(), r.outer_diameter_mm),
+            ("wall_thickness", m.wall_mm(), r.wall_mm),
+        ] {
+            if !(value >= low - 1e-9 && value <= high + 1e-9) {
+                muscle.push(RangeViolation { quantity, value, low, high, unit: "mm" });
+            }
+        }
+        muscle.extend(differing);
+        ModelRange { pressure_mpa: r.pressure_mpa, contraction: r.contraction, muscle, make }
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy {
+            share_of_blocked: Some(self.formula.errors.half_width()),
+            blocked_at: BlockedAt::Pressure(self.formula.range.pressure_mpa.1),
+            basis: "what 95 % of the points of its own table, and of the muscles held out of it, stay within, as the formula's file says; how far that table is from real muscles comes on top",
+        }
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        let [force_n, by_contraction, by_pressure] = self.at(pressure_mpa, contraction)?;
+        Ok(Response {
+            pressure_mpa,
+            contraction,
+            force_n,
+            stiffness_n_per_mm: Some(-by_contraction / self.muscle.length_mm()),
+            force_per_pressure_mm2: Some(by_pressure),
+            ..Response::default()
+        })
+    }
+
+    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        self.at(pressure_mpa, contraction).map(|all| all[0])
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        match &self.bound {
+            Bound::Paper(s) => s.pressure_mpa(force_n, contraction).map(Ok),
+            Bound::Global(_) => None,
+        }
+    }
+
+    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+        match &self.bound {
+            Bound::Paper(s) => s.contraction(force_n, pressure_mpa).map(Ok),
+            Bound::Global(_) => None,
+        }
+    }
+}

@@ -1,0 +1,174 @@
+use super::*;
+use crate::model::{ForceModel, ModelKind, Paper};
+use crate::muscle::Muscle;
+use std::sync::Arc;
+
+fn summary() -> ErrorSummary {
+    ErrorSummary { points: 460, rms: 0.01, p95: 0.02, max: 0.03, max_n: 12.5, max_12: 0.1 }
+}
+
+fn formula(body: Body) -> Formula {
+    Formula {
+        name: "mine".into(),
+        body,
+        made_for: Made::of(&Muscle::prototype()),
+        range: FormulaRange {
+            outer_diameter_mm: (30.0, 50.0),
+            wall_mm: (1.0, 5.0),
+            pressure_mpa: (0.05, 0.25),
+            contraction: (0.0, 0.2),
+        },
+        errors: FormulaErrors {
+            against: "axisymmetric finite elements".into(),
+            fit: summary(),
+            regions: vec![RegionErrors { quantity: "wall_mm".into(), value: 1.0, errors: summary() }],
+            held_out: Some(HeldOut {
+                outer_diameters_mm: vec![35.0],
+                errors: ErrorSummary { p95: 0.025, ..summary() },
+            }),
+        },
+        provenance: Provenance {
+            version: "0.1.0".into(),
+            method: "global".into(),
+            points: 500,
+            data_hash: "0123456789abcdef".into(),
+            table: None,
+            plan_hash: Some("ab".into()),
+            seed: Some(7),
+        },
+    }
+}
+
+fn global() -> Formula {
+    let scales = Scales { wall_ratio: 0.1, pressure_mpa: 0.25, contraction: 0.2, outer_diameter_mm: 40.0 };
+    let term = |a, b, c, d, value| Term { powers: [a, b, c, d], value };
+    let terms = vec![
+        term(0, 1, 0, 0, 1.1),
+        term(0, 1, 1, 0, -0.1 - 0.2),
+        term(1, 0, 2, 0, -1.0 / 3.0),
+        term(2, 2, 1, 1, 0.07),
+        term(1, 0, 0, 0, -0.01),
+    ];
+    formula(Body::Global(GlobalTerms { scales, terms }))
+}
+
+#[test]
+fn files_round_trip_to_the_bit() {
+    for f in [formula(Body::Paper(Box::new(*Coefficients::published()))), global()] {
+        assert_eq!(Formula::parse(&f.to_json()).unwrap(), f);
+    }
+}
+
+#[test]
+fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
+    let f = Arc::new(
+        Formula::parse(&formula(Body::Paper(Box::new(*Coefficients::published()))).to_json()).unwrap(),
+    );
+    assert_eq!(f.to_value()["terms"].as_array().unwrap().len(), 48);
+    for (d, s) in [(30.0, 5.0), (41.3, 2.2), (50.0, 1.0)] {
+        let m = Muscle::prototype().with_section(d, s).unwrap();
+        let (ours, paper) = (FormulaModel::new(f.clone(), &m), Paper::new(&m));
+        for (p, e) in [(0.05, 0.0), (0.13, 0.11), (0.25, 0.2)] {
+            assert_eq!(ours.response(p, e).unwrap(), paper.response(p, e).unwrap());
+        }
+        assert_eq!(ours.pressure_in_closed_form(300.0, 0.1), paper.pressure_in_closed_form(300.0, 0.1));
+        assert_eq!(ours.contraction_in_closed_form(100.0, 0.2), paper.contraction_in_closed_form(100.0, 0.2));
+    }
+}
+
+#[test]
+fn derivatives_are_those_of_finite_differences() {
+    let m = Muscle::prototype().with_section(43.0, 2.5).unwrap();
+    for f in [formula(Body::Paper(Box::new(*Coefficients::published()))), global()] {
+        let model = FormulaModel::new(Arc::new(f), &m);
+        for (p, e) in [(0.05, 0.0), (0.0, 0.0), (0.11, 0.07), (0.25, 0.2)] {
+            let (h, r) = (1e-5, model.response(p, e).unwrap());
+            let difference = |dp: f64, de: f64| {
+                let at = |k: f64| model.force_n(p + k * dp * h, e + k * de * h).unwrap();
+                (at(1.0) - at(-1.0)) / (2.0 * h)
+            };
+            let slope = -r.stiffness_n_per_mm.unwrap() * m.length_mm();
+            assert!((slope - difference(0.0, 1.0)).abs() < 1e-4 * slope.abs().max(1.0), "{p} {e}");
+            let slope = r.force_per_pressure_mm2.unwrap();
+            assert!((slope - difference(1.0, 0.0)).abs() < 1e-4 * slope.abs().max(1.0), "{p} {e}");
+        }
+    }
+}
+
+#[test]
+fn what_it_was_not_made_for_is_refused() {
+    let f = Arc::new(global());
+    let proto = Muscle::prototype();
+    let check = |m: &Muscle, p, e| FormulaModel::new(f.clone(), m).range().check("mine", p, e);
+    assert!(check(&proto, 0.25, 0.2).is_ok());
+    let wide = proto.with_section(60.0, 0.5).unwrap();
+    let text = check(&wide, 0.3, 0.25).unwrap_err().to_string();
+    for part in ["outer_diameter 60", "wall_thickness 0.5", "pressure 0.3", "contraction 0.25", "mine"] {
+        assert!(text.contains(part), "{text}");
+    }
+    let braid = |b: crate::muscle::Braid| proto.with_braid(b).unwrap();
+    let stiff = crate::muscle::BraidStiffness::Inextensible;
+    let other = braid(crate::muscle::Braid { angle_deg: 25.0, stiffness: stiff, ..proto.braid().clone() });
+    let text = check(&other, 0.2, 0.0).unwrap_err().to_string();
+    assert!(text.contains("braid_angle 25") && text.contains("inextensible"), "{text}");
+    // The same stiffness said in another way is the same braid.
+    let k = proto.family_stiffness_n_per_mm().unwrap();
+    let stiffness = crate::muscle::BraidStiffness::NewtonPerMm(k);
+    assert!(check(&braid(crate::muscle::Braid { stiffness, ..proto.braid().clone() }), 0.2, 0.0).is_ok());
+    let mut tube = proto.tube().clone();
+    tube.rubber.law = crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa: 0.2 });
+    tube.rubber.name = None;
+    let text = check(&proto.with_tube(tube).unwrap(), 0.2, 0.0).unwrap_err().to_string();
+    assert!(text.contains("neo-hookean") && text.contains("c10_mpa 0.12"), "{text}");
+    assert!(FormulaModel::new(f.clone(), &proto).force_n(f64::NAN, 0.1).is_err());
+    let accuracy = FormulaModel::new(f, &proto).accuracy();
+    assert_eq!(accuracy.share_of_blocked, Some(0.025));
+    assert_ne!(ModelKind::Paper.build(&proto).unwrap().accuracy(), accuracy);
+}
+
+#[test]
+fn wrong_files_are_named_with_their_key() {
+    let (paper, global) =
+        (formula(Body::Paper(Box::new(*Coefficients::published()))).to_json(), global().to_json());
+    let cases = [
+        ("truncated", global[..global.len() / 2].to_owned(), "is no JSON"),
+        ("NaN", global.replace("1.1", "NaN"), "is no JSON"),
+        ("infinite", global.replace("1.1", "1e999"), "is no JSON"),
+        ("null", global.replace("1.1", "null"), "`terms[0].value` must be a finite number, it is null"),
+        ("a text", global.replace("1.1", "\"1.1\""), "`terms[0].value`"),
+        ("kind", global.replace("\"global\",", "\"cubic\","), "`kind` says `cubic`"),
+        ("format", global.replace("formula 1", "formula 9"), "`format`"),
+        ("no kind", global.replacen("\"kind\"", "\"kinds\"", 1), "the key `kind` is missing"),
+        ("no range", global.replace("\"wall_mm\": [", "\"wall\": ["), "`range.wall_mm` is missing"),
+        ("a power", global.replacen("\"pressure\": 1", "\"presure\": 1", 1), "says `presure`"),
+        (
+            "half a power",
+            global.replacen("\"pressure\": 1", "\"pressure\": 1.5", 1),
+            "`terms[0].powers.pressure`",
+        ),
+        ("scale", global.replace("\"wall_ratio\": 0.1", "\"wall_ratio\": 0"), "`scales.wall_ratio`"),
+        ("errors", global.replace("\"max_n\"", "\"max\""), "max_n` is missing"),
+        ("a term", paper.replace("\"A11\"", "\"D11\""), "says `D11`"),
+        ("a term too many", paper.replace("\"A11\"", "\"A12\""), "A12 stands there twice"),
+        ("a term too few", paper.replace("\"A63\"", "\"C10\""), "`terms: A63` is missing"),
+        ("a list", "[1]".to_owned(), "the file` must be an object"),
+    ];
+    for (name, text, part) in cases {
+        let error = Formula::parse(&text).expect_err(name).to_string();
+        assert!(error.contains(part), "{name}: {error}");
+    }
+    let error = Formula::read("no/such/formula.json").unwrap_err().to_string();
+    assert!(error.starts_with("no/such/formula.json: cannot be read"), "{error}");
+}
+
+#[test]
+fn latex_is_balanced_and_has_every_term() {
+    for (f, count) in [(formula(Body::Paper(Box::new(*Coefficients::published()))), 48), (global(), 5)] {
+        let text = f.to_latex();
+        for (open, close) in [('{', '}'), ('(', ')')] {
+            assert_eq!(text.matches(open).count(), text.matches(close).count(), "{text}");
+        }
+        let numbers = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+        assert_eq!(numbers.filter(|n| n.len() == 7).count(), count, "{text}");
+    }
+}
