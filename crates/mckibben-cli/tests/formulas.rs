@@ -84,6 +84,39 @@ fn the_papers_method_writes_its_tables_and_figures() {
     assert!(number(&formula["errors"]["held_out"], "max_of_blocked") < 0.06);
 }
 
+/// The same formula comes out of a campaign in Parquet as from nothing but its points in CSV, and says which plan it is from.
+#[test]
+fn a_campaign_becomes_a_formula() {
+    let dir = folder();
+    let plan = root().join("plans/paper.toml");
+    let ran = asked(dir.path(), &format!("campaign {} -o c.parquet --quiet", plan.display()));
+    assert_eq!(ran.code, 0, "{}", ran.err);
+    let fit = asked(dir.path(), "fit c.parquet --method paper -o c.json");
+    assert_eq!(fit.code, 0, "{}", fit.err);
+    fitted(dir.path(), "paper", "f.json");
+    let read = |name: &str| -> serde_json::Value {
+        serde_json::from_str(&std::fs::read_to_string(dir.path().join(name)).unwrap()).unwrap()
+    };
+    let (from_campaign, from_csv) = (read("c.json"), read("f.json"));
+    assert_eq!(
+        from_campaign["provenance"]["plan_hash"].as_str().map(str::len),
+        Some(64),
+        "{}",
+        from_campaign["provenance"]
+    );
+    let force = |name: &str| {
+        let line = format!("force -D 40 -s 2 -p 0.2 -e 0.1 --model {name} --format json");
+        asked(dir.path(), &line).ok().json()["force_n"].as_f64().unwrap()
+    };
+    assert!(
+        (force("c.json") / force("f.json") - 1.0).abs() < 1e-5,
+        "{} {}",
+        force("c.json"),
+        force("f.json")
+    );
+    assert_eq!(from_campaign["kind"], from_csv["kind"]);
+}
+
 #[test]
 fn wrong_tables_and_formulas_are_named() {
     let dir = folder();
@@ -109,7 +142,7 @@ fn wrong_tables_and_formulas_are_named() {
         ("fit mixed.csv", "fit", ["length_mm", "285 to 300"]),
         ("fit empty.csv", "fit", ["empty.csv", "no point"]),
         ("fit none.csv", "file", ["none.csv", "cannot read"]),
-        ("fit .", "file", ["CSV", ""]),
+        ("fit .", "file", ["holds no campaign", "no part"]),
         ("formula show cut.json", "formula", ["cut.json", "no JSON"]),
         ("force -p 0.1 --model cut.json", "formula", ["cut.json", "no JSON"]),
         ("force -p 0.1 --model key.json", "formula", ["key.json", "`range` is missing"]),
