@@ -288,7 +288,7 @@ pub enum BranchWord {
 /// `compare`.
 #[derive(Debug, Args)]
 pub struct CompareArgs {
-    /// Models, by name [ideal,thick-wall,paper]
+    /// Models, by name [fe,paper,thick-wall,ideal]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub models: Vec<String>,
     /// One model, as --models

@@ -18,7 +18,11 @@ use mckibben::units::Dimension;
 use serde_json::{Value, json};
 use std::path::Path;
 
+/// A model that could not be compared, and why.
+type Skipped = (&'static str, Failure);
+
 struct Row {
+    kind: Kind,
     model: Box<dyn ForceModel>,
     comparison: Comparison,
     fit: Option<Fit>,
@@ -38,15 +42,18 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
     let p_unit = args.output.units.or(PressureUnit::typed(args.pressure.as_deref()));
     let p = Pressures(p_unit.unwrap_or(PressureUnit::Mpa));
     let (pressures, contractions) = grid(args, measured.as_deref())?;
-    let rows = match &measured {
+    let (rows, skipped) = match &measured {
         Some(points) => against_points(args, &kinds, &muscle, motion, options, points)?,
-        None => against_first(&kinds, &muscle, motion, options, &pressures, &contractions)?,
+        None => against_first(&kinds, &muscle, motion, options, &pressures, &contractions),
     };
+    if rows.is_empty() {
+        let first = skipped.into_iter().next().map(|s| s.1);
+        return Err(first.unwrap_or_else(|| Failure::input("usage", "no model to compare", "")));
+    }
     if let Some(path) = &args.plot.plot {
         let models: Vec<Box<dyn ForceModel>> = rows
             .iter()
-            .zip(&kinds)
-            .map(|(row, &kind)| resolve::build(kind, row.model.muscle(), motion))
+            .map(|row| resolve::build(row.kind, row.model.muscle(), motion))
             .collect::<Result<_, _>>()?;
         let points = measured.as_deref().unwrap_or(&[]);
         let fits = rows
@@ -55,7 +62,7 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
         let about = format!("{}{}", muscle_line(&muscle), fits.collect::<String>());
         figure::compare(&models, points, &pressures, &contractions, options, &about, p).save(path)?;
     }
-    let list: Vec<Value> = rows.iter().map(as_json).collect();
+    let list: Vec<Value> = rows.iter().map(as_json).chain(skipped.iter().map(skipped_json)).collect();
     let text = match args.output.format {
         Format::Json => {
             let reference = if measured.is_some() { "measured" } else { rows[0].model.name() };
@@ -65,7 +72,7 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
             )
         }
         Format::Csv => csv::rows(&list)?,
-        Format::Text => as_text(args, &rows, &muscle, measured.as_deref()),
+        Format::Text => as_text(args, &rows, &skipped, &muscle, measured.as_deref()),
     };
     emit(&text, args.output.output.as_deref())?;
     Ok(0)
@@ -74,7 +81,7 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
 fn kinds(args: &CompareArgs) -> Result<Vec<Kind>, Failure> {
     let names: Vec<&str> = match (&args.model, args.models.as_slice()) {
         (Some(one), _) => vec![one],
-        (None, []) => vec!["ideal", "thick-wall", "paper"],
+        (None, []) => vec!["fe", "paper", "thick-wall", "ideal"],
         (None, list) => list.iter().map(String::as_str).collect(),
     };
     let mesh = kind::mesh(args.asking.mesh.as_deref())?;
@@ -150,19 +157,25 @@ fn against_points(
     motion: Motion,
     options: Options,
     points: &[MeasuredPoint],
-) -> Result<Vec<Row>, Failure> {
+) -> Result<(Vec<Row>, Vec<Skipped>), Failure> {
     let parameters = parameters(&args.fit)?;
-    let mut rows = vec![];
-    for &kind in kinds {
+    let one = |kind: Kind| -> Result<Row, Failure> {
         let mut fitted = None;
         if !parameters.is_empty() && kind.takes(&parameters) {
             fitted = Some(fit(muscle, &parameters, points, |m| resolve::build(kind, m, motion))?);
         }
         let model = resolve::build(kind, fitted.as_ref().map_or(muscle, |f| &f.muscle), motion)?;
         let comparison = compare(model.as_ref(), points, options.extrapolate)?;
-        rows.push(Row { model, comparison, fit: fitted });
+        Ok(Row { kind, model, comparison, fit: fitted })
+    };
+    let (mut rows, mut skipped) = (vec![], vec![]);
+    for &kind in kinds {
+        match one(kind) {
+            Ok(row) => rows.push(row),
+            Err(failure) => skipped.push((kind.name(), failure)),
+        }
     }
-    Ok(rows)
+    Ok((rows, skipped))
 }
 
 /// Whether fitting these constants changes a model's answer.
@@ -209,24 +222,52 @@ fn against_first(
     options: Options,
     pressures: &[f64],
     contractions: &[f64],
-) -> Result<Vec<Row>, Failure> {
+) -> (Vec<Row>, Vec<Skipped>) {
+    let (mut rows, mut skipped): (Vec<Row>, Vec<Skipped>) = (vec![], vec![]);
     let mut points: Vec<MeasuredPoint> = vec![];
-    let mut rows: Vec<Row> = vec![];
     for &kind in kinds {
-        let model = resolve::build(kind, muscle, motion)?;
-        if rows.is_empty() {
-            for &pressure_mpa in pressures {
-                for &contraction in contractions {
-                    let point = mckibben::answer::point(model.as_ref(), pressure_mpa, contraction, options)?;
-                    let force_n = point.response.force_n;
-                    points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
-                }
+        let one = || -> Result<(Row, Vec<MeasuredPoint>), Failure> {
+            let model = resolve::build(kind, muscle, motion)?;
+            // The first model that answers is what the others are held against.
+            let reference = if rows.is_empty() {
+                answers(model.as_ref(), pressures, contractions, options)?
+            } else {
+                points.clone()
+            };
+            let comparison = compare(model.as_ref(), &reference, options.extrapolate)?;
+            Ok((Row { kind, model, comparison, fit: None }, reference))
+        };
+        match one() {
+            Ok((row, reference)) => {
+                points = reference;
+                rows.push(row);
             }
+            Err(failure) => skipped.push((kind.name(), failure)),
         }
-        let comparison = compare(model.as_ref(), &points, options.extrapolate)?;
-        rows.push(Row { model, comparison, fit: None });
     }
-    Ok(rows)
+    (rows, skipped)
+}
+
+/// A model's own answers, as if they had been measured.
+fn answers(
+    model: &dyn ForceModel,
+    pressures: &[f64],
+    contractions: &[f64],
+    options: Options,
+) -> Result<Vec<MeasuredPoint>, Failure> {
+    let mut points = vec![];
+    for &pressure_mpa in pressures {
+        for &contraction in contractions {
+            let force_n =
+                mckibben::answer::point(model, pressure_mpa, contraction, options)?.response.force_n;
+            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
+        }
+    }
+    Ok(points)
+}
+
+fn skipped_json((name, failure): &Skipped) -> Value {
+    json!({ "model": name, "rms_n": null, "max_n": null, "cause": failure.message })
 }
 
 fn as_json(row: &Row) -> Value {
@@ -249,7 +290,13 @@ fn as_json(row: &Row) -> Value {
     out
 }
 
-fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&[MeasuredPoint]>) -> String {
+fn as_text(
+    args: &CompareArgs,
+    rows: &[Row],
+    skipped: &[Skipped],
+    muscle: &Muscle,
+    measured: Option<&[MeasuredPoint]>,
+) -> String {
     let mut out = format!("{}\n", muscle_line(muscle));
     match (measured, &args.data) {
         (Some(points), Some(path)) => {
@@ -278,6 +325,9 @@ fn as_text(args: &CompareArgs, rows: &[Row], muscle: &Muscle, measured: Option<&
     });
     out.push_str(&table(&header, table_rows.collect()));
     out.push_str("\nmean: above zero where the model promises too much\n");
+    for (name, failure) in skipped {
+        out.push_str(&format!("{name}: not compared: {}\n", failure.message));
+    }
     for row in rows {
         if let Some(fit) = &row.fit {
             out.push_str(&format!("{}: fitted {}\n", row.comparison.model, fit_text(fit)));

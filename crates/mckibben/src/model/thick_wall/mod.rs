@@ -19,7 +19,7 @@ mod equilibrium;
 mod tests;
 
 use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Wall};
-use crate::muscle::{EndFactor, Muscle};
+use crate::muscle::{Bulk, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::f64::consts::PI;
 
@@ -115,6 +115,15 @@ impl ForceModel for ThickWall {
                 0.65 * share,
                 "0.65 D0/L0 of the blocked force holds 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model leaves out",
             ),
+        }
+    }
+
+    fn notes(&self) -> Vec<String> {
+        match self.muscle.tube().rubber.bulk {
+            Bulk::Incompressible => vec![],
+            Bulk::Modulus(_) => {
+                vec!["thick-wall takes the rubber as incompressible; its bulk modulus is not used".into()]
+            }
         }
     }
 

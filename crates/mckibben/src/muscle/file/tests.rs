@@ -187,7 +187,7 @@ fn every_key_is_understood() {
     let muscle = parse_muscle("braid.stiffness = \"inextensible\"\nbraid.strands = 96\n").unwrap();
     assert_eq!(muscle.braid().stiffness, BraidStiffness::Inextensible);
     let muscle = parse_muscle("tube = { rubber = \"Dragon Skin 30:mooney-rivlin\" }").unwrap();
-    assert_eq!(muscle.tube().rubber.fitted_to_stretch, Some(3.0));
+    assert_eq!(muscle.tube().rubber.fitted_to_stretch, Some(1.5));
 }
 
 /// What users see and keep; a change of this text is a change of the format.

@@ -3,7 +3,7 @@
 //! A rubber named without a law means its neo-Hookean fit up to 200 % strain: of all one-axis fits the one that can be
 //! trusted in two axes. `name:law` asks for another law. Where a law was fitted over several ranges, the widest
 //! range whose law stays stable in the two-axis stretch of a muscle (up to [`LARGEST_HOOP_STRETCH`]) is
-//! taken; if none does, the widest. [`warnings`] says what to mind.
+//! taken; if none does, the one that stays stable furthest. [`warnings`] says what to mind.
 
 mod read;
 
@@ -160,13 +160,20 @@ impl RubberEntry {
         laws
     }
 
-    /// The fit of a law: of several ranges the widest that is stable in two axes, else the widest.
+    /// The fit of a law: of several ranges the widest that is stable in two axes, else the one that stays stable furthest (of
+    /// equals the widest).
     pub fn fit(&self, law: &str) -> Option<&RubberFit> {
-        let fits = || self.fits.iter().filter(|f| f.law.name() == law);
-        let stable = |f: &&RubberFit| biaxial_stability(&f.law, LARGEST_HOOP_STRETCH) == Stability::Stable;
+        let stable_to = |f: &RubberFit| match biaxial_stability(&f.law, LARGEST_HOOP_STRETCH) {
+            Stability::Stable => f64::INFINITY,
+            Stability::UnstableFrom { hoop_stretch } => hoop_stretch,
+        };
         let strain = |f: &RubberFit| f.up_to_strain.unwrap_or(0.0);
-        let widest = |a: &&RubberFit, b: &&RubberFit| strain(a).total_cmp(&strain(b));
-        fits().filter(stable).max_by(widest).or_else(|| fits().max_by(widest))
+        self.fits
+            .iter()
+            .filter(|f| f.law.name() == law)
+            .map(|f| (stable_to(f), strain(f), f))
+            .max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)))
+            .map(|found| found.2)
     }
 
     /// What the name alone means: the neo-Hookean fit, or the first law where there is none.
