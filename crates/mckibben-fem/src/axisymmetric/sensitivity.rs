@@ -11,7 +11,7 @@ use super::equilibrium::Body;
 use super::error::FemError;
 use super::mesh::Mesh;
 use mckibben::muscle::Muscle;
-use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, RubberLaw, Yeoh};
+use mckibben::rubber::{Law, RubberLaw};
 
 /// ∂F of one constant or measure.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,29 +26,9 @@ pub struct Sensitivity {
     pub force_n_per_unit: f64,
 }
 
-/// A law with its constant number `index` changed by `factor`·value + `shift`.
+/// A law with `change` added to its constant number `index`.
 fn changed(law: &Law, index: usize, change: f64) -> Law {
-    let add = |i: usize, x: f64| if i == index { x + change } else { x };
-    match law {
-        Law::MooneyRivlin(l) => {
-            Law::MooneyRivlin(MooneyRivlin { c10_mpa: add(0, l.c10_mpa), c01_mpa: add(1, l.c01_mpa) })
-        }
-        Law::NeoHookean(l) => Law::NeoHookean(NeoHookean { mu_mpa: add(0, l.mu_mpa) }),
-        Law::Yeoh(l) => Law::Yeoh(Yeoh {
-            c10_mpa: add(0, l.c10_mpa),
-            c20_mpa: add(1, l.c20_mpa),
-            c30_mpa: add(2, l.c30_mpa),
-        }),
-        Law::Gent(l) => Law::Gent(Gent { mu_mpa: add(0, l.mu_mpa), jm: add(1, l.jm) }),
-        Law::Ogden(l) => {
-            let mut l = l.clone();
-            for (i, (mu, alpha)) in l.terms.iter_mut().enumerate() {
-                *mu = add(2 * i, *mu);
-                *alpha = add(2 * i + 1, *alpha);
-            }
-            Law::Ogden(l)
-        }
-    }
+    law.with_constants(|i, value| if i == index { value + change } else { value })
 }
 
 /// The measures of a muscle that are varied.

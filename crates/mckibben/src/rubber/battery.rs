@@ -164,3 +164,20 @@ fn constants_without_stiffness_are_refused() {
     assert!(matches!(law.validated(), Err(LawError::NotFinite { .. })));
     assert!(matches!(Law::Ogden(Ogden { terms: vec![] }).validated(), Err(LawError::Terms)));
 }
+
+/// Constants are told apart by their place: each change arrives where [`RubberLaw::constants`] shows it, and nowhere else.
+#[test]
+fn every_constant_can_be_changed_alone() {
+    for law in all() {
+        let before = law.constants();
+        for i in 0..before.len() {
+            let after = law.with_constants(|j, v| if i == j { v + 1.0 } else { v }).constants();
+            for (j, (a, b)) in after.iter().zip(&before).enumerate() {
+                let expected = if i == j { b.1 + 1.0 } else { b.1 };
+                assert_eq!((&a.0, a.1), (&b.0, expected), "{}", law.name());
+            }
+        }
+        let (soft, stiff) = (law.shear_modulus_mpa(), law.scaled(3.0).shear_modulus_mpa());
+        assert!((stiff / soft - 3.0).abs() < 1e-12, "{}", law.name());
+    }
+}

@@ -96,23 +96,33 @@ impl Law {
         }
     }
 
+    /// The same law with its constants passed through `change` (position in [`RubberLaw::constants`], value). The new law
+    /// is not checked; see [`Law::validated`].
+    pub fn with_constants(&self, change: impl Fn(usize, f64) -> f64) -> Law {
+        match self {
+            Law::MooneyRivlin(l) => Law::MooneyRivlin(MooneyRivlin {
+                c10_mpa: change(0, l.c10_mpa),
+                c01_mpa: change(1, l.c01_mpa),
+            }),
+            Law::NeoHookean(l) => Law::NeoHookean(NeoHookean { mu_mpa: change(0, l.mu_mpa) }),
+            Law::Yeoh(l) => Law::Yeoh(Yeoh {
+                c10_mpa: change(0, l.c10_mpa),
+                c20_mpa: change(1, l.c20_mpa),
+                c30_mpa: change(2, l.c30_mpa),
+            }),
+            Law::Gent(l) => Law::Gent(Gent { mu_mpa: change(0, l.mu_mpa), jm: change(1, l.jm) }),
+            Law::Ogden(l) => {
+                let pair =
+                    |(i, &(mu, alpha)): (usize, &(f64, f64))| (change(2 * i, mu), change(2 * i + 1, alpha));
+                Law::Ogden(Ogden { terms: l.terms.iter().enumerate().map(pair).collect() })
+            }
+        }
+    }
+
     /// The same law with every modulus multiplied by `factor` (limits and exponents stay).
     pub fn scaled(&self, factor: f64) -> Law {
-        match self {
-            Law::MooneyRivlin(l) => {
-                Law::MooneyRivlin(MooneyRivlin { c10_mpa: l.c10_mpa * factor, c01_mpa: l.c01_mpa * factor })
-            }
-            Law::NeoHookean(l) => Law::NeoHookean(NeoHookean { mu_mpa: l.mu_mpa * factor }),
-            Law::Yeoh(l) => Law::Yeoh(Yeoh {
-                c10_mpa: l.c10_mpa * factor,
-                c20_mpa: l.c20_mpa * factor,
-                c30_mpa: l.c30_mpa * factor,
-            }),
-            Law::Ogden(l) => {
-                Law::Ogden(Ogden { terms: l.terms.iter().map(|&(mu, alpha)| (mu * factor, alpha)).collect() })
-            }
-            Law::Gent(l) => Law::Gent(Gent { mu_mpa: l.mu_mpa * factor, jm: l.jm }),
-        }
+        let moduli: Vec<bool> = self.constants().iter().map(|c| c.2 == "MPa").collect();
+        self.with_constants(|i, value| if moduli.get(i) == Some(&true) { value * factor } else { value })
     }
 
     /// The law as a function of the invariants where it is one (all but Ogden).

@@ -1,7 +1,7 @@
 //! What can vary, and the measures of a muscle that come of it.
 
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Tube};
-use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Yeoh};
+use mckibben::rubber::{Law, RubberLaw};
 use mckibben::units::{Dimension, Values};
 
 /// A measure that can vary.
@@ -162,20 +162,8 @@ impl Inputs {
     }
 }
 
+/// A law with one constant, by its name, replaced.
 fn with_constant(law: &Law, name: &str, value: f64) -> Law {
-    let pick = |n: &str, old: f64| if n == name { value } else { old };
-    match law {
-        Law::MooneyRivlin(l) => Law::MooneyRivlin(MooneyRivlin {
-            c10_mpa: pick("c10", l.c10_mpa),
-            c01_mpa: pick("c01", l.c01_mpa),
-        }),
-        Law::NeoHookean(l) => Law::NeoHookean(NeoHookean { mu_mpa: pick("mu", l.mu_mpa) }),
-        Law::Yeoh(l) => Law::Yeoh(Yeoh {
-            c10_mpa: pick("c10", l.c10_mpa),
-            c20_mpa: pick("c20", l.c20_mpa),
-            c30_mpa: pick("c30", l.c30_mpa),
-        }),
-        Law::Gent(l) => Law::Gent(Gent { mu_mpa: pick("mu", l.mu_mpa), jm: pick("jm", l.jm) }),
-        Law::Ogden(l) => Law::Ogden(l.clone()),
-    }
+    let at = law.constants().iter().position(|c| c.0 == name);
+    law.with_constants(|i, old| if Some(i) == at { value } else { old })
 }
