@@ -9,27 +9,15 @@ use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
-
-/// SplitMix64 (Steele, Lea & Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        low + (high - low) * ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-}
+use mckibben_fem::axisymmetric::sweep::Random;
 
 /// A random muscle, a pressure and the strain of its strands at rest.
 fn random(r: &mut Random) -> Option<(Muscle, f64)> {
     let d0 = r.between(10.0, 60.0);
     let (wall_mm, length_mm) = (d0 * r.between(0.03, 0.15), d0 * r.between(5.0, 20.0));
     let angle_deg = r.between(20.0, 35.0);
-    let mu = r.between(0.05_f64.ln(), 1.0_f64.ln()).exp();
-    let p = mu * r.between(0.1_f64.ln(), 5.0_f64.ln()).exp();
+    let mu = r.log(0.05, 1.0);
+    let p = mu * r.log(0.1, 5.0);
     // Blocked: k · strain = P Ro/(2 sin²θ0), so that this stiffness gives about that strain.
     let strain = r.between(0.002, 0.06);
     let sin = angle_deg.to_radians().sin();

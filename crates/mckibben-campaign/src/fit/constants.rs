@@ -7,11 +7,10 @@
 
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, PRESSURES, WALLS, compute_with, same};
 use super::error::FitError;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use mckibben::least_squares::{Settings, minimise};
 use mckibben::model::Coefficients;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber};
 use mckibben::rubber::{Law, MooneyRivlin};
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.
 pub const TABLE_1: [[f64; 4]; 5] = [
@@ -88,57 +87,11 @@ fn formula_residuals(constants: &Constants) -> Option<Vec<f64>> {
     (points.len() == 500).then(|| points.iter().map(one).collect())
 }
 
-struct Problem<F> {
-    residuals: F,
-    x: DVector<f64>,
-}
-
-impl<F: Fn(&DVector<f64>) -> Option<Vec<f64>>> Problem<F> {
-    fn at(&self, x: &DVector<f64>) -> Option<DVector<f64>> {
-        (self.residuals)(x).map(DVector::from_vec)
-    }
-
-    /// The unknowns from zero.
-    fn solved(unknowns: usize, residuals: F) -> Result<DVector<f64>, FitError> {
-        let problem = Problem { residuals, x: DVector::zeros(unknowns) };
-        let method = LevenbergMarquardt::new().with_patience(50).with_ftol(1e-9).with_xtol(1e-7);
-        let (problem, report) = method.minimize(problem);
-        if report.termination.was_successful() {
-            Ok(problem.x)
-        } else {
-            Err(FitError::Singular(format!("the constants of the paper ({:?})", report.termination)))
-        }
-    }
-}
-
-impl<F: Fn(&DVector<f64>) -> Option<Vec<f64>>> LeastSquaresProblem<f64, Dyn, Dyn> for Problem<F> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, x: &DVector<f64>) {
-        self.x.copy_from(x);
-    }
-
-    fn params(&self) -> DVector<f64> {
-        self.x.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        self.at(&self.x)
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        const H: f64 = 1e-4;
-        let column = |i: usize| {
-            let (mut up, mut down) = (self.x.clone(), self.x.clone());
-            up[i] += H;
-            down[i] -= H;
-            Some((self.at(&up)? - self.at(&down)?) / (2.0 * H))
-        };
-        let columns: Option<Vec<DVector<f64>>> = (0..self.x.len()).map(column).collect();
-        columns.map(|c| DMatrix::from_columns(&c))
-    }
+/// The unknowns of a least-squares fit that starts from zero.
+fn solved(unknowns: usize, residuals: impl Fn(&[f64]) -> Option<Vec<f64>>) -> Result<Vec<f64>, FitError> {
+    let settings = Settings { step: 1e-4, tolerances: Some((1e-9, 1e-7)) };
+    let found = minimise(unknowns, settings, residuals);
+    found.map(|m| m.x).map_err(|e| FitError::Singular(format!("the constants of the paper ({e})")))
 }
 
 /// The constants with which our finite elements come nearest to Table 1, and then to (11).
@@ -147,20 +100,20 @@ impl<F: Fn(&DVector<f64>) -> Option<Vec<f64>>> LeastSquaresProblem<f64, Dyn, Dyn
 /// [`FitError::Singular`] where the iteration ends without an answer.
 pub fn fit_constants() -> Result<Constants, FitError> {
     let start = Constants::PROVISIONAL;
-    let first = |x: &DVector<f64>| Constants {
+    let first = |x: &[f64]| Constants {
         c10_mpa: start.c10_mpa * x[0].exp(),
         stiffness_at_40_n_per_mm: start.stiffness_at_40_n_per_mm * x[1].exp(),
         ..start
     };
     // Cubes of the residuals in per cent: least squares of them is the sum of sixth powers.
     let cubes = |r: Vec<f64>| r.into_iter().map(|r| (100.0 * r).powi(3)).collect();
-    let near = first(&Problem::solved(2, |x| table_residuals(&first(x)).map(cubes))?);
+    let near = first(&solved(2, |x| table_residuals(&first(x)).map(cubes))?);
     // The exponent turns about D0 50, where Table 1 has settled k.
     let ratio: f64 = TABLE_1_SECTION.0 / 40.0;
-    let turned = |x: &DVector<f64>| Constants {
+    let turned = |x: &[f64]| Constants {
         exponent: near.exponent + x[0],
         stiffness_at_40_n_per_mm: near.stiffness_at_40_n_per_mm * ratio.powf(-x[0]),
         ..near
     };
-    Ok(turned(&Problem::solved(1, |x| formula_residuals(&turned(x)))?))
+    Ok(turned(&solved(1, |x| formula_residuals(&turned(x)))?))
 }

@@ -22,7 +22,6 @@ use std::path::Path;
 type Skipped = (&'static str, Failure);
 
 struct Row {
-    kind: Kind,
     model: Box<dyn ForceModel>,
     comparison: Comparison,
     fit: Option<Fit>,
@@ -51,10 +50,7 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
         return Err(first.unwrap_or_else(|| Failure::input("usage", "no model to compare", "")));
     }
     if let Some(path) = &args.plot.plot {
-        let models: Vec<Box<dyn ForceModel>> = rows
-            .iter()
-            .map(|row| resolve::build(row.kind, row.model.muscle(), motion))
-            .collect::<Result<_, _>>()?;
+        let models: Vec<&dyn ForceModel> = rows.iter().map(|row| row.model.as_ref()).collect();
         let points = measured.as_deref().unwrap_or(&[]);
         let fits = rows
             .iter()
@@ -166,7 +162,7 @@ fn against_points(
         }
         let model = resolve::build(kind, fitted.as_ref().map_or(muscle, |f| &f.muscle), motion)?;
         let comparison = compare(model.as_ref(), points, options.extrapolate)?;
-        Ok(Row { kind, model, comparison, fit: fitted })
+        Ok(Row { model, comparison, fit: fitted })
     };
     let (mut rows, mut skipped) = (vec![], vec![]);
     for &kind in kinds {
@@ -235,7 +231,7 @@ fn against_first(
                 points.clone()
             };
             let comparison = compare(model.as_ref(), &reference, options.extrapolate)?;
-            Ok((Row { kind, model, comparison, fit: None }, reference))
+            Ok((Row { model, comparison, fit: None }, reference))
         };
         match one() {
             Ok((row, reference)) => {

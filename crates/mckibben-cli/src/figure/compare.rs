@@ -11,7 +11,7 @@ use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Isobaric curves of every model (one colour a model) at each pressure, with the measured points.
 pub fn compare(
-    models: &[Box<dyn ForceModel>],
+    models: &[&dyn ForceModel],
     measured: &[MeasuredPoint],
     pressures: &[f64],
     contractions: &[f64],
@@ -22,8 +22,7 @@ pub fn compare(
     let mut panel =
         Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
     for (number, model) in models.iter().enumerate() {
-        for (i, curve) in
-            curves(model.as_ref(), Test::Isobaric, pressures, contractions, options).iter().enumerate()
+        for (i, curve) in curves(*model, Test::Isobaric, pressures, contractions, options).iter().enumerate()
         {
             let label = if i == 0 { model.name() } else { "" };
             let style = [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][number % 4];

@@ -122,17 +122,7 @@ fn run<T: Clone>(
 impl Axisymmetric {
     /// Isometric test: F at one contraction and the given pressures (MPa). Runs from the highest pressure down.
     pub fn isometric(&self, contraction: f64, pressures_mpa: &[f64]) -> Curve {
-        self.engine(|e| {
-            run(
-                e,
-                pressures_mpa,
-                Along::Pressure,
-                true,
-                |e, _| Control::Length(-contraction * e.half_length()),
-                |e, p| e.reach(p, contraction),
-                CurvePoint::here,
-            )
-        })
+        self.isometric_with(contraction, pressures_mpa, CurvePoint::here)
     }
 
     /// [`Axisymmetric::isometric`] with what the tangents tell, and ∂F/∂(constants and measures) if they are asked for.
@@ -143,23 +133,24 @@ impl Axisymmetric {
         sensitivities: bool,
     ) -> Vec<Result<TangentPoint, FemError>> {
         let muscle = self.muscle();
-        self.engine(|e| {
-            run(
-                e,
-                pressures_mpa,
-                Along::Pressure,
-                true,
-                |e, _| Control::Length(-contraction * e.half_length()),
-                |e, p| e.reach(p, contraction),
-                |e, spent| {
-                    let iterations = e.walker.effort.iterations - spent.0;
-                    let body = &mut e.walker.body;
-                    let response = Solution::response(body, muscle)?;
-                    let all = if sensitivities { sensitivity::all(body, muscle)? } else { vec![] };
-                    Ok(TangentPoint { response, sensitivities: all, iterations })
-                },
-            )
+        self.isometric_with(contraction, pressures_mpa, |e, spent| {
+            let iterations = e.walker.effort.iterations - spent.0;
+            let body = &mut e.walker.body;
+            let response = Solution::response(body, muscle)?;
+            let all = if sensitivities { sensitivity::all(body, muscle)? } else { vec![] };
+            Ok(TangentPoint { response, sensitivities: all, iterations })
         })
+    }
+
+    fn isometric_with<T: Clone>(
+        &self,
+        contraction: f64,
+        pressures_mpa: &[f64],
+        here: impl Fn(&mut Engine, (usize, usize)) -> Result<T, FemError>,
+    ) -> Vec<Result<T, FemError>> {
+        let held = |e: &Engine, _: f64| Control::Length(-contraction * e.half_length());
+        let afresh = |e: &mut Engine, p: f64| e.reach(p, contraction);
+        self.engine(|e| run(e, pressures_mpa, Along::Pressure, true, held, afresh, here))
     }
 
     /// Isobaric test: F at one pressure (MPa) and the given contractions. Runs from the smallest contraction on.

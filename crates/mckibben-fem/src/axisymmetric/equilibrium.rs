@@ -177,11 +177,6 @@ impl Body {
         &self.work.residual
     }
 
-    /// ∂V/∂x as of the last assembly.
-    pub fn volume_gradient(&self) -> &[f64] {
-        &self.work.volume
-    }
-
     /// Number of negative eigenvalues of the tangent beyond those of the multipliers, with the terminal held:
     /// zero for a stable equilibrium.
     pub fn unstable_directions(&self) -> usize {

@@ -1,10 +1,9 @@
 //! A small fit: up to three constants of a muscle from measured points, by Levenberg–Marquardt.
 
 use super::measured::MeasuredPoint;
+use crate::least_squares::{Settings, minimise};
 use crate::model::{ForceModel, ModelError};
 use crate::muscle::{BraidStiffness, EndFactor, Muscle, MuscleError};
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use thiserror::Error;
 
 /// What can be fitted. All are positive and fitted by their logarithm.
@@ -94,72 +93,6 @@ pub enum FitError {
     Muscle(#[from] MuscleError),
 }
 
-struct Problem<'a, B> {
-    muscle: &'a Muscle,
-    parameters: &'a [FitParameter],
-    start: Vec<f64>,
-    points: &'a [MeasuredPoint],
-    build: &'a B,
-    x: DVector<f64>,
-}
-
-impl<B> Problem<'_, B>
-where
-    B: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
-{
-    fn muscle_at(&self, x: &DVector<f64>) -> Result<Muscle, MuscleError> {
-        let mut muscle = self.muscle.clone();
-        for ((parameter, start), x) in self.parameters.iter().zip(&self.start).zip(x.iter()) {
-            muscle = parameter.apply(&muscle, start * x.exp())?;
-        }
-        Ok(muscle)
-    }
-
-    fn residuals_at(&self, x: &DVector<f64>) -> Option<DVector<f64>> {
-        let model = (self.build)(&self.muscle_at(x).ok()?).ok()?;
-        let list: Option<Vec<f64>> = self
-            .points
-            .iter()
-            .map(|p| model.force_n(p.pressure_mpa, p.contraction).ok().map(|f| f - p.force_n))
-            .collect();
-        list.map(DVector::from_vec)
-    }
-}
-
-impl<B> LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_, B>
-where
-    B: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
-{
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, x: &DVector<f64>) {
-        self.x.copy_from(x);
-    }
-
-    fn params(&self) -> DVector<f64> {
-        self.x.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        self.residuals_at(&self.x)
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        const H: f64 = 1e-6;
-        let columns: Option<Vec<DVector<f64>>> = (0..self.x.len())
-            .map(|i| {
-                let (mut up, mut down) = (self.x.clone(), self.x.clone());
-                up[i] += H;
-                down[i] -= H;
-                Some((self.residuals_at(&up)? - self.residuals_at(&down)?) / (2.0 * H))
-            })
-            .collect();
-        columns.map(|c| DMatrix::from_columns(&c))
-    }
-}
-
 /// Fits constants of `muscle` so that the model made by `build` comes closest to the points (least squares of the force).
 ///
 /// # Errors
@@ -177,29 +110,35 @@ where
     if points.len() < 2 * unknowns + 1 {
         return Err(FitError::TooFew { points: points.len(), unknowns });
     }
-    let problem = Problem {
-        muscle,
-        parameters,
-        start: parameters.iter().map(|p| p.value(muscle)).collect(),
-        points,
-        build: &build,
-        x: DVector::zeros(unknowns),
+    let start: Vec<f64> = parameters.iter().map(|p| p.value(muscle)).collect();
+    // Logarithms of the values over their starts.
+    let values_at = |x: &[f64]| -> Vec<(FitParameter, f64)> {
+        parameters
+            .iter()
+            .zip(&start)
+            .zip(x)
+            .map(|((&parameter, start), x)| (parameter, start * x.exp()))
+            .collect()
+    };
+    let muscle_at = |x: &[f64]| -> Result<Muscle, MuscleError> {
+        values_at(x)
+            .into_iter()
+            .try_fold(muscle.clone(), |muscle, (parameter, value)| parameter.apply(&muscle, value))
     };
     // Say why, if the start already fails.
-    let first = build(&problem.muscle_at(&problem.x)?).map_err(FitError::Start)?;
+    let first = build(&muscle_at(&vec![0.0; unknowns])?).map_err(FitError::Start)?;
     for p in points {
         first.force_n(p.pressure_mpa, p.contraction).map_err(FitError::Start)?;
     }
-    let (problem, report) = LevenbergMarquardt::new().with_patience(50).minimize(problem);
-    if !report.termination.was_successful() {
-        return Err(FitError::NotConverged { reason: format!("{:?}", report.termination) });
-    }
-    let values: Vec<(FitParameter, f64)> = parameters
-        .iter()
-        .zip(&problem.start)
-        .zip(problem.x.iter())
-        .map(|((&parameter, start), x)| (parameter, start * x.exp()))
-        .collect();
-    let rms_n = (2.0 * report.objective_function / points.len() as f64).sqrt();
-    Ok(Fit { muscle: problem.muscle_at(&problem.x)?, values, rms_n })
+    let residuals = |x: &[f64]| -> Option<Vec<f64>> {
+        let model = build(&muscle_at(x).ok()?).ok()?;
+        points
+            .iter()
+            .map(|p| model.force_n(p.pressure_mpa, p.contraction).ok().map(|f| f - p.force_n))
+            .collect()
+    };
+    let found = minimise(unknowns, Settings { step: 1e-6, tolerances: None }, residuals)
+        .map_err(|error| FitError::NotConverged { reason: error.reason })?;
+    let rms_n = (found.sum_of_squares / points.len() as f64).sqrt();
+    Ok(Fit { muscle: muscle_at(&found.x)?, values: values_at(&found.x), rms_n })
 }

@@ -124,11 +124,6 @@ impl Law {
         let moduli: Vec<bool> = self.constants().iter().map(|c| c.2 == "MPa").collect();
         self.with_constants(|i, value| if moduli.get(i) == Some(&true) { value * factor } else { value })
     }
-
-    /// The law as a function of the invariants where it is one (all but Ogden).
-    pub fn is_invariant_law(&self) -> bool {
-        !matches!(self, Law::Ogden(_))
-    }
 }
 
 macro_rules! each {

@@ -25,7 +25,7 @@ use std::f64::consts::PI;
 
 /// The thick-wall energy model for any rubber law.
 ///
-/// Valid for long muscles: the terminals cost some 4 % of the force at ε = 0 and 10 % at ε = .10 for L0/D0 ≈ 10. The
+/// Valid for long muscles: the terminals cost the paper's prototype (L0/D0 9.5) 3 % of the force at ε = 0 and 10 % at .10. The
 /// rubber is taken as incompressible. An end factor of the terminals multiplies ε in the pressure term and the wall
 /// energy alike (Tondu & Lopez 2000).
 #[derive(Debug, Clone)]
