@@ -33,5 +33,6 @@ pub mod element;
 pub mod load;
 pub mod output;
 pub mod solver;
+pub mod three_dimensional;
 pub mod validation;
 pub mod verification;

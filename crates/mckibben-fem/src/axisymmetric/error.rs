@@ -38,6 +38,12 @@ pub enum FemError {
         /// Which element.
         element: usize,
     },
+    /// More unknowns than there is memory for.
+    #[error("mesh: there is not enough memory for {unknowns} unknowns; take fewer elements")]
+    TooLarge {
+        /// Number of unknowns.
+        unknowns: usize,
+    },
     /// A question that is no number, a pressure that is not finite, a contraction of 1 or more.
     #[error("no muscle has a pressure of {pressure_mpa} MPa and a contraction of {contraction}")]
     Question {

@@ -1,8 +1,14 @@
 //! Elements: what a piece of rubber or braid contributes to forces and tangent.
 
+pub mod brick;
+pub mod hexahedron;
+pub mod lanes;
 pub mod plane;
 pub mod q2;
 pub mod solid;
+pub mod spatial;
+pub mod spatial_stretches;
 pub mod strand;
 pub mod stretches;
+pub mod tie;
 pub mod truss;

@@ -15,12 +15,12 @@ pub struct ByStretches<'a, L>(pub &'a L);
 /// Where two stretches are nearer than this, the divided difference is replaced by its limit.
 const NEAR: f64 = 1e-5;
 
-/// First and second derivatives of w(J^(−1/3) λ) in λ.
-fn isochoric<L: RubberLaw>(law: &L, l: [f64; 3]) -> (f64, [f64; 3], [[f64; 3]; 3]) {
+/// w(J^(−1/3) λ), its derivatives τ_i in ln λ_i, and theirs.
+pub(crate) fn logarithmic<L: RubberLaw>(law: &L, l: [f64; 3]) -> (f64, [f64; 3], [[f64; 3]; 3]) {
     let root = (l[0] * l[1] * l[2]).cbrt();
     let bar = l.map(|x| x / root);
     let p = law.principal(bar);
-    // In logarithms: e_i = λ̄i d_i, then the projection that takes out the mean.
+    // e_i = λ̄i d_i, then the projection that takes out the mean.
     let e = [0, 1, 2].map(|i| bar[i] * p.d[i]);
     let mean = (e[0] + e[1] + e[2]) / 3.0;
     let mut ee = [[0.0; 3]; 3];
@@ -31,15 +31,16 @@ fn isochoric<L: RubberLaw>(law: &L, l: [f64; 3]) -> (f64, [f64; 3], [[f64; 3]; 3
     }
     let row = [0, 1, 2].map(|i| (ee[i][0] + ee[i][1] + ee[i][2]) / 3.0);
     let all = (row[0] + row[1] + row[2]) / 3.0;
-    let tau = e.map(|x| x - mean);
-    let mut dd = [[0.0; 3]; 3];
-    for i in 0..3 {
-        for j in 0..3 {
-            let log = ee[i][j] - row[i] - row[j] + all;
-            dd[i][j] = (log - if i == j { tau[i] } else { 0.0 }) / (l[i] * l[j]);
-        }
-    }
-    (p.w, [0, 1, 2].map(|i| tau[i] / l[i]), dd)
+    let second = [0, 1, 2].map(|i| [0, 1, 2].map(|j| ee[i][j] - row[i] - row[j] + all));
+    (p.w, e.map(|x| x - mean), second)
+}
+
+/// First and second derivatives of w(J^(−1/3) λ) in λ.
+fn isochoric<L: RubberLaw>(law: &L, l: [f64; 3]) -> (f64, [f64; 3], [[f64; 3]; 3]) {
+    let (w, tau, log) = logarithmic(law, l);
+    let dd =
+        [0, 1, 2].map(|i| [0, 1, 2].map(|j| (log[i][j] - if i == j { tau[i] } else { 0.0 }) / (l[i] * l[j])));
+    (w, [0, 1, 2].map(|i| tau[i] / l[i]), dd)
 }
 
 impl<L: RubberLaw> PlaneLaw for ByStretches<'_, L> {

@@ -1,3 +1,4 @@
 //! Loads that are potentials.
 
+pub mod bore;
 pub mod cavity;

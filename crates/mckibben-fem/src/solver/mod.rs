@@ -2,7 +2,9 @@
 
 pub mod chain;
 pub mod dense;
+pub mod dissection;
 pub mod newton;
+pub mod sparse;
 
 use thiserror::Error;
 

@@ -1,0 +1,189 @@
+//! Rubber in any state of deformation: Kirchhoff stress and spatial tangent of the isochoric part.
+//!
+//! With b = F Fᵀ, b̄ = J^(−2/3) b, Ī1 = tr b̄, Ī2 = (Ī1² − tr b̄²)/2 (Simo & Hughes 1998, §9.3; Holzapfel 2000, §6.6):
+//!
+//!   τ̄ = 2 (w1 + Ī1 w2) b̄ − 2 w2 b̄²,   τ = dev τ̄
+//!   c̄ = 4 [(w2 + w11 + 2 Ī1 w12 + Ī1² w22) b̄⊗b̄ − (w12 + Ī1 w22)(b̄⊗b̄² + b̄²⊗b̄) + w22 b̄²⊗b̄² − w2 1_b̄]
+//!   c = P:c̄:P + ⅔ tr τ̄ (1 − ⅓ I⊗I) − ⅔ (τ⊗I + I⊗τ)
+//!
+//! Order of components: xx, yy, zz, xy, yz, zx.
+
+use super::lanes::Real;
+use super::spatial_stretches::ByStretches;
+use mckibben::rubber::{InvariantLaw, Law};
+
+/// A symmetric tensor.
+pub type Symmetric<R> = [R; 6];
+
+/// Rows and columns of the six components.
+pub const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
+/// Component of a row and a column.
+pub const AT: [[usize; 3]; 3] = [[0, 3, 5], [3, 1, 4], [5, 4, 2]];
+
+/// Energy, stress and tangent per volume at rest.
+#[derive(Debug, Clone, Copy)]
+pub struct Spatial<R> {
+    /// Energy in MPa.
+    pub w: R,
+    /// τ in MPa.
+    pub tau: Symmetric<R>,
+    /// c in MPa, both halves.
+    pub c: [Symmetric<R>; 6],
+}
+
+impl<R: Real> Spatial<R> {
+    /// Zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        let o = R::splat(0.0);
+        Self { w: o, tau: [o; 6], c: [[o; 6]; 6] }
+    }
+}
+
+/// An isochoric law.
+pub trait SpatialLaw: Sync {
+    /// τ at b and J, and c where `TANGENT`.
+    fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, j: R) -> Spatial<R>;
+}
+
+/// x^(−1/3), lane by lane.
+#[inline(always)]
+pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
+    let mut out = x;
+    let mut near = true;
+    for l in 0..R::LANES {
+        near &= (x.lane(l) - 1.0).abs() < 0.12;
+    }
+    if near {
+        // Series and two steps of Newton's method, y (4 − x y³)/3: exact to rounding.
+        let d = x - R::splat(1.0);
+        let mut y = d.mul_add(R::splat(35.0 / 243.0), R::splat(-14.0 / 81.0));
+        y = y.mul_add(d, R::splat(2.0 / 9.0));
+        y = y.mul_add(d, R::splat(-1.0 / 3.0));
+        y = y.mul_add(d, R::splat(1.0));
+        for _ in 0..2 {
+            y = y * (R::splat(4.0) - x * y * y * y) * R::splat(1.0 / 3.0);
+        }
+        return y;
+    }
+    for l in 0..R::LANES {
+        out.set_lane(l, 1.0 / x.lane(l).cbrt());
+    }
+    out
+}
+
+/// A law in I1 and I2.
+#[derive(Debug, Clone, Copy)]
+pub struct ByInvariants<'a, L>(pub &'a L);
+
+impl<L: InvariantLaw + Sync> SpatialLaw for ByInvariants<'_, L> {
+    #[inline(always)]
+    fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, j: R) -> Spatial<R> {
+        let s = R::splat;
+        let root = inverse_cube_root(j);
+        let scale = root * root;
+        let mut x = *b;
+        for v in &mut x {
+            *v = *v * scale;
+        }
+        let mut y = x;
+        for (k, &(i, j)) in PAIRS.iter().enumerate() {
+            y[k] = x[AT[i][0]] * x[AT[0][j]] + x[AT[i][1]] * x[AT[1][j]] + x[AT[i][2]] * x[AT[2][j]];
+        }
+        let i1 = x[0] + x[1] + x[2];
+        let i2 = s(0.5) * (i1 * i1 - (y[0] + y[1] + y[2]));
+        let o = s(0.0);
+        let (mut w, mut w1, mut w2, mut w11, mut w12, mut w22) = (o, o, o, o, o, o);
+        for l in 0..R::LANES {
+            let d = self.0.invariant(i1.lane(l), i2.lane(l));
+            w.set_lane(l, d.w);
+            w1.set_lane(l, d.w1);
+            w2.set_lane(l, d.w2);
+            w11.set_lane(l, d.w11);
+            w12.set_lane(l, d.w12);
+            w22.set_lane(l, d.w22);
+        }
+        let (a1, a2) = (s(2.0) * (w1 + i1 * w2), s(-2.0) * w2);
+        let mut out = Spatial::zero();
+        out.w = w;
+        for k in 0..6 {
+            out.tau[k] = a1 * x[k] + a2 * y[k];
+        }
+        let mean = (out.tau[0] + out.tau[1] + out.tau[2]) * s(1.0 / 3.0);
+        for k in 0..3 {
+            out.tau[k] = out.tau[k] - mean;
+        }
+        if TANGENT {
+            let k11 = s(4.0) * (w2 + w11 + s(2.0) * i1 * w12 + i1 * i1 * w22);
+            let k12 = s(-4.0) * (w12 + i1 * w22);
+            let (k22, half) = (s(4.0) * w22, s(-2.0) * w2);
+            for a in 0..6 {
+                let (i, j) = PAIRS[a];
+                let (p, q) = (k11 * x[a] + k12 * y[a], k12 * x[a] + k22 * y[a]);
+                for c in a..6 {
+                    let (k, l) = PAIRS[c];
+                    let dyads = x[AT[i][k]] * x[AT[j][l]] + x[AT[i][l]] * x[AT[j][k]];
+                    out.c[a][c] = p * x[c] + q * y[c] + half * dyads;
+                }
+            }
+            deviate(&mut out, mean);
+        }
+        out
+    }
+}
+
+/// c̄ (upper half) becomes c (both halves); `mean` is tr τ̄/3.
+#[inline(always)]
+fn deviate<R: Real>(out: &mut Spatial<R>, mean: R) {
+    let s = R::splat;
+    let c = &mut out.c;
+    let third = s(1.0 / 3.0);
+    let mut row = [s(0.0); 6];
+    row[0] = (c[0][0] + c[0][1] + c[0][2]) * third;
+    row[1] = (c[0][1] + c[1][1] + c[1][2]) * third;
+    row[2] = (c[0][2] + c[1][2] + c[2][2]) * third;
+    for k in 3..6 {
+        row[k] = (c[0][k] + c[1][k] + c[2][k]) * third;
+    }
+    let all = (row[0] + row[1] + row[2]) * third;
+    let two = s(2.0) * mean;
+    for a in 0..6 {
+        row[a] = row[a] + s(2.0 / 3.0) * out.tau[a];
+    }
+    let both = all - two * third;
+    for a in 0..3 {
+        for b in a..3 {
+            c[a][b] = c[a][b] - row[a] - row[b] + both;
+        }
+        for b in 3..6 {
+            c[a][b] = c[a][b] - row[b];
+        }
+        c[a][a] = c[a][a] + two;
+        c[a + 3][a + 3] = c[a + 3][a + 3] + mean;
+    }
+    for a in 1..6 {
+        for b in 0..a {
+            c[a][b] = c[b][a];
+        }
+    }
+}
+
+/// Something done with a law whose type is known when it is compiled.
+pub trait SpatialVisitor {
+    /// What it gives back.
+    type Output;
+    /// The work itself.
+    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output;
+}
+
+/// Runs `visitor` with the concrete law: laws in the invariants take the short way, Ogden the way through principal
+/// stretches.
+pub fn visit<V: SpatialVisitor>(law: &Law, visitor: V) -> V::Output {
+    match law {
+        Law::MooneyRivlin(l) => visitor.with(&ByInvariants(l)),
+        Law::NeoHookean(l) => visitor.with(&ByInvariants(l)),
+        Law::Yeoh(l) => visitor.with(&ByInvariants(l)),
+        Law::Gent(l) => visitor.with(&ByInvariants(l)),
+        Law::Ogden(l) => visitor.with(&ByStretches(l)),
+    }
+}

@@ -1,0 +1,102 @@
+//! Pressure on the bore of a three-dimensional body, as the potential −P V.
+//!
+//! V = ⅓ ∫ x·(∂x/∂ξ × ∂x/∂η) over the faces of the bore is the volume between them and the origin. Planes of symmetry
+//! through the origin add nothing, the terminal adds ⅓ A z. With polynomials for x it is a cubic form in the places of
+//! the nodes, which Gauss points integrate exactly: forces and tangent are its exact derivatives, and the tangent is
+//! symmetric because the cavity is closed (Schweizerhof & Ramm 1984).
+
+use crate::element::q2::{GAUSS2, GAUSS3};
+
+/// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).
+pub type FacePoint<const N: usize> = ([f64; N], [f64; N], [f64; N], f64);
+
+fn face<const P: usize, const N: usize, const G: usize>(
+    rule: impl Fn(f64) -> ([f64; P], [f64; P]),
+    gauss: &[(f64, f64); G],
+) -> Vec<FacePoint<N>> {
+    let mut out = Vec::with_capacity(G * G);
+    for (b, wb) in gauss {
+        for (a, wa) in gauss {
+            let ((x, dx), (y, dy)) = (rule(*a), rule(*b));
+            out.push((
+                std::array::from_fn(|k| x[k % P] * y[k / P]),
+                std::array::from_fn(|k| dx[k % P] * y[k / P]),
+                std::array::from_fn(|k| x[k % P] * dy[k / P]),
+                wa * wb,
+            ));
+        }
+    }
+    out
+}
+
+/// Four nodes (two rows of two): the integrand is of degree two each way.
+pub fn points4() -> Vec<FacePoint<4>> {
+    face(|x| ([0.5 * (1.0 - x), 0.5 * (1.0 + x)], [-0.5, 0.5]), &GAUSS2)
+}
+
+/// Nine nodes (three rows of three): the integrand is of degree five each way.
+pub fn points9() -> Vec<FacePoint<9>> {
+    face(|x| ([0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)], [x - 0.5, -2.0 * x, x + 0.5]), &GAUSS3)
+}
+
+/// Volume under a face and its derivatives.
+#[derive(Debug, Clone)]
+pub struct Volume<const N: usize> {
+    /// V in mm³.
+    pub value: f64,
+    /// ∂V/∂x in mm².
+    pub first: [[f64; 3]; N],
+    /// ∂²V/∂x_a∂x_b = skew matrix of this vector, in mm: ∂²V/∂x_ai∂x_bk = Σ_j ε_ijk s_j, with ε_ikj sign.
+    pub second: [[[f64; 3]; N]; N],
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The volume under a face whose nodes are at `x`.
+///
+/// With t = ∂x/∂ξ, e = ∂x/∂η: 3 V = ∫ x·(t × e); first derivatives N (t × e) + N_ξ (e × x) + N_η (x × t). The second
+/// derivatives in x_a and x_b are the skew matrix [w]× with
+/// w = −(N_a N_ξb − N_ξa N_b) e + (N_a N_ηb − N_ηa N_b) t − (N_ξa N_ηb − N_ηa N_ξb) x, taken as δx_a·(w × δx_b).
+pub fn volume<const N: usize, const TANGENT: bool>(points: &[FacePoint<N>], x: &[[f64; 3]; N]) -> Volume<N> {
+    let mut out = Volume { value: 0.0, first: [[0.0; 3]; N], second: [[[0.0; 3]; N]; N] };
+    for (n, nx, ny, weight) in points {
+        let sum = |w: &[f64; N]| -> [f64; 3] {
+            let mut s = [0.0; 3];
+            for a in 0..N {
+                for i in 0..3 {
+                    s[i] += w[a] * x[a][i];
+                }
+            }
+            s
+        };
+        let (p, t, e) = (sum(n), sum(nx), sum(ny));
+        let (te, ep, pt) = (cross(t, e), cross(e, p), cross(p, t));
+        let w = weight / 3.0;
+        out.value += w * (p[0] * te[0] + p[1] * te[1] + p[2] * te[2]);
+        for a in 0..N {
+            for i in 0..3 {
+                out.first[a][i] += w * (n[a] * te[i] + nx[a] * ep[i] + ny[a] * pt[i]);
+            }
+            if TANGENT {
+                for b in 0..N {
+                    let (se, st, sp) = (
+                        w * (n[a] * nx[b] - nx[a] * n[b]),
+                        w * (n[a] * ny[b] - ny[a] * n[b]),
+                        w * (nx[a] * ny[b] - ny[a] * nx[b]),
+                    );
+                    for i in 0..3 {
+                        out.second[a][b][i] += -se * e[i] + st * t[i] - sp * p[i];
+                    }
+                }
+            }
+        }
+    }
+    out
+}
+
+/// ∂²V/∂x_a∂x_b as a matrix from its vector w: δa·(w × δb).
+pub fn skew(w: &[f64; 3]) -> [[f64; 3]; 3] {
+    [[0.0, -w[2], w[1]], [w[2], 0.0, -w[0]], [-w[1], w[0], 0.0]]
+}

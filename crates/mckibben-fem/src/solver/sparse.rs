@@ -1,0 +1,244 @@
+//! Sparse symmetric systems: Cholesky's factorisation, LDLᵀ where the matrix is not positive definite.
+//!
+//! The pattern is analysed once; values are filled in and factorised again and again. The supernodal factorisation is
+//! that of the library `faer`, on one thread: simulations run side by side. Unknowns are eliminated in the order in
+//! which they are numbered.
+
+use super::Singular;
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
+use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+use thiserror::Error;
+
+/// Why a pattern cannot be factorised.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+#[error("there is not enough memory to factorise a matrix of {dimension} unknowns")]
+pub struct TooLarge {
+    /// Number of unknowns.
+    pub dimension: usize,
+}
+
+/// What the last factorisation was.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    None,
+    Positive,
+    Indefinite,
+}
+
+/// The lower half of a symmetric matrix by columns: where entries stand.
+#[derive(Debug, Clone)]
+pub struct Pattern {
+    /// First entry of each column, and the number of all.
+    pub columns: Vec<u32>,
+    /// Row of each entry, rising in each column; the first one is the diagonal.
+    pub rows: Vec<u32>,
+}
+
+impl Pattern {
+    /// Number of unknowns.
+    pub fn dimension(&self) -> usize {
+        self.columns.len().saturating_sub(1)
+    }
+
+    /// Entries of the lower half.
+    pub fn entries(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Where entry (`row`, `column`) of the lower half stands.
+    pub fn position(&self, row: u32, column: u32) -> Option<u32> {
+        let start = *self.columns.get(column as usize)?;
+        let end = *self.columns.get(column as usize + 1)?;
+        let all = self.rows.get(start as usize..end as usize)?;
+        all.binary_search(&row).ok().map(|i| start + i as u32)
+    }
+
+    /// The upper half by columns.
+    fn transposed(&self) -> (Vec<u32>, Vec<u32>) {
+        let n = self.dimension();
+        let mut columns = vec![0u32; n + 1];
+        for &r in &self.rows {
+            columns[r as usize + 1] += 1;
+        }
+        for i in 0..n {
+            columns[i + 1] += columns[i];
+        }
+        let (mut next, mut rows) = (columns.clone(), vec![0u32; self.rows.len()]);
+        for c in 0..n {
+            for &r in &self.rows[self.columns[c] as usize..self.columns[c + 1] as usize] {
+                rows[next[r as usize] as usize] = c as u32;
+                next[r as usize] += 1;
+            }
+        }
+        (columns, rows)
+    }
+}
+
+/// A factorised sparse symmetric matrix.
+pub struct SparseCholesky {
+    pattern: Pattern,
+    symbolic: SymbolicCholesky<u32>,
+    factor: Vec<f64>,
+    memory: MemBuffer,
+    kind: Kind,
+    negative: usize,
+}
+
+impl std::fmt::Debug for SparseCholesky {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("SparseCholesky")
+            .field("dimension", &self.pattern.dimension())
+            .field("entries", &self.pattern.entries())
+            .field("factor", &self.factor.len())
+            .finish_non_exhaustive()
+    }
+}
+
+impl SparseCholesky {
+    /// Analyses a pattern.
+    ///
+    /// # Errors
+    /// [`TooLarge`] where there is no memory for the factors.
+    pub fn new(pattern: Pattern) -> Result<Self, TooLarge> {
+        let n = pattern.dimension();
+        let too_large = TooLarge { dimension: n };
+        let (columns, rows) = pattern.transposed();
+        let upper = SymbolicSparseColMatRef::new_checked(n, n, &columns, None, &rows);
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            ..CholeskySymbolicParams::default()
+        };
+        let symbolic = factorize_symbolic_cholesky(upper, Side::Upper, SymmetricOrdering::Identity, params)
+            .map_err(|_| too_large)?;
+        let request = StackReq::any_of(&[
+            symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()),
+            symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
+            symbolic.solve_in_place_scratch::<f64>(2, Par::Seq),
+        ]);
+        let memory = MemBuffer::try_new(request).map_err(|_| too_large)?;
+        let mut factor = Vec::new();
+        factor.try_reserve_exact(symbolic.len_val()).map_err(|_| too_large)?;
+        factor.resize(symbolic.len_val(), 0.0);
+        Ok(Self { pattern, symbolic, factor, memory, kind: Kind::None, negative: 0 })
+    }
+
+    /// Where entries stand.
+    pub fn pattern(&self) -> &Pattern {
+        &self.pattern
+    }
+
+    /// Numbers in the factor, zeros that pad it included.
+    pub fn factor_entries(&self) -> usize {
+        self.factor.len()
+    }
+
+    /// Floating-point operations of one factorisation: Σ over the columns of (entries of the column)².
+    pub fn operations(&self) -> f64 {
+        let SymbolicCholeskyRaw::Supernodal(s) = self.symbolic.raw() else { return 0.0 };
+        (0..s.n_supernodes())
+            .map(|i| {
+                let width = (s.supernode_end()[i] - s.supernode_begin()[i]) as usize;
+                let below = s.supernode(i).pattern().len();
+                (0..width).map(|c| ((below + width - c) as f64).powi(2)).sum::<f64>()
+            })
+            .sum()
+    }
+
+    /// Factorises the lower half of a matrix with the pattern.
+    ///
+    /// # Errors
+    /// [`Singular`] where a pivot is zero or no number.
+    pub fn factorise(&mut self, values: &[f64]) -> Result<(), Singular> {
+        let n = self.pattern.dimension();
+        let lower =
+            SymbolicSparseColMatRef::new_checked(n, n, &self.pattern.columns, None, &self.pattern.rows);
+        let matrix = SparseColMatRef::new(lower, &values[..self.pattern.entries()]);
+        self.negative = 0;
+        self.kind = Kind::None;
+        let stack = MemStack::new(&mut self.memory);
+        let positive = self.symbolic.factorize_numeric_llt(
+            &mut self.factor,
+            matrix,
+            Side::Lower,
+            LltRegularization::default(),
+            Par::Seq,
+            stack,
+            Default::default(),
+        );
+        if positive.is_ok() {
+            self.kind = Kind::Positive;
+            return Ok(());
+        }
+        let stack = MemStack::new(&mut self.memory);
+        self.symbolic
+            .factorize_numeric_ldlt(
+                &mut self.factor,
+                matrix,
+                Side::Lower,
+                LdltRegularization::default(),
+                Par::Seq,
+                stack,
+                Default::default(),
+            )
+            .map_err(|_| Singular { block: 0, pivot: 0 })?;
+        self.kind = Kind::Indefinite;
+        self.count_pivots()
+    }
+
+    fn count_pivots(&mut self) -> Result<(), Singular> {
+        let SymbolicCholeskyRaw::Supernodal(s) = self.symbolic.raw() else { return Ok(()) };
+        for i in 0..s.n_supernodes() {
+            let (begin, end) = (s.supernode_begin()[i] as usize, s.supernode_end()[i] as usize);
+            let width = end - begin;
+            let height = width + s.supernode(i).pattern().len();
+            let start = s.col_ptr_for_val()[i] as usize;
+            for c in 0..width {
+                let pivot = self.factor[start + c * height + c];
+                if !pivot.is_finite() || pivot == 0.0 {
+                    return Err(Singular { block: i, pivot: c });
+                }
+                self.negative += usize::from(pivot < 0.0);
+            }
+        }
+        Ok(())
+    }
+
+    /// Replaces right-hand sides, one after the other in `rhs`, by the solutions.
+    pub fn solve(&mut self, rhs: &mut [f64], count: usize) {
+        let n = self.pattern.dimension();
+        if count > 2 {
+            rhs.chunks_exact_mut(n).for_each(|one| self.solve(one, 1));
+            return;
+        }
+        let columns = MatMut::from_column_major_slice_mut(rhs, n, count);
+        let stack = MemStack::new(&mut self.memory);
+        match self.kind {
+            Kind::None => {}
+            Kind::Positive => LltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
+                Conj::No,
+                columns,
+                Par::Seq,
+                stack,
+            ),
+            Kind::Indefinite => LdltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
+                Conj::No,
+                columns,
+                Par::Seq,
+                stack,
+            ),
+        }
+    }
+
+    /// Number of negative pivots of the last factorisation.
+    pub fn negative_pivots(&self) -> usize {
+        self.negative
+    }
+}

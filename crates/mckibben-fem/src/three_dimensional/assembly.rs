@@ -1,0 +1,336 @@
+//! Residual and tangent of a body, element by element.
+
+use super::discrete::Discrete;
+use super::mesh::Brick;
+use super::state::State;
+use crate::element::brick::{Input, Output, ShapePoint, run};
+use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
+use crate::element::lanes::{Real, Width};
+use crate::element::spatial::{AT, SpatialLaw, SpatialVisitor, visit};
+use crate::element::tie::Tie;
+use crate::load::bore::{FacePoint, points4, points9, skew, volume};
+use crate::solver::newton::Stopped;
+
+/// What the elements of a body add up to.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Totals {
+    /// Pull of the whole muscle in N: four times ∂Π/∂w of the eighth.
+    pub pull: f64,
+    /// Cavity of the eighth in mm³.
+    pub volume: f64,
+    /// Elastic energy of the eighth's rubber in N·mm.
+    pub rubber: f64,
+    /// Elastic energy of the eighth's strands in N·mm.
+    pub braid: f64,
+    /// Smallest volume ratio at an integration point.
+    pub smallest_j: f64,
+    /// Largest volume defect |∫(J − 1) − p V/K|/V of an element.
+    pub defect: f64,
+}
+
+/// What an assembly fills.
+#[derive(Debug, Clone)]
+pub struct Work {
+    /// Lower half of the tangent, the terminal's column, its own entry, and a number that nobody reads.
+    pub values: Vec<f64>,
+    /// ∂Π/∂u of every displacement, with what is condensed.
+    pub force: Vec<f64>,
+    /// ∂V/∂u of every displacement.
+    pub cavity: Vec<f64>,
+    /// G_k, brick by brick.
+    pub gradient: Vec<f64>,
+    /// c_k, brick by brick.
+    pub defect: Vec<f64>,
+    /// Direction and strain of the strands, and whether they carry.
+    pub strands: Vec<([f64; 3], f64, bool)>,
+    points8: Vec<ShapePoint<NODES8>>,
+    points27: Vec<ShapePoint<NODES27>>,
+    face4: Vec<FacePoint<4>>,
+    face9: Vec<FacePoint<9>>,
+}
+
+impl Work {
+    /// Empty.
+    pub fn new(d: &Discrete) -> Self {
+        let displacements = 3 * d.parts.nodes.len();
+        Self {
+            values: vec![0.0; d.pattern.entries() + d.free + 2],
+            force: vec![0.0; displacements],
+            cavity: vec![0.0; displacements],
+            gradient: vec![0.0; d.bricks() * d.modes * d.per_brick * 3],
+            defect: vec![0.0; d.bricks() * d.modes],
+            strands: vec![([0.0; 3], 0.0, false); d.parts.ties.len()],
+            points8: points8(),
+            points27: points27(),
+            face4: points4(),
+            face9: points9(),
+        }
+    }
+}
+
+/// Adds up the elements; the tangent only where `TANGENT`.
+///
+/// # Errors
+/// [`Stopped::Inverted`], [`Stopped::NotFinite`].
+pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work) -> Result<Totals, Stopped> {
+    work.force.fill(0.0);
+    work.cavity.fill(0.0);
+    if TANGENT {
+        work.values.fill(0.0);
+    }
+    let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
+    let inverted = visit(&d.parts.law, Bricks::<TANGENT> { d, s, work, totals: &mut totals });
+    if let Some((element, smallest_j)) = inverted {
+        return Err(Stopped::Inverted { element, smallest_j });
+    }
+    ties::<TANGENT>(d, s, work, &mut totals);
+    match d.parts.brick {
+        Brick::Linear => {
+            let points = std::mem::take(&mut work.face4);
+            faces::<4, TANGENT>(&points, d, s, work, &mut totals);
+            work.face4 = points;
+        }
+        Brick::Quadratic => {
+            let points = std::mem::take(&mut work.face9);
+            faces::<9, TANGENT>(&points, d, s, work, &mut totals);
+            work.face9 = points;
+        }
+    }
+    for (f, v) in work.force.iter_mut().zip(&work.cavity) {
+        *f -= s.pressure * v;
+    }
+    for (f, dead) in work.force.chunks_exact_mut(3).zip(&d.parts.dead) {
+        (0..3).for_each(|i| f[i] -= s.pressure * dead[i]);
+    }
+    // The terminal's own share of the cavity.
+    let cap = d.parts.cap_mm2;
+    totals.volume += cap * (d.half + s.terminal) / 3.0;
+    let reaction: f64 = d.terminal.iter().map(|&i| work.force[i as usize]).sum();
+    totals.pull = 4.0 * (reaction - s.pressure * cap / 3.0);
+    if !totals.pull.is_finite() {
+        return Err(Stopped::NotFinite { element: 0 });
+    }
+    Ok(totals)
+}
+
+struct Bricks<'a, const TANGENT: bool> {
+    d: &'a Discrete,
+    s: &'a State,
+    work: &'a mut Work,
+    totals: &'a mut Totals,
+}
+
+impl<const TANGENT: bool> SpatialVisitor for Bricks<'_, TANGENT> {
+    type Output = Option<(usize, f64)>;
+
+    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
+        let Self { d, s, work, totals } = self;
+        match d.parts.brick {
+            Brick::Linear => {
+                let points = std::mem::take(&mut work.points8);
+                let out = wide::<L, 8, 1, TANGENT>(&points, d, s, law, work, totals);
+                work.points8 = points;
+                out
+            }
+            Brick::Quadratic => {
+                let points = std::mem::take(&mut work.points27);
+                let out = wide::<L, 27, 4, TANGENT>(&points, d, s, law, work, totals);
+                work.points27 = points;
+                out
+            }
+        }
+    }
+}
+
+fn wide<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+    points: &[ShapePoint<NN>],
+    d: &Discrete,
+    s: &State,
+    law: &L,
+    work: &mut Work,
+    totals: &mut Totals,
+) -> Option<(usize, f64)> {
+    match d.width {
+        // SAFETY: `Width::here` has asked the processor.
+        #[cfg(target_arch = "x86_64")]
+        Width::Eight => unsafe { eight::<L, NN, NM, TANGENT>(points, d, s, law, work, totals) },
+        #[cfg(target_arch = "x86_64")]
+        Width::Four => unsafe { four::<L, NN, NM, TANGENT>(points, d, s, law, work, totals) },
+        _ => all::<f64, L, NN, NM, TANGENT>(points, d, s, law, work, totals),
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
+fn eight<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+    points: &[ShapePoint<NN>],
+    d: &Discrete,
+    s: &State,
+    law: &L,
+    work: &mut Work,
+    totals: &mut Totals,
+) -> Option<(usize, f64)> {
+    all::<crate::element::lanes::Eight, L, NN, NM, TANGENT>(points, d, s, law, work, totals)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn four<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+    points: &[ShapePoint<NN>],
+    d: &Discrete,
+    s: &State,
+    law: &L,
+    work: &mut Work,
+    totals: &mut Totals,
+) -> Option<(usize, f64)> {
+    all::<crate::element::lanes::Four, L, NN, NM, TANGENT>(points, d, s, law, work, totals)
+}
+
+#[inline(always)]
+fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+    points: &[ShapePoint<NN>],
+    d: &Discrete,
+    s: &State,
+    law: &L,
+    work: &mut Work,
+    totals: &mut Totals,
+) -> Option<(usize, f64)> {
+    let mut input = Input::<R, NN, NM>::zero();
+    let mut out = Output::<R, NN, NM>::zero();
+    (input.compliance, input.augment) = (d.compliance, d.augment);
+    let (count, per_map) = (d.bricks(), d.per_map());
+    let mut twice = d.twice.iter().peekable();
+    for first in (0..count).step_by(R::LANES) {
+        for lane in 0..R::LANES {
+            // The last ones are looked at more than once and written once.
+            let e = (first + lane).min(count - 1);
+            for a in 0..NN {
+                let node = d.connectivity[e * NN + a] as usize;
+                let (x, u) = (&d.parts.nodes[node], &s.u[3 * node..3 * node + 3]);
+                for i in 0..3 {
+                    input.rest[a][i].set_lane(lane, x[i]);
+                    input.now[a][i].set_lane(lane, x[i] + u[i]);
+                }
+            }
+            let m = &d.rest[e];
+            input.volume.set_lane(lane, m.volume);
+            for i in 0..3 {
+                input.centre[i].set_lane(lane, m.centre[i]);
+            }
+            for k in 0..NM {
+                input.p[k].set_lane(lane, s.p[e * NM + k]);
+                for i in 0..4 {
+                    input.factors[k][i].set_lane(lane, m.factors[k][i]);
+                }
+            }
+        }
+        run::<R, L, NN, NM, TANGENT>(points, &input, law, &mut out);
+        for lane in 0..R::LANES.min(count - first) {
+            let e = first + lane;
+            let j = out.smallest_j.lane(lane);
+            totals.smallest_j = totals.smallest_j.min(j);
+            if !(j > 0.0) {
+                return Some((e, j));
+            }
+            totals.rubber += out.energy.lane(lane);
+            for a in 0..NN {
+                let node = 3 * d.connectivity[e * NN + a] as usize;
+                for i in 0..3 {
+                    work.force[node + i] += out.force[a][i].lane(lane);
+                }
+            }
+            for k in 0..NM {
+                let defect = out.defect[k].lane(lane);
+                work.defect[e * NM + k] = defect;
+                totals.defect = totals.defect.max(defect.abs() / d.rest[e].volume);
+            }
+            if TANGENT {
+                let gradient = &mut work.gradient[e * NM * NN * 3..(e + 1) * NM * NN * 3];
+                for k in 0..NM {
+                    for a in 0..NN {
+                        for i in 0..3 {
+                            gradient[(k * NN + a) * 3 + i] = out.gradient[k][a][i].lane(lane);
+                        }
+                    }
+                }
+                let map = &d.brick_map[e * per_map..(e + 1) * per_map];
+                for (block, places) in out.tangent.iter().zip(map.chunks_exact(9)) {
+                    for i in 0..9 {
+                        work.values[places[i] as usize] += block[i].lane(lane);
+                    }
+                }
+                while let Some((_, entry)) = twice.next_if(|t| t.0 as usize == e) {
+                    let entry = *entry as usize;
+                    work.values[map[entry] as usize] += out.tangent[entry / 9][entry % 9].lane(lane);
+                }
+            }
+        }
+    }
+    None
+}
+
+fn ties<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work, totals: &mut Totals) {
+    for (t, ([a, b], tie)) in d.parts.ties.iter().enumerate() {
+        let (a, b) = (*a as usize, *b as usize);
+        let end = |n: usize, i: usize| d.parts.nodes[n][i] + s.u[3 * n + i];
+        let delta = [0, 1, 2].map(|i| end(b, i) - end(a, i));
+        let (compliance, augment) = d.strand[t];
+        // T = q + γ (strain − q/(E A)): of strands stiffer than γ the rest is iterated.
+        let pull =
+            Tie { stiffness_n: augment, ..*tie }.pull(delta, (1.0 - augment * compliance) * s.q[t], s.q[t]);
+        totals.braid += 0.5 * pull.tension * pull.tension * compliance * tie.length_mm;
+        work.strands[t] = (pull.direction, pull.strain, pull.carries);
+        for i in 0..3 {
+            let f = pull.tension * pull.direction[i];
+            work.force[3 * a + i] -= f;
+            work.force[3 * b + i] += f;
+        }
+        if TANGENT {
+            let map = &d.tie_map[t];
+            for k in 0..6 {
+                work.values[map[k] as usize] += pull.tangent[k];
+                work.values[map[6 + k] as usize] += pull.tangent[k];
+            }
+            for i in 0..3 {
+                for j in 0..3 {
+                    work.values[map[12 + 3 * i + j] as usize] -= pull.tangent[AT[i][j]];
+                }
+            }
+        }
+    }
+}
+
+fn faces<const N: usize, const TANGENT: bool>(
+    points: &[FacePoint<N>],
+    d: &Discrete,
+    s: &State,
+    work: &mut Work,
+    totals: &mut Totals,
+) {
+    let mut map = d.face_map.chunks_exact(9);
+    for nodes in &d.parts.faces {
+        let x: [[f64; 3]; N] = std::array::from_fn(|a| {
+            let n = nodes[a] as usize;
+            std::array::from_fn(|i| d.parts.nodes[n][i] + s.u[3 * n + i])
+        });
+        let v = volume::<N, TANGENT>(points, &x);
+        totals.volume += v.value;
+        for a in 0..N {
+            for i in 0..3 {
+                work.cavity[3 * nodes[a] as usize + i] += v.first[a][i];
+            }
+        }
+        if TANGENT {
+            for a in 0..N {
+                for b in a + 1..N {
+                    let block = skew(&v.second[a][b]);
+                    if let Some(places) = map.next() {
+                        for (k, place) in places.iter().enumerate() {
+                            work.values[*place as usize] -= s.pressure * block[k / 3][k % 3];
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

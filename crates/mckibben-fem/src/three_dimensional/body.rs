@@ -1,0 +1,278 @@
+//! A body, its state and its tangent: Newton's method for it.
+//!
+//! Unknowns are displacements u, the terminal's w, and multipliers: pressures of the bricks and tensions of the strands,
+//! carried along as variables of their own so that stiff constraints do not slow Newton's method down (Magisano,
+//! Leonetti & Garcea 2017). [`super::saddle`] solves the linear systems.
+
+use super::assembly::{Totals, Work, assemble};
+use super::discrete::Discrete;
+use super::saddle::{Constraints, constraint_residual, dot, gather};
+use super::state::State;
+use crate::axisymmetric::FemError;
+use crate::axisymmetric::equilibrium::Control;
+use crate::solver::newton::{NewtonSystem, Stopped};
+use crate::solver::sparse::SparseCholesky;
+
+/// Tolerance of conjugate gradients inside of Newton's method, and for derivatives.
+const LOOSE: f64 = 1e-4;
+const TIGHT: f64 = 1e-11;
+
+/// A body with its state.
+#[derive(Debug)]
+pub struct Body {
+    /// What does not change.
+    pub discrete: Discrete,
+    /// The present iterate.
+    pub state: State,
+    /// What the last assembly filled.
+    pub work: Work,
+    /// What is held.
+    pub control: Control,
+    /// Totals of the last assembly.
+    pub totals: Totals,
+    /// Back-substitutions so far.
+    pub substitutions: usize,
+    cholesky: SparseCholesky,
+    step: State,
+}
+
+/// What moves a body away from its present state, as far as its tangent tells.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Cause {
+    /// Its residual, with the terminal moved by so much (mm).
+    Residual(f64),
+    /// The terminal alone, by 1 mm.
+    Terminal,
+    /// The pressure, by 1 MPa.
+    Pressure,
+}
+
+impl Body {
+    /// A body at rest.
+    ///
+    /// # Errors
+    /// [`FemError::TooLarge`] where there is not enough memory.
+    pub fn new(discrete: Discrete) -> Result<Self, FemError> {
+        let cholesky = SparseCholesky::new(discrete.pattern.clone())
+            .map_err(|e| FemError::TooLarge { unknowns: e.dimension })?;
+        let state = State::rest(&discrete);
+        Ok(Self {
+            work: Work::new(&discrete),
+            step: state.clone(),
+            control: Control::Length(0.0),
+            totals: Totals::default(),
+            substitutions: 0,
+            cholesky,
+            state,
+            discrete,
+        })
+    }
+
+    /// The factorised tangent.
+    pub fn cholesky(&self) -> &SparseCholesky {
+        &self.cholesky
+    }
+
+    /// Residual of the present state, without a tangent.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
+        self.totals = assemble::<false>(&self.discrete, &self.state, &mut self.work)?;
+        Ok(self.totals)
+    }
+
+    /// Residual and tangent of the present state.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn assemble(&mut self) -> Result<Totals, Stopped> {
+        self.totals = assemble::<true>(&self.discrete, &self.state, &mut self.work)?;
+        Ok(self.totals)
+    }
+
+    /// Factorises the last assembled tangent.
+    ///
+    /// # Errors
+    /// [`Stopped::Singular`].
+    pub fn factorise_assembled(&mut self) -> Result<(), Stopped> {
+        Ok(self.cholesky.factorise(&self.work.values)?)
+    }
+
+    /// Residual and factorised tangent of the present state.
+    ///
+    /// # Errors
+    /// [`Stopped`].
+    pub fn factorise(&mut self) -> Result<Totals, Stopped> {
+        self.assemble()?;
+        self.factorise_assembled()?;
+        Ok(self.totals)
+    }
+
+    /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable equilibrium.
+    pub fn unstable_directions(&self) -> usize {
+        self.cholesky.negative_pivots()
+    }
+
+    /// The terminal's column of the tangent, and its own entry.
+    fn terminal_column(&self) -> (&[f64], f64) {
+        let (entries, n) = (self.discrete.pattern.entries(), self.discrete.free);
+        (&self.work.values[entries..entries + n], self.work.values[entries + n])
+    }
+
+    /// The step that the last tangent foretells, and by how much ∂Π/∂w changes.
+    fn respond(&mut self, cause: Cause, out: &mut State, tolerance: f64) -> f64 {
+        let d = &self.discrete;
+        let dw = match cause {
+            Cause::Residual(dw) => dw,
+            Cause::Terminal => 1.0,
+            Cause::Pressure => 0.0,
+        };
+        let bricks = d.bricks() * d.modes;
+        let mut b = vec![0.0; d.free];
+        let mut dm = vec![0.0; bricks + d.parts.ties.len()];
+        match cause {
+            Cause::Residual(_) => {
+                gather(d, &self.work.force, &mut b);
+                b.iter_mut().for_each(|x| *x = -*x);
+                constraint_residual(d, &self.state, &self.work, &mut dm);
+            }
+            Cause::Pressure => {
+                let mut all = self.work.cavity.clone();
+                for (v, dead) in all.iter_mut().zip(d.parts.dead.iter().flatten()) {
+                    *v += dead;
+                }
+                gather(d, &all, &mut b);
+            }
+            Cause::Terminal => {}
+        }
+        let (column, own) = self.terminal_column();
+        for (b, k) in b.iter_mut().zip(column) {
+            *b -= k * dw;
+        }
+        out.u.fill(0.0);
+        for &i in &d.terminal {
+            out.u[i as usize] = dw;
+        }
+        let constraints = Constraints { d, work: &self.work };
+        self.substitutions += constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
+        gather(d, &out.u, &mut b);
+        let (column, _) = {
+            let (entries, n) = (d.pattern.entries(), d.free);
+            (&self.work.values[entries..entries + n], ())
+        };
+        let mut change = own * dw + dot(column, &b);
+        // What the iterated multipliers do to the terminal.
+        let mut forces = vec![0.0; out.u.len()];
+        constraints.forces(&dm, &mut forces);
+        change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
+        if cause == Cause::Pressure {
+            change -= d.terminal.iter().map(|&i| self.work.cavity[i as usize]).sum::<f64>();
+            change -= d.parts.cap_mm2 / 3.0;
+        }
+        out.p.copy_from_slice(&dm[..bricks]);
+        out.q.copy_from_slice(&dm[bricks..]);
+        out.terminal = dw;
+        out.pressure = if cause == Cause::Pressure { 1.0 } else { 0.0 };
+        if cause != Cause::Terminal && cause != Cause::Pressure {
+            // Strands that do not carry forget their tension.
+            for ((q, s), (_, _, carries)) in out.q.iter_mut().zip(&self.state.q).zip(&self.work.strands) {
+                if !carries {
+                    *q = -s;
+                }
+            }
+        }
+        change
+    }
+
+    /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L.
+    pub fn terminal_stiffness(&mut self) -> f64 {
+        let mut out = self.state.clone();
+        4.0 * self.respond(Cause::Terminal, &mut out, TIGHT)
+    }
+
+    /// ∂F/∂P at fixed length in mm², of the last tangent.
+    pub fn force_per_pressure(&mut self) -> f64 {
+        let mut out = self.state.clone();
+        4.0 * self.respond(Cause::Pressure, &mut out, TIGHT)
+    }
+
+    /// −∂V/∂L at fixed pressure in mm², of the last tangent: by Maxwell's relation the same as ∂F/∂P.
+    pub fn volume_per_length(&mut self) -> f64 {
+        let mut out = self.state.clone();
+        self.respond(Cause::Terminal, &mut out, TIGHT);
+        4.0 * (dot(&self.work.cavity, &out.u) + self.discrete.parts.cap_mm2 / 3.0)
+    }
+
+    /// The size of nodal forces in N against which residuals are measured.
+    pub fn force_scale(&self) -> f64 {
+        let d = &self.discrete;
+        let volume = d.rest.iter().map(|m| m.volume).sum::<f64>() / d.bricks().max(1) as f64;
+        (d.shear + self.state.pressure.abs()) * volume.powf(2.0 / 3.0)
+    }
+
+    /// Relative residual of the last assembly together with what is held.
+    fn norm(&self) -> f64 {
+        let d = &self.discrete;
+        let scale = self.force_scale();
+        let free = d.place.iter().map(|&i| self.work.force[i as usize].abs()).fold(0.0, f64::max);
+        let held = match self.control {
+            Control::Length(w) => (w - self.state.terminal).abs() / d.radius,
+            Control::Force(f) => (self.totals.pull - f).abs() / scale,
+            Control::Pressure { terminal, force } => {
+                (terminal - self.state.terminal).abs() / d.radius + (self.totals.pull - force).abs() / scale
+            }
+        };
+        // Where the multipliers are iterated, what is left of the constraints counts as well.
+        let left = if 1.0 - d.augment * d.compliance > 0.0 { self.totals.defect } else { 0.0 };
+        (free / scale).max(held).max(left)
+    }
+}
+
+impl NewtonSystem for Body {
+    fn residual(&mut self) -> Result<f64, Stopped> {
+        self.evaluate()?;
+        Ok(self.norm())
+    }
+
+    fn linearise(&mut self) -> Result<f64, Stopped> {
+        self.factorise()?;
+        Ok(self.norm())
+    }
+
+    fn correct(&mut self) -> Result<f64, Stopped> {
+        let mut step = std::mem::replace(
+            &mut self.step,
+            State { u: vec![], p: vec![], q: vec![], pressure: 0.0, terminal: 0.0 },
+        );
+        let reaction = 0.25 * self.totals.pull;
+        match self.control {
+            Control::Length(w) => {
+                self.respond(Cause::Residual(w - self.state.terminal), &mut step, LOOSE);
+            }
+            Control::Force(f) => {
+                let mut unit = step.clone();
+                let change = self.respond(Cause::Residual(0.0), &mut step, LOOSE);
+                let per = self.respond(Cause::Terminal, &mut unit, LOOSE);
+                step.add((0.25 * f - reaction - change) / per, &unit);
+            }
+            Control::Pressure { terminal, force } => {
+                let mut unit = step.clone();
+                let change = self.respond(Cause::Residual(terminal - self.state.terminal), &mut step, LOOSE);
+                let per = self.respond(Cause::Pressure, &mut unit, LOOSE);
+                step.add((0.25 * force - reaction - change) / per, &unit);
+            }
+        }
+        self.state.add(1.0, &step);
+        let largest = step.u.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
+        let size = largest / self.discrete.radius;
+        let sum = size + step.pressure + step.u.iter().sum::<f64>();
+        self.step = step;
+        if sum.is_finite() { Ok(size) } else { Err(Stopped::Diverged { correction: f64::INFINITY }) }
+    }
+
+    fn retreat(&mut self, keep: f64) {
+        self.state.add(keep - 1.0, &self.step);
+        self.step.scale(keep);
+    }
+}

@@ -1,0 +1,281 @@
+//! A body divided into bricks and strands: numbers of the unknowns, places in the tangent, everything that does not
+//! change while it deforms.
+
+use super::mesh::Brick;
+use super::parts::{Freedom, Parts};
+use crate::axisymmetric::FemError;
+use crate::element::brick::{Modes, modes};
+use crate::element::hexahedron::{points8, points27};
+use crate::element::lanes::Width;
+use crate::solver::sparse::Pattern;
+use mckibben::muscle::Bulk;
+use mckibben::rubber::RubberLaw;
+
+/// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
+const AUGMENT: f64 = 2000.0;
+/// γ of the strands over μ times the wall, likewise: of E A / L0 of one strand.
+const AUGMENT_STRAND: f64 = 2e5;
+
+/// A body divided into elements.
+#[derive(Debug, Clone)]
+pub struct Discrete {
+    /// What it is made of.
+    pub parts: Parts,
+    /// Nodes a brick.
+    pub per_brick: usize,
+    /// Pressure modes a brick.
+    pub modes: usize,
+    /// Nodes of all bricks, one after the other.
+    pub connectivity: Vec<u32>,
+    /// Pressure modes at rest.
+    pub rest: Vec<Modes>,
+    /// Number of the unknown of each displacement: below `free` an unknown, `free` the terminal, `free` + 1 held.
+    pub unknown: Vec<[u32; 3]>,
+    /// Number of unknowns.
+    pub free: usize,
+    /// Displacement (3·node + direction) of each unknown.
+    pub place: Vec<u32>,
+    /// Displacements that move with the terminal.
+    pub terminal: Vec<u32>,
+    /// Where the tangent's entries stand.
+    pub pattern: Pattern,
+    /// Where the blocks of bricks go, brick by brick.
+    pub brick_map: Vec<u32>,
+    /// (brick, entry) that counts twice: both displacements are the terminal's.
+    pub twice: Vec<(u32, u32)>,
+    /// Where the blocks of strands go: 0-0, 1-1 (six numbers each) and 0-1 (nine).
+    pub tie_map: Vec<[u32; 21]>,
+    /// Where the blocks of faces go: nine numbers for every pair a < b.
+    pub face_map: Vec<u32>,
+    /// 1/K in 1/MPa.
+    pub compliance: f64,
+    /// γ in MPa.
+    pub augment: f64,
+    /// 1/(E A) in 1/N, and γ of the strands in N.
+    pub strand: Vec<(f64, f64)>,
+    /// Shear modulus in MPa.
+    pub shear: f64,
+    /// Length of the body along z in mm.
+    pub half: f64,
+    /// Greatest distance from the axis in mm.
+    pub radius: f64,
+    /// Elements that are looked at together.
+    pub width: Width,
+}
+
+impl Discrete {
+    /// Numbers the unknowns and finds every entry's place.
+    ///
+    /// # Errors
+    /// [`FemError::Element`] where an element is turned inside out at rest.
+    pub fn new(parts: Parts) -> Result<Self, FemError> {
+        let (per_brick, count) = match parts.brick {
+            Brick::Linear => (8, 1),
+            Brick::Quadratic => (27, 4),
+        };
+        let connectivity: Vec<u32> = parts.bricks.concat();
+        let rest = rest_modes(&parts, count)?;
+        let (unknown, place, terminal) = number(&parts);
+        let free = place.len();
+        let pattern = pattern(&parts, &unknown, free);
+        let shear = parts.law.shear_modulus_mpa();
+        let (compliance, augment) = match parts.bulk {
+            Bulk::Incompressible => (0.0, AUGMENT * shear),
+            Bulk::Modulus(k) => (1.0 / k, k.min(AUGMENT * shear)),
+        };
+        let half = parts.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
+        let radius = parts.nodes.iter().map(|x| x[0].hypot(x[1])).fold(0.0, f64::max);
+        let most = AUGMENT_STRAND * shear;
+        let strand = parts
+            .ties
+            .iter()
+            .map(|(_, t)| (1.0 / t.stiffness_n, t.stiffness_n.min(most * t.length_mm)))
+            .collect();
+        let mut out = Self {
+            per_brick,
+            modes: count,
+            connectivity,
+            rest,
+            unknown,
+            free,
+            place,
+            terminal,
+            pattern,
+            brick_map: vec![],
+            twice: vec![],
+            tie_map: vec![],
+            face_map: vec![],
+            compliance,
+            augment,
+            strand,
+            shear,
+            half,
+            radius,
+            width: Width::here(),
+            parts,
+        };
+        out.map();
+        Ok(out)
+    }
+
+    /// Number of bricks.
+    pub fn bricks(&self) -> usize {
+        self.parts.bricks.len()
+    }
+
+    /// Entries a brick has in `brick_map`.
+    pub fn per_map(&self) -> usize {
+        self.per_brick * (self.per_brick + 1) / 2 * 9
+    }
+
+    /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind it, or into the last
+    /// number, which nobody reads.
+    fn entry(&self, a: u32, b: u32) -> u32 {
+        let (n, entries) = (self.free as u32, self.pattern.entries() as u32);
+        let (high, low) = (a.max(b), a.min(b));
+        match (high < n, high == n) {
+            (true, _) => self.pattern.position(high, low).unwrap_or(entries + n + 1),
+            (false, true) => entries + low,
+            _ => entries + n + 1,
+        }
+    }
+
+    fn map(&mut self) {
+        let nn = self.per_brick;
+        let nothing = (self.pattern.entries() + self.free + 1) as u32;
+        let mut map = Vec::with_capacity(self.bricks() * self.per_map());
+        let mut twice = Vec::new();
+        for (e, nodes) in self.parts.bricks.iter().enumerate() {
+            let start = map.len();
+            for a in 0..nn {
+                let ua = self.unknown[nodes[a] as usize];
+                for b in a..nn {
+                    let ub = self.unknown[nodes[b] as usize];
+                    for (i, &x) in ua.iter().enumerate() {
+                        for (j, &y) in ub.iter().enumerate() {
+                            // Of blocks on the diagonal only one half.
+                            let half = a == b && i > j;
+                            if a != b && x == y && x as usize == self.free {
+                                twice.push((e as u32, (map.len() - start) as u32));
+                            }
+                            map.push(if half { nothing } else { self.entry(x, y) });
+                        }
+                    }
+                }
+            }
+        }
+        self.twice = twice;
+        self.brick_map = map;
+        self.tie_map = self
+            .parts
+            .ties
+            .iter()
+            .map(|(ends, _)| {
+                let [p, q] = ends.map(|n| self.unknown[n as usize]);
+                let mut out = [nothing; 21];
+                for (k, (i, j)) in crate::element::spatial::PAIRS.into_iter().enumerate() {
+                    out[k] = self.entry(p[i], p[j]);
+                    out[6 + k] = self.entry(q[i], q[j]);
+                }
+                for i in 0..3 {
+                    for j in 0..3 {
+                        out[12 + 3 * i + j] = self.entry(p[i], q[j]);
+                    }
+                }
+                out
+            })
+            .collect();
+        let mut faces = Vec::new();
+        for nodes in &self.parts.faces {
+            for a in 0..nodes.len() {
+                for b in a + 1..nodes.len() {
+                    let (ua, ub) = (self.unknown[nodes[a] as usize], self.unknown[nodes[b] as usize]);
+                    for x in ua {
+                        faces.extend(ub.iter().map(|y| self.entry(x, *y)));
+                    }
+                }
+            }
+        }
+        self.face_map = faces;
+    }
+}
+
+fn rest_modes(parts: &Parts, count: usize) -> Result<Vec<Modes>, FemError> {
+    fn all<const NN: usize>(
+        parts: &Parts,
+        points: &[crate::element::brick::ShapePoint<NN>],
+        count: usize,
+    ) -> Result<Vec<Modes>, FemError> {
+        let element = |(e, nodes): (usize, &Vec<u32>)| {
+            let places: [[f64; 3]; NN] = std::array::from_fn(|a| parts.nodes[nodes[a] as usize]);
+            modes(points, &places, count).ok_or(FemError::Element { element: e })
+        };
+        parts.bricks.iter().enumerate().map(element).collect()
+    }
+    match parts.brick {
+        Brick::Linear => all(parts, &points8(), count),
+        Brick::Quadratic => all(parts, &points27(), count),
+    }
+}
+
+/// Numbers of the displacements, displacement of each unknown, displacements of the terminal.
+fn number(parts: &Parts) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
+    let mut place = Vec::new();
+    let mut numbers = vec![[u32::MAX; 3]; parts.nodes.len()];
+    for &node in &parts.order {
+        for i in 0..3 {
+            if parts.freedom[node as usize][i] == Freedom::Free {
+                numbers[node as usize][i] = place.len() as u32;
+                place.push(3 * node + i as u32);
+            }
+        }
+    }
+    let n = place.len() as u32;
+    let mut terminal = Vec::new();
+    for (node, freedom) in parts.freedom.iter().enumerate() {
+        for i in 0..3 {
+            match freedom[i] {
+                Freedom::Terminal => {
+                    numbers[node][i] = n;
+                    terminal.push((3 * node + i) as u32);
+                }
+                Freedom::Held => numbers[node][i] = n + 1,
+                Freedom::Free => {}
+            }
+        }
+    }
+    (numbers, place, terminal)
+}
+
+/// The lower half: unknowns of a node meet those of every node with which it shares a brick or a strand.
+fn pattern(parts: &Parts, unknown: &[[u32; 3]], free: usize) -> Pattern {
+    let mut near: Vec<Vec<u32>> = vec![vec![]; parts.nodes.len()];
+    for nodes in &parts.bricks {
+        for &a in nodes {
+            near[a as usize].extend(nodes);
+        }
+    }
+    for ([a, b], _) in &parts.ties {
+        near[*a as usize].push(*b);
+        near[*b as usize].push(*a);
+    }
+    let mut columns = vec![0u32; free + 1];
+    let mut lists: Vec<Vec<u32>> = vec![vec![]; free];
+    for (node, around) in near.iter_mut().enumerate() {
+        around.sort_unstable();
+        around.dedup();
+        for &c in unknown[node].iter().filter(|c| (**c as usize) < free) {
+            let list = &mut lists[c as usize];
+            for &other in around.iter() {
+                list.extend(unknown[other as usize].iter().filter(|r| **r >= c && (**r as usize) < free));
+            }
+            list.sort_unstable();
+        }
+    }
+    let mut rows = Vec::with_capacity(lists.iter().map(Vec::len).sum());
+    for (c, list) in lists.iter().enumerate() {
+        rows.extend_from_slice(list);
+        columns[c + 1] = rows.len() as u32;
+    }
+    Pattern { columns, rows }
+}

@@ -1,0 +1,107 @@
+//! What a body is made of, before unknowns are numbered.
+
+use super::mesh::{Brick, BrickMesh};
+use crate::element::tie::Tie;
+use crate::solver::dissection::Sheet;
+use mckibben::muscle::{Bulk, Muscle};
+use mckibben::rubber::Law;
+use std::f64::consts::PI;
+
+/// What becomes of a displacement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Freedom {
+    /// An unknown.
+    #[default]
+    Free,
+    /// Held where the state has it.
+    Held,
+    /// Moves with the terminal (along z only).
+    Terminal,
+}
+
+/// Nodes, elements, loads and supports of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parts {
+    /// Places at rest in mm.
+    pub nodes: Vec<[f64; 3]>,
+    /// Which brick.
+    pub brick: Brick,
+    /// Nodes of every brick.
+    pub bricks: Vec<Vec<u32>>,
+    /// Strands between nodes.
+    pub ties: Vec<([u32; 2], Tie)>,
+    /// Faces under pressure, their normals out of the cavity.
+    pub faces: Vec<Vec<u32>>,
+    /// Area in mm² with which the terminal closes the cavity.
+    pub cap_mm2: f64,
+    /// Dead loads on nodes in N per MPa of pressure; empty without any.
+    pub dead: Vec<[f64; 3]>,
+    /// What becomes of the displacements.
+    pub freedom: Vec<[Freedom; 3]>,
+    /// Nodes in the order of elimination.
+    pub order: Vec<u32>,
+    /// The rubber's law.
+    pub law: Law,
+    /// Its bulk modulus.
+    pub bulk: Bulk,
+}
+
+impl Parts {
+    /// One eighth of a muscle between bonded rigid terminals.
+    pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
+        let ([ni, nj, nk], rubber) = (mesh.grid(), &muscle.tube().rubber);
+        let mut freedom = vec![[Freedom::Free; 3]; mesh.nodes().len()];
+        for k in 0..nk {
+            for j in 0..nj {
+                for i in 0..ni {
+                    let f = &mut freedom[mesh.node(i, j, k)];
+                    if j + 1 == nj {
+                        f[0] = Freedom::Held;
+                    }
+                    if j == 0 {
+                        f[1] = Freedom::Held;
+                    }
+                    if k == 0 {
+                        f[2] = Freedom::Held;
+                    }
+                    if k + 1 == nk {
+                        *f = [Freedom::Held, Freedom::Held, Freedom::Terminal];
+                    }
+                }
+            }
+        }
+        let sheet = Sheet { around: nj, along: nk - 1, stride: mesh.brick().order() };
+        let mut order = Vec::with_capacity(mesh.nodes().len());
+        for (j, k) in sheet.order() {
+            order.extend((0..ni).map(|i| mesh.node(i, j, k) as u32));
+        }
+        let nodes = mesh.nodes();
+        let stiffness_n = strand_stiffness_n(muscle, mesh);
+        let ties = mesh.strands().into_iter().map(|ends| {
+            let [a, b] = ends.map(|n| nodes[n as usize]);
+            let length_mm = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
+            (ends, Tie { length_mm, stiffness_n, compression: muscle.braid().compression })
+        });
+        Self {
+            brick: mesh.brick(),
+            bricks: mesh.bricks(),
+            ties: ties.collect(),
+            faces: mesh.bore(),
+            cap_mm2: mesh.cap_mm2(),
+            dead: vec![],
+            freedom,
+            order,
+            law: rubber.law.clone(),
+            bulk: rubber.bulk,
+            nodes: nodes.to_vec(),
+        }
+    }
+}
+
+/// E·A in N of one strand of the mesh, such that a family is as stiff as the braid's: k π D0 cosθ0/(strands of a family);
+/// infinite for strands that do not stretch.
+pub fn strand_stiffness_n(muscle: &Muscle, mesh: &BrickMesh) -> f64 {
+    let family = 4.0 * (mesh.grid()[1] - 1) as f64;
+    let width = PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos();
+    muscle.family_stiffness_n_per_mm().map_or(f64::INFINITY, |k| k * width / family)
+}

@@ -1,0 +1,202 @@
+//! Linear systems with multipliers.
+//!
+//! The unknowns' tangent K holds γ/V G Gᵀ of every constraint, so that with β = 1 − γ/k
+//!
+//!   K du + Σ β G dm = b + Σ (γ/V) G d,    G du − (V/k) dm = d
+//!
+//! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G K⁻¹(…) − d by
+//! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983).
+
+use super::assembly::Work;
+use super::discrete::Discrete;
+use super::state::State;
+use crate::solver::sparse::SparseCholesky;
+
+/// Most iterations.
+const ITERATIONS: usize = 60;
+
+/// Constraints of a body at its last assembly.
+pub struct Constraints<'a> {
+    /// The body.
+    pub d: &'a Discrete,
+    /// Its last assembly.
+    pub work: &'a Work,
+}
+
+impl Constraints<'_> {
+    /// Whether any constraint is left to conjugate gradients.
+    fn iterated(&self) -> bool {
+        self.brick_share() > 0.0 || self.d.strand.iter().any(|&(c, g)| 1.0 - g * c > 0.0)
+    }
+
+    fn brick_share(&self) -> f64 {
+        1.0 - self.d.augment * self.d.compliance
+    }
+
+    /// Calls `each` with (number, G's displacements and values, V, 1/k, γ) for every constraint that acts: first the
+    /// bricks' (number 0 …), then the strands' (number bricks·modes …).
+    fn each(&self, mut each: impl FnMut(usize, &[u32], &[f64], f64, f64, f64)) {
+        let (d, nn) = (self.d, self.d.per_brick);
+        for e in 0..d.bricks() {
+            let nodes = &d.connectivity[e * nn..(e + 1) * nn];
+            let volume = d.rest[e].volume;
+            for k in 0..d.modes {
+                let m = e * d.modes + k;
+                let gradient = &self.work.gradient[m * nn * 3..(m + 1) * nn * 3];
+                each(m, nodes, gradient, volume, d.compliance, d.augment);
+            }
+        }
+        let first = d.bricks() * d.modes;
+        for (t, ((ends, tie), &(n, _, carries))) in d.parts.ties.iter().zip(&self.work.strands).enumerate() {
+            if carries {
+                let gradient = [-n[0], -n[1], -n[2], n[0], n[1], n[2]];
+                let (compliance, augment) = d.strand[t];
+                each(first + t, ends, &gradient, tie.length_mm, compliance, augment);
+            }
+        }
+    }
+
+    /// G du for every constraint.
+    fn defects(&self, du: &[f64], out: &mut [f64]) {
+        out.fill(0.0);
+        self.each(|m, nodes, g, _, _, _| {
+            let mut sum = 0.0;
+            for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
+                let at = 3 * *node as usize;
+                sum += g[0] * du[at] + g[1] * du[at + 1] + g[2] * du[at + 2];
+            }
+            out[m] = sum;
+        });
+    }
+
+    /// out += Σ β G m, in displacements.
+    pub fn forces(&self, m: &[f64], out: &mut [f64]) {
+        self.each(|number, nodes, g, _, compliance, augment| {
+            let value = (1.0 - augment * compliance) * m[number];
+            if value != 0.0 {
+                for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
+                    let at = 3 * *node as usize;
+                    out[at] += value * g[0];
+                    out[at + 1] += value * g[1];
+                    out[at + 2] += value * g[2];
+                }
+            }
+        });
+    }
+
+    /// Solves; `b` holds b + Σ (γ/V) G d of the unknowns, `du` the displacements that are given (the terminal's), and
+    /// takes the solution; `dm` holds d and takes the multipliers. Gives the number of back-substitutions.
+    pub fn solve(
+        &self,
+        cholesky: &mut SparseCholesky,
+        b: &mut [f64],
+        du: &mut [f64],
+        dm: &mut [f64],
+        tolerance: f64,
+    ) -> usize {
+        let d = self.d;
+        cholesky.solve(b, 1);
+        let mut count = 1;
+        spread(d, b, du);
+        let mut r = vec![0.0; dm.len()];
+        self.defects(du, &mut r);
+        for (r, d) in r.iter_mut().zip(dm.iter()) {
+            *r -= d;
+        }
+        if self.iterated() {
+            count += self.conjugate_gradients(cholesky, du, &mut r, dm, tolerance);
+            return count;
+        }
+        dm.fill(0.0);
+        self.each(|m, _, _, volume, _, augment| dm[m] = augment / volume * r[m]);
+        count
+    }
+
+    /// Right-hand side in `r`; corrects `du` as well. Those with β = 0 are decoupled: S = V/γ is their own row.
+    fn conjugate_gradients(
+        &self,
+        cholesky: &mut SparseCholesky,
+        du: &mut [f64],
+        r: &mut [f64],
+        x: &mut [f64],
+        tolerance: f64,
+    ) -> usize {
+        let d = self.d;
+        let n = r.len();
+        x.fill(0.0);
+        let (mut z, mut p, mut s) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+        let (mut full, mut b) = (vec![0.0; du.len()], vec![0.0; d.free]);
+        let precondition = |r: &[f64], z: &mut [f64]| {
+            z.fill(0.0);
+            self.each(|m, _, _, volume, _, augment| z[m] = augment / volume * r[m]);
+        };
+        precondition(r, &mut z);
+        p.copy_from_slice(&z);
+        let mut rz = dot(r, &z);
+        let first = rz;
+        for iteration in 0..ITERATIONS {
+            if rz.is_nan() || rz <= tolerance * tolerance * first || first == 0.0 {
+                return iteration;
+            }
+            // w = K⁻¹ β Gᵀ p, s = V/k p + G w (β G K⁻¹ β Gᵀ is made symmetric by scaling: β is the same throughout a class).
+            full.fill(0.0);
+            self.forces(&p, &mut full);
+            gather(d, &full, &mut b);
+            cholesky.solve(&mut b, 1);
+            full.fill(0.0);
+            spread(d, &b, &mut full);
+            self.defects(&full, &mut s);
+            self.each(|m, _, _, volume, compliance, _| s[m] += volume * compliance * p[m]);
+            let curvature = dot(&p, &s);
+            if !(curvature > 0.0) {
+                return iteration + 1;
+            }
+            let alpha = rz / curvature;
+            for i in 0..n {
+                x[i] += alpha * p[i];
+                r[i] -= alpha * s[i];
+            }
+            for (u, w) in du.iter_mut().zip(&full) {
+                *u -= alpha * w;
+            }
+            precondition(r, &mut z);
+            let next = dot(r, &z);
+            let beta = next / rz;
+            rz = next;
+            for (p, z) in p.iter_mut().zip(&z) {
+                *p = z + beta * *p;
+            }
+        }
+        ITERATIONS
+    }
+}
+
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+/// Unknowns into displacements.
+pub(super) fn spread(d: &Discrete, x: &[f64], u: &mut [f64]) {
+    for (x, place) in x.iter().zip(&d.place) {
+        u[*place as usize] = *x;
+    }
+}
+
+/// Displacements into unknowns.
+pub(super) fn gather(d: &Discrete, u: &[f64], x: &mut [f64]) {
+    for (x, place) in x.iter_mut().zip(&d.place) {
+        *x = u[*place as usize];
+    }
+}
+
+/// d = −c: what is left of the constraints.
+pub(super) fn constraint_residual(d: &Discrete, s: &State, work: &Work, out: &mut [f64]) {
+    let bricks = d.bricks() * d.modes;
+    for (o, c) in out.iter_mut().zip(&work.defect) {
+        *o = -c;
+    }
+    for (t, (_, strain, carries)) in work.strands.iter().enumerate() {
+        let length = d.parts.ties[t].1.length_mm;
+        out[bricks + t] = if *carries { -length * (strain - s.q[t] * d.strand[t].0) } else { 0.0 };
+    }
+}
