@@ -2,15 +2,22 @@
 
 mod assembly;
 pub mod body;
+mod curves;
 pub mod discrete;
+pub mod engine;
+mod guess;
 pub mod mesh;
+mod model;
 pub mod parts;
+mod results;
 mod saddle;
 mod state;
 
 pub use assembly::{Totals, Work};
 pub use body::Body;
 pub use discrete::Discrete;
+pub use engine::Engine;
 pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Ring};
+pub use model::ThreeDimensional;
 pub use parts::{Freedom, Parts};
 pub use state::State;

@@ -1,0 +1,338 @@
+//! Equilibria of one muscle: from a neighbour, from the axisymmetric equilibrium, or by a walk from rest.
+
+use super::body::Body;
+use super::discrete::Discrete;
+use super::guess::carry_over;
+use super::mesh::{BrickMesh, BrickSpec};
+use super::parts::Parts;
+use super::state::State;
+use crate::axisymmetric::equilibrium::Control;
+use crate::axisymmetric::{Axisymmetric, FemError, LastConverged};
+use crate::solver::newton::{self, Effort, NewtonOptions, Stopped};
+use mckibben::muscle::{BraidStiffness, Muscle};
+use std::f64::consts::PI;
+
+/// Equilibria that are kept.
+const KEPT: usize = 4;
+/// A kept state serves where pressures differ by less than this share and contractions by less than `NEAR`.
+const NEAR_PRESSURE: f64 = 0.15;
+const NEAR: f64 = 0.01;
+/// Smallest share of a leg that is tried.
+const SMALLEST: f64 = 1.0 / 128.0;
+/// Factorisations that a walk may cost.
+const BUDGET: usize = 400;
+/// Strands are taut at this multiple of the pressure at which the endless muscle begins to pull.
+const TAUT: f64 = 1.3;
+
+/// A muscle's elements, its states and their memory.
+#[derive(Debug)]
+pub struct Engine {
+    /// The body; its state is an equilibrium whenever a method has returned `Ok`.
+    pub body: Body,
+    /// The grid.
+    pub mesh: BrickMesh,
+    /// Settings of Newton's method.
+    pub newton: NewtonOptions,
+    /// Cost so far.
+    pub effort: Effort,
+    axisymmetric: Option<Axisymmetric>,
+    width: f64,
+    kept: Vec<State>,
+    trail: Vec<(f64, State)>,
+}
+
+impl Engine {
+    /// The elements of a muscle.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none or too large.
+    pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+        let tube = muscle.tube();
+        let angle = muscle.braid().angle_rad();
+        let mesh = BrickMesh::new(
+            tube.inner_radius_mm(),
+            tube.outer_radius_mm(),
+            0.5 * tube.length_mm,
+            angle,
+            spec,
+        )?;
+        let body = Body::new(Discrete::new(Parts::of(muscle, &mesh))?)?;
+        let width = PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64;
+        let newton = NewtonOptions { tolerance: 1e-9, iterations: 14, ..NewtonOptions::default() };
+        Ok(Self {
+            axisymmetric: axisymmetric(muscle, &mesh),
+            body,
+            mesh,
+            newton,
+            effort: Effort::default(),
+            width,
+            kept: vec![],
+            trail: vec![],
+        })
+    }
+
+    /// Half the length at rest in mm.
+    pub fn half_length(&self) -> f64 {
+        self.body.discrete.half
+    }
+
+    /// The contraction of the present state.
+    pub fn contraction(&self) -> f64 {
+        0.0 - self.body.state.terminal / self.half_length()
+    }
+
+    /// The axisymmetric model of the same muscle, with the mesh's length and angle.
+    pub fn axisymmetric(&self) -> Option<&Axisymmetric> {
+        self.axisymmetric.as_ref()
+    }
+
+    /// Forgets every equilibrium.
+    pub fn forget(&mut self) {
+        self.kept.clear();
+        self.trail.clear();
+        if let Some(model) = &self.axisymmetric {
+            model.forget();
+        }
+    }
+
+    /// One Newton solve from the present iterate.
+    ///
+    /// # Errors
+    /// [`Stopped`]; the body then holds no equilibrium.
+    pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
+        self.body.control = control;
+        newton::solve(&mut self.body, &self.newton, &mut self.effort, |_| ())
+    }
+
+    fn keep(&mut self) {
+        if self.kept.len() == KEPT {
+            self.kept.remove(0);
+        }
+        self.kept.push(self.body.state.clone());
+    }
+
+    /// Finds the equilibrium at a pressure in MPa and a contraction.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
+        if !(pressure.is_finite() && contraction < 0.95 && contraction > -0.95) {
+            return Err(FemError::Question { pressure_mpa: pressure, contraction });
+        }
+        let terminal = -contraction * self.half_length();
+        let before = self.effort.iterations;
+        if self.near_kept(pressure, terminal) || self.guessed(pressure, contraction) {
+            self.keep();
+            return Ok(());
+        }
+        self.long_way(pressure, terminal).map_err(|(reason, last)| FemError::Path {
+            pressure_mpa: pressure,
+            contraction,
+            reason,
+            iterations: self.effort.iterations - before,
+            last,
+        })?;
+        self.keep();
+        Ok(())
+    }
+
+    fn stable(&self) -> bool {
+        self.body.unstable_directions() == 0
+    }
+
+    fn near_kept(&mut self, pressure: f64, terminal: f64) -> bool {
+        let half = self.half_length();
+        let distance = |s: &State| {
+            let p = (s.pressure - pressure).abs() / (s.pressure.abs().max(pressure.abs()) + 1e-12);
+            (p / NEAR_PRESSURE).max((s.terminal - terminal).abs() / half / NEAR)
+        };
+        let nearest = self.kept.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let Some(state) = nearest.filter(|s| distance(s) < 1.0) else { return false };
+        self.body.state.copy_from(state);
+        self.body.state.pressure = pressure;
+        self.solve(Control::Length(terminal)).is_ok() && self.stable()
+    }
+
+    /// Newton's method from the axisymmetric equilibrium.
+    fn guessed(&mut self, pressure: f64, contraction: f64) -> bool {
+        let terminal = -contraction * self.half_length();
+        let Some(section) = self.axisymmetric.as_ref().and_then(|m| m.section_at(pressure, contraction).ok())
+        else {
+            return false;
+        };
+        let state = &mut self.body.state;
+        (state.pressure, state.terminal) = (pressure, terminal);
+        carry_over(&self.body.discrete, &section, self.width, state);
+        self.solve(Control::Length(terminal)).is_ok()
+    }
+
+    /// Pressurised at rest length to where the strands are taut, contracted, and let down.
+    fn long_way(&mut self, pressure: f64, terminal: f64) -> Result<(), (Stopped, LastConverged)> {
+        let pulling = self
+            .axisymmetric
+            .as_ref()
+            .and_then(|m| m.engine(|e| e.pulling_pressure(-terminal / e.half_length())))
+            .unwrap_or(0.0);
+        let taut = pressure.max(TAUT * pulling);
+        self.body.state = State::rest(&self.body.discrete);
+        let start = self.effort.factorisations;
+        self.walk(taut, 0.0, 0.25, start)?;
+        self.walk(taut, terminal, 0.25, start)?;
+        if taut > pressure { self.walk(pressure, terminal, 0.25, start) } else { Ok(()) }
+    }
+
+    /// Walks from the present equilibrium to a pressure and a displacement of the terminal; `first` is the share of the
+    /// way that is tried first. Steps that fail are halved, steps that succeed are followed by one twice as large, and
+    /// the last two states extrapolate the next.
+    fn walk(
+        &mut self,
+        pressure: f64,
+        terminal: f64,
+        first: f64,
+        start: usize,
+    ) -> Result<(), (Stopped, LastConverged)> {
+        let mut base = self.body.state.clone();
+        let mut before: Option<(State, f64)> = None;
+        let (p0, w0) = (base.pressure, base.terminal);
+        let (mut done, mut step) = (0.0_f64, first);
+        loop {
+            let next = (done + step).min(1.0);
+            self.body.state.copy_from(&base);
+            if let Some((earlier, size)) = &before {
+                let ratio = (next - done) / size;
+                self.body.state.add(ratio, &base);
+                self.body.state.add(-ratio, earlier);
+            }
+            self.body.state.pressure = p0 + next * (pressure - p0);
+            let w = w0 + next * (terminal - w0);
+            match self.solve(Control::Length(w)) {
+                Ok(()) => {
+                    if next >= 1.0 {
+                        return Ok(());
+                    }
+                    before = Some((base, next - done));
+                    base = self.body.state.clone();
+                    step = 2.0 * (next - done);
+                    done = next;
+                }
+                Err(stop) => {
+                    step = 0.5 * (next - done);
+                    let factorisations = self.effort.factorisations - start;
+                    let stop =
+                        if factorisations > BUDGET { Stopped::Budget { factorisations } } else { stop };
+                    if step < SMALLEST || matches!(stop, Stopped::Budget { .. }) {
+                        self.body.state.copy_from(&base);
+                        let totals = self.body.evaluate().unwrap_or_default();
+                        let last = LastConverged {
+                            pressure_mpa: base.pressure,
+                            contraction: self.contraction(),
+                            force_n: totals.pull,
+                            smallest_j: totals.smallest_j,
+                        };
+                        return Err((stop, last));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The equilibrium with a given pull in N and pressure in MPa.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<(), FemError> {
+        let found = self.axisymmetric.as_ref().map(|m| m.at_force(force, pressure));
+        let mut contraction = match found {
+            Some(Ok(s)) => s.response.contraction,
+            Some(Err(e)) => return Err(e),
+            None => 0.0,
+        };
+        let mut reason = Stopped::Iterations { iterations: 0, residual: f64::INFINITY };
+        for _ in 0..8 {
+            self.reach(pressure, contraction)?;
+            match self.solve(Control::Force(force)) {
+                Ok(()) => {
+                    self.keep();
+                    return Ok(());
+                }
+                Err(stop) => reason = stop,
+            }
+            self.reach(pressure, contraction)?;
+            let stiffness = self.stiffness()?;
+            let step = (self.body.totals.pull - force) / (stiffness * self.half_length());
+            contraction += step.clamp(-0.02, 0.02);
+        }
+        Err(FemError::Force { force_n: force, reason })
+    }
+
+    /// dF/dw of the present equilibrium.
+    fn stiffness(&mut self) -> Result<f64, FemError> {
+        let force_n = self.body.totals.pull;
+        self.body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+        Ok(self.body.terminal_stiffness())
+    }
+
+    /// The equilibrium with a given pull in N at a contraction; its pressure is sought.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<(), FemError> {
+        let terminal = -contraction * self.half_length();
+        let Some(model) = &self.axisymmetric else {
+            let reason = Stopped::Diverged { correction: 0.0 };
+            return Err(FemError::Force { force_n: force, reason });
+        };
+        let pressure = model.at_pressure_for(force, contraction)?.response.pressure_mpa;
+        self.reach(pressure, contraction)?;
+        self.solve(Control::Pressure { terminal, force })
+            .map_err(|reason| FemError::Force { force_n: force, reason })?;
+        self.keep();
+        Ok(())
+    }
+
+    /// Begins a curve.
+    pub fn begin_trail(&mut self) {
+        self.trail.clear();
+    }
+
+    /// Adds the present equilibrium to the curve, at `place`.
+    pub fn trail_here(&mut self, place: f64) {
+        if self.trail.len() == 3 {
+            self.trail.remove(0);
+        }
+        self.trail.push((place, self.body.state.clone()));
+    }
+
+    /// Solves for the next point of a curve from what the last points foretell; `false` where that does not lead to an
+    /// equilibrium.
+    pub fn next(&mut self, place: f64, pressure: f64, control: Control) -> bool {
+        if self.trail.is_empty() || self.trail.iter().any(|t| t.0 == place) {
+            return false;
+        }
+        let state = &mut self.body.state;
+        state.scale(0.0);
+        for (i, (x, s)) in self.trail.iter().enumerate() {
+            let others = self.trail.iter().enumerate().filter(|(j, _)| *j != i);
+            let weight: f64 = others.map(|(_, (y, _))| (place - y) / (x - y)).product();
+            state.add(weight, s);
+        }
+        state.pressure = pressure;
+        self.solve(control).is_ok() && self.stable()
+    }
+}
+
+/// The axisymmetric model of the same muscle, with the mesh's length and angle and the same strands.
+fn axisymmetric(muscle: &Muscle, mesh: &BrickMesh) -> Option<Axisymmetric> {
+    let mut tube = muscle.tube().clone();
+    tube.length_mm = 2.0 * mesh.half_length_mm();
+    let mut braid = muscle.braid().clone();
+    if let Some(k) = muscle.family_stiffness_n_per_mm() {
+        // Strands of the mesh lie closer together where they are steeper.
+        let ratio = braid.angle_rad().cos() / mesh.angle_rad().cos();
+        braid.stiffness = BraidStiffness::NewtonPerMm(k * ratio);
+    }
+    braid.angle_deg = mesh.angle_rad().to_degrees();
+    braid.measured = None;
+    let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
+    Axisymmetric::new(&muscle).ok()
+}

@@ -1,0 +1,94 @@
+//! First iterates: the axisymmetric equilibrium of the same muscle, carried over to the nodes.
+//!
+//! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its own
+//! residual; where the guess does not lead to one, [`super::engine`] walks from rest.
+
+use super::discrete::Discrete;
+use super::state::State;
+use crate::axisymmetric::Section;
+
+/// Lagrange's weights through three places.
+fn lagrange(x: [f64; 3], at: f64) -> [f64; 3] {
+    [0, 1, 2].map(|i| {
+        (0..3).filter(|&j| j != i).map(|j| (at - x[j]) / (x[i] - x[j])).product()
+    })
+}
+
+/// Weights of the section's nodes at (R, Z) at rest.
+struct Finder<'a> {
+    section: &'a Section,
+    lines: Vec<f64>,
+    stations: Vec<f64>,
+}
+
+impl<'a> Finder<'a> {
+    fn new(section: &'a Section) -> Self {
+        let (through, along) = section.elements();
+        let at = |i, j| section.nodes()[section.index(i, j)].rest_mm;
+        Self {
+            section,
+            lines: (0..=2 * through).map(|i| at(i, 0)[0]).collect(),
+            stations: (0..=2 * along).map(|j| at(0, j)[1]).collect(),
+        }
+    }
+
+    /// First of three places around `at`, and their weights.
+    fn triple(places: &[f64], at: f64) -> (usize, [f64; 3]) {
+        let last = places.len() - 3;
+        let first = (0..last + 1).step_by(2).rev().find(|&i| places[i] <= at).unwrap_or(0);
+        (first, lagrange([places[first], places[first + 1], places[first + 2]], at))
+    }
+
+    /// Calls `each` with nodes and weights.
+    fn at(&self, r: f64, z: f64, mut each: impl FnMut(&crate::axisymmetric::SectionNode, f64)) {
+        let (i, x) = Self::triple(&self.lines, r);
+        let (j, y) = Self::triple(&self.stations, z);
+        for (b, wy) in y.into_iter().enumerate() {
+            for (a, wx) in x.into_iter().enumerate() {
+                each(&self.section.nodes()[self.section.index(i + a, j + b)], wx * wy);
+            }
+        }
+    }
+}
+
+/// Fills displacements, pressures and tensions of `state`; `scale` is the length at rest over that of the section, and
+/// `width` that of one strand of the mesh in mm.
+pub(super) fn carry_over(d: &Discrete, section: &Section, width: f64, state: &mut State) {
+    let find = Finder::new(section);
+    for (node, x) in d.parts.nodes.iter().enumerate() {
+        let r = x[0].hypot(x[1]);
+        let (mut dr, mut dz) = (0.0, 0.0);
+        find.at(r, x[2], |n, w| {
+            dr += w * (n.now_mm[0] - n.rest_mm[0]);
+            dz += w * (n.now_mm[1] - n.rest_mm[1]);
+        });
+        let u = [dr * x[0] / r, dr * x[1] / r, dz];
+        for i in 0..3 {
+            let number = d.unknown[node][i] as usize;
+            state.u[3 * node + i] = if number < d.free {
+                u[i]
+            } else if number == d.free {
+                state.terminal
+            } else {
+                0.0
+            };
+        }
+    }
+    for (e, modes) in d.rest.iter().enumerate() {
+        let c = modes.centre;
+        let mut mean = 0.0;
+        find.at(c[0].hypot(c[1]), c[2], |n, w| {
+            mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
+        });
+        state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
+        state.p[e * d.modes] = mean;
+    }
+    let strands = section.strands();
+    for (q, (ends, _)) in state.q.iter_mut().zip(&d.parts.ties) {
+        let z = 0.5 * (d.parts.nodes[ends[0] as usize][2] + d.parts.nodes[ends[1] as usize][2]);
+        let next = strands.partition_point(|s| s.rest_mm < z).clamp(1, strands.len().max(2) - 1);
+        let (Some(a), Some(b)) = (strands.get(next - 1), strands.get(next)) else { continue };
+        let t = ((z - a.rest_mm) / (b.rest_mm - a.rest_mm)).clamp(0.0, 1.0);
+        *q = width * (a.tension_per_width + t * (b.tension_per_width - a.tension_per_width));
+    }
+}

@@ -1,0 +1,175 @@
+//! The three-dimensional muscle as a force model.
+
+use super::engine::Engine;
+use super::mesh::{BrickMesh, BrickSpec};
+use super::results;
+use super::state::State;
+use crate::axisymmetric::{FemError, Solution};
+use crate::solver::newton::Effort;
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use mckibben::muscle::Muscle;
+use std::cell::RefCell;
+
+/// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
+/// both diagonals, rigid terminals, pressure as −P·V.
+///
+/// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`ThreeDimensional::mesh`] tells it), or at θ0
+/// with another length ([`super::Match::Angle`]). Keeps the last equilibria; may be sent to another thread, not shared.
+#[derive(Debug)]
+pub struct ThreeDimensional {
+    muscle: Muscle,
+    engine: RefCell<Engine>,
+}
+
+impl ThreeDimensional {
+    /// The model of a muscle with a mesh of the program's choice.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none.
+    pub fn new(muscle: &Muscle) -> Result<Self, FemError> {
+        Self::with_mesh(muscle, &BrickSpec::default())
+    }
+
+    /// The model of a muscle with a mesh that is said.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none or too large.
+    pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+        Ok(Self { muscle: muscle.clone(), engine: RefCell::new(Engine::new(muscle, spec)?) })
+    }
+
+    /// Runs something with the elements.
+    pub fn engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
+        work(&mut self.engine.borrow_mut())
+    }
+
+    /// The grid at rest.
+    pub fn mesh(&self) -> BrickMesh {
+        self.engine(|e| e.mesh.clone())
+    }
+
+    /// The last equilibrium that was found; the body at rest before the first question.
+    pub fn state(&self) -> State {
+        self.engine(|e| e.body.state.clone())
+    }
+
+    /// Newton iterations, factorisations and residuals since it was made.
+    pub fn effort(&self) -> Effort {
+        self.engine(|e| e.effort)
+    }
+
+    /// Forgets every equilibrium.
+    pub fn forget(&self) {
+        self.engine(Engine::forget);
+    }
+
+    /// Everything known at a pressure in MPa and a contraction.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn solve(&self, pressure_mpa: f64, contraction: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            e.reach(pressure_mpa, contraction)?;
+            results::solution(&mut e.body, &e.mesh, &self.muscle)
+        })
+    }
+
+    /// The equilibrium with a given pull in N at a pressure in MPa; its contraction is sought.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn at_force(&self, force_n: f64, pressure_mpa: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            e.reach_force(force_n, pressure_mpa)?;
+            results::solution(&mut e.body, &e.mesh, &self.muscle)
+        })
+    }
+
+    /// The equilibrium with a given pull in N at a contraction; its pressure is sought.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn at_pressure_for(&self, force_n: f64, contraction: f64) -> Result<Solution, FemError> {
+        self.engine(|e| {
+            e.reach_pressure(force_n, contraction)?;
+            results::solution(&mut e.body, &e.mesh, &self.muscle)
+        })
+    }
+
+    /// Free contraction: ε without a pull.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn free_contraction(&self, pressure_mpa: f64) -> Result<f64, FemError> {
+        self.engine(|e| e.reach_force(0.0, pressure_mpa).map(|()| e.contraction()))
+    }
+}
+
+impl ForceModel for ThreeDimensional {
+    fn name(&self) -> &str {
+        "fe3d"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "three-dimensional finite elements (one eighth in mixed bricks, strands between their nodes, rigid terminals)"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+
+    fn notes(&self) -> Vec<String> {
+        self.engine(|e| {
+            let (mesh, angle) = (&e.mesh, self.muscle.braid().angle_deg);
+            let mut out = Vec::new();
+            let meshed = mesh.angle_rad().to_degrees();
+            if (meshed - angle).abs() > 0.005 {
+                out.push(format!("the strands of the mesh lie at {meshed:.2}°, those of the braid at {angle}°"));
+            }
+            let (length, meshed) = (self.muscle.length_mm(), 2.0 * mesh.half_length_mm());
+            if (meshed - length).abs() > 1e-6 * length {
+                out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
+            }
+            out
+        })
+    }
+
+    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+        self.engine(|e| {
+            e.reach(pressure_mpa, contraction)?;
+            results::response(&mut e.body, &e.mesh, &self.muscle)
+        })
+        .map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+    }
+
+    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        self.engine(|e| e.reach(pressure_mpa, contraction).map(|()| e.body.totals.pull))
+            .map_err(|e| e.into_model(pressure_mpa, contraction))
+    }
+
+    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+        self.engine(|e| e.reach_pressure(force_n, contraction).map(|()| e.body.state.pressure))
+            .ok()
+            .filter(|p| *p >= 0.0)
+            .map(Ok)
+    }
+
+    fn contraction_in_closed_form(
+        &self,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
+        self.engine(|e| e.reach_force(force_n, pressure_mpa).map(|()| e.contraction()))
+            .ok()
+            .filter(|e| *e >= 0.0)
+            .map(Ok)
+    }
+}

@@ -1,0 +1,187 @@
+//! What an equilibrium tells, in the words of the axisymmetric model: averages around the circumference.
+
+use super::body::Body;
+use super::mesh::{Brick, BrickMesh};
+use crate::axisymmetric::{Energies, FemError, ProfilePoint, Solution, StrandState, StretchAt};
+use crate::element::brick::ShapePoint;
+use crate::element::hexahedron::{at8, at27};
+use crate::element::spatial::PAIRS;
+use crate::element::spatial_stretches::principal_axes;
+use mckibben::model::Response;
+use mckibben::muscle::Muscle;
+use std::f64::consts::PI;
+
+/// Everything the present equilibrium tells; factorises its tangent.
+///
+/// # Errors
+/// [`FemError::Force`] where the tangent is singular.
+pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Solution, FemError> {
+    let response = response(body, mesh, muscle)?;
+    let totals = body.totals;
+    let rest: f64 = 8.0 * rest_volume(mesh);
+    let strands = strands(body, mesh, muscle);
+    Ok(Solution {
+        profile: profile(body, mesh),
+        strands,
+        max_stretch: largest_stretch(body),
+        energies: Energies {
+            rubber: 8.0 * totals.rubber,
+            braid: 8.0 * totals.braid,
+            pressure: body.state.pressure * (8.0 * totals.volume - rest),
+        },
+        unstable_directions: body.unstable_directions(),
+        smallest_j: totals.smallest_j,
+        sensitivities: vec![],
+        response,
+    })
+}
+
+fn rest_volume(mesh: &BrickMesh) -> f64 {
+    mesh.cap_mm2() * mesh.half_length_mm()
+}
+
+/// The part that every model tells; factorises the tangent.
+///
+/// # Errors
+/// [`FemError::Force`] where the tangent is singular.
+pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Response, FemError> {
+    let force_n = body.totals.pull;
+    let totals = body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+    let force_per_pressure = body.force_per_pressure();
+    let stiffness = 0.5 * body.terminal_stiffness();
+    let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_per_width).fold(0.0, f64::max);
+    let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
+    let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
+    let bulge = profile(body, mesh).iter().map(|p| p.outer_mm.1).fold(0.0, f64::max);
+    Ok(Response {
+        pressure_mpa: body.state.pressure + 0.0,
+        contraction: 0.0 - body.state.terminal / body.discrete.half,
+        force_n: totals.pull,
+        volume_mm3: Some(8.0 * totals.volume),
+        stiffness_n_per_mm: Some(stiffness),
+        force_per_pressure_mm2: Some(force_per_pressure),
+        braid_tension_n: Some(all),
+        strand_tension_n: count.map(|n| all / f64::from(n)),
+        bulged_diameter_mm: Some(2.0 * bulge),
+        max_stretch: Some(largest_stretch(body).value),
+    })
+}
+
+/// Place now of a node in mm.
+fn now(body: &Body, node: usize) -> [f64; 3] {
+    let (x, u) = (&body.discrete.parts.nodes[node], &body.state.u[3 * node..3 * node + 3]);
+    [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
+}
+
+/// Mean (z, r) of a ring of nodes; the ends of the quarter count half.
+fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
+    let nj = mesh.grid()[1];
+    let (mut z, mut r, mut sum) = (0.0, 0.0, 0.0);
+    for j in 0..nj {
+        let w = if j == 0 || j + 1 == nj { 0.5 } else { 1.0 };
+        let x = now(body, mesh.node(i, j, k));
+        z += w * x[2];
+        r += w * x[0].hypot(x[1]);
+        sum += w;
+    }
+    (z / sum, r / sum)
+}
+
+fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
+    let [ni, _, nk] = mesh.grid();
+    (0..nk)
+        .map(|k| ProfilePoint {
+            rest_mm: mesh.nodes()[mesh.node(0, 0, k)][2],
+            outer_mm: ring(body, mesh, ni - 1, k),
+            inner_mm: ring(body, mesh, 0, k),
+        })
+        .collect()
+}
+
+/// Means over both families, row of quads by row.
+fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
+    let [_, nj, nk] = mesh.grid();
+    let d = &body.discrete;
+    let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
+    let width = PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * row) as f64;
+    let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
+    (0..nk - 1)
+        .map(|k| {
+            let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
+            let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
+            for t in pieces {
+                let (ends, tie) = &d.parts.ties[t];
+                let [a, b] = ends.map(|n| now(body, n as usize));
+                let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+                let (compliance, augment) = d.strand[t];
+                let pull = crate::element::tie::Tie { stiffness_n: augment, ..*tie }.pull(
+                    delta,
+                    (1.0 - augment * compliance) * body.state.q[t],
+                    0.0,
+                );
+                stretch += 1.0 + pull.strain;
+                angle += pull.direction[0].hypot(pull.direction[1]).atan2(pull.direction[2].abs());
+                tension += pull.tension;
+            }
+            let count = 2.0 * row as f64;
+            let per_width = tension / count / width;
+            let z = |k: usize| mesh.nodes()[mesh.node(0, 0, k)][2];
+            StrandState {
+                rest_mm: 0.5 * (z(k) + z(k + 1)),
+                stretch: stretch / count,
+                angle_deg: (angle / count).to_degrees(),
+                tension_per_width: per_width,
+                tension_n: spacing.map(|s| per_width * s),
+            }
+        })
+        .collect()
+}
+
+/// Looks at the bore, the middle and the outer face of every brick.
+fn largest_stretch(body: &Body) -> StretchAt {
+    match body.discrete.parts.brick {
+        Brick::Linear => look(body, &[-1.0, 0.0, 1.0].map(|x| at8([x, 0.0, 0.0], 1.0))),
+        Brick::Quadratic => {
+            let g = 0.6_f64.sqrt();
+            let places = [-1.0, 0.0, 1.0].map(|x| [-g, 0.0, g].map(|z| at27([x, 0.0, z], 1.0)));
+            look(body, places.as_flattened())
+        }
+    }
+}
+
+fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> StretchAt {
+    let d = &body.discrete;
+    let mut largest = StretchAt { value: 1.0, rest_mm: [0.0; 2] };
+    for nodes in &d.parts.bricks {
+        for p in points {
+            let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
+            for (a, node) in nodes.iter().enumerate() {
+                let (x, y) = (d.parts.nodes[*node as usize], now(body, *node as usize));
+                for i in 0..3 {
+                    at[i] += p.n[a] * x[i];
+                    for j in 0..3 {
+                        rest[i][j] += x[i] * p.dn[a][j];
+                        here[i][j] += y[i] * p.dn[a][j];
+                    }
+                }
+            }
+            let Some(inverse) = inverse(&rest) else { continue };
+            let f = |i: usize, j: usize| (0..3).map(|k| here[i][k] * inverse[k][j]).sum::<f64>();
+            let b = PAIRS.map(|(i, j)| (0..3).map(|k| f(i, k) * f(j, k)).sum::<f64>());
+            let value = principal_axes(&b).0.into_iter().fold(0.0, f64::max).sqrt();
+            if value > largest.value {
+                largest = StretchAt { value, rest_mm: [at[0].hypot(at[1]), at[2]] };
+            }
+        }
+    }
+    largest
+}
+
+fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
+    let minor = |i: usize, j: usize| {
+        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
+        m[a][c] * m[b][d] - m[a][d] * m[b][c]
+    };
+    let det: f64 = (0..3).map(|j| m[0][j] * minor(0, j)).sum();
+    (det != 0.0).then(|| [0, 1, 2].map(|i| [0, 1, 2].map(|j| minor(j, i) / det)))
+}
