@@ -13,7 +13,7 @@ use mckibben::curve::Test;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
 use mckibben_fem::axisymmetric::{Axisymmetric, Solution};
-use mckibben_fem::output::{Body, VtuSeries};
+use mckibben_fem::output::{Shape, VtuSeries};
 use serde_json::{Map, Value, json};
 
 /// Runs the command.
@@ -52,7 +52,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
             series.add(&model.section(), &solution.response)?;
         }
         if let (Some(_), Ok(solution)) = (&args.picture, &solution) {
-            last = Some((Body::of_section(&model.section()), solution.response));
+            last = Some((Shape::of_section(&model.section()), solution.response));
         }
         answered.push(judged(&model, &muscle, question, solution, args.two_sided));
     }
@@ -64,9 +64,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     if let (Some(path), false) = (&args.plot.plot, failed) {
         figure::simulate(&muscle, test, &points, p).save(path)?;
     }
-    if let (Some(path), Some((body, response))) = (&args.picture, &last) {
+    if let (Some(path), Some((shape, response))) = (&args.picture, &last) {
         let wanted = figure::Wanted { path, show: &args.show, cut: args.cut, model: "fe" };
-        figure::picture(wanted, &muscle, body, response, p)?;
+        figure::picture(wanted, &muscle, shape, response, p)?;
     }
     let list: Vec<Value> = points.iter().map(point_json).collect();
     let text = match args.output.format {

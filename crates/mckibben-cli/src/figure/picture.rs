@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::output::text::{Pressures, muscle_line, number, percent};
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
-use mckibben_fem::output::Body;
+use mckibben_fem::output::Shape;
 use mckibben_report::{Axis, Face, FigureError, Scene, Thread, View};
 use std::path::Path;
 
@@ -37,13 +37,13 @@ pub fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
 pub fn picture(
     wanted: Wanted<'_>,
     muscle: &Muscle,
-    body: &Body,
+    shape: &Shape,
     r: &Response,
     p: Pressures,
 ) -> Result<(), Failure> {
-    let Some(seen) = body.seen(wanted.show, wanted.cut) else {
+    let Some(seen) = shape.seen(wanted.show, wanted.cut) else {
         let message = format!("--show: there is no \"{}\" at the points of the tube", wanted.show);
-        return Err(Failure::input("show", message, format!("there are {}", body.names().join(", "))));
+        return Err(Failure::input("show", message, format!("there are {}", shape.names().join(", "))));
     };
     let title = format!(
         "{}: pulls {}\u{a0}N at {} and ε\u{a0}{}",

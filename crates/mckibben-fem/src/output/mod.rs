@@ -3,14 +3,14 @@
 //! Open `muscle.pvd`: one step for each equilibrium, the tube as a solid and the strands as lines. Points stand where
 //! they are now; `displacement` leads there from rest. Lengths in mm, stresses in MPa, forces in N.
 
-mod body;
 mod error;
 mod helices;
 mod revolve;
 mod series;
+mod shape;
 mod skin;
 pub mod vtu;
 
-pub use body::{Body, Seen};
 pub use error::VtuError;
 pub use series::VtuSeries;
+pub use shape::{Seen, Shape};

@@ -6,7 +6,7 @@ use crate::axisymmetric::Section;
 
 /// Tube and strands of one equilibrium.
 #[derive(Debug, Clone)]
-pub struct Body {
+pub struct Shape {
     /// Hexahedra.
     pub tube: Grid,
     /// Lines.
@@ -22,7 +22,7 @@ pub struct Seen {
     pub threads: Vec<Vec<[f64; 3]>>,
 }
 
-impl Body {
+impl Shape {
     /// The whole muscle from the half section of the axisymmetric model.
     pub fn of_section(section: &Section) -> Self {
         Self { tube: revolve::tube(section), braid: helices::braid(section) }
