@@ -98,6 +98,7 @@ const SIMULATE_EXAMPLES: &str = "Examples:
   mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
   mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
     --plot shape.svg
+  mckibben simulate -e 15% -p 0.25 --picture muscle.png --show stress_hoop_mpa --cut
   mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
 
 const VALIDATE_EXAMPLES: &str = "Examples:
@@ -252,6 +253,21 @@ pub struct SimulateArgs {
     /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub vtu: Option<PathBuf>,
+    /// Draw the deformed muscle of the last point that has an answer: a file ending in .png or .svg
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub picture: Option<PathBuf>,
+    /// What colours the picture, e.g. hoop_stretch, stress_hoop_mpa
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "max_stretch",
+        requires = "picture",
+        help_heading = "Output"
+    )]
+    pub show: String,
+    /// Cut a quarter out of the picture, so that wall and bore show
+    #[arg(long, requires = "picture", help_heading = "Output")]
+    pub cut: bool,
     #[command(flatten)]
     pub muscle: MuscleFlags,
     #[command(flatten)]

@@ -40,6 +40,16 @@ const FLAGS: &[Case] = &[
         "quantity",
         "or `inextensible`, or `paper`",
     ),
+    // Pictures.
+    ("a picture as a page", "simulate -p 0.2 -e 0 --picture DIR/a.html", 2, "plot", "ends in .svg or .png"),
+    (
+        "a picture of something unknown",
+        "simulate -p 0.2 -e 0 --picture DIR/a.svg --show colour",
+        2,
+        "show",
+        "max_stretch",
+    ),
+    ("a cut without a picture", "simulate -p 0.2 -e 0 --cut", 2, "usage", "--picture"),
     // Muscles.
     ("diameter below zero", "force -p 0.2 -D -30", 2, "muscle", "outer_diameter is -30 mm"),
     ("no diameter", "force -p 0.2 -D 0", 2, "muscle", "must be above zero"),

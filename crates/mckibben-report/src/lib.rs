@@ -21,6 +21,7 @@ mod palette;
 mod png;
 mod room;
 mod save;
+mod scene;
 mod strokes;
 mod svg;
 mod text;
@@ -32,3 +33,4 @@ mod xml;
 
 pub use error::FigureError;
 pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+pub use scene::{Face, Scene, Thread, View};

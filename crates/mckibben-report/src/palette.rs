@@ -36,13 +36,18 @@ pub(crate) fn rgb(palette: Palette, number: usize, count: usize) -> [u8; 3] {
         Palette::Categorical => CATEGORICAL[number % CATEGORICAL.len()],
         Palette::Sequential => {
             let last = count.max(2) - 1;
-            let at = number.min(last) as f64 / last as f64 * (RAMP.len() - 1) as f64;
-            let left = (at.floor() as usize).min(RAMP.len() - 2);
-            let part = at - left as f64;
-            let (a, b) = (RAMP[left], RAMP[left + 1]);
-            std::array::from_fn(|i| (f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part).round() as u8)
+            of_part(number.min(last) as f64 / last as f64)
         }
     }
+}
+
+/// The colour at a part (0 to 1) of the ramp.
+pub(crate) fn of_part(part: f64) -> [u8; 3] {
+    let at = part.clamp(0.0, 1.0) * (RAMP.len() - 1) as f64;
+    let left = (at.floor() as usize).min(RAMP.len() - 2);
+    let part = at - left as f64;
+    let (a, b) = (RAMP[left], RAMP[left + 1]);
+    std::array::from_fn(|i| (f64::from(a[i]) * (1.0 - part) + f64::from(b[i]) * part).round() as u8)
 }
 
 /// The same as `#rrggbb`.

@@ -19,7 +19,8 @@ impl Figure {
     }
 }
 
-fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
+/// Pixels of a drawing.
+pub(crate) fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
     let raster = |reason: String| FigureError::Raster { reason };
     let options = usvg::Options {
         fontdb: font::collection(),

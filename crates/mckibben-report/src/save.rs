@@ -15,21 +15,31 @@ impl Figure {
     /// the folder does not exist, [`FigureError::Write`] if the system refuses, and the
     /// errors of drawing.
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
-        let ending = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase);
-        let draw: fn(&Self) -> Result<Vec<u8>, FigureError> = match ending.as_deref() {
-            Some("svg") => |figure| figure.to_svg().map(String::into_bytes),
-            Some("png") => Self::to_png,
-            Some("html" | "htm") => |figure| figure.to_html().map(String::into_bytes),
-            _ => return Err(FigureError::UnknownExtension { path: path.to_owned() }),
-        };
-        let folder = match path.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
-        if !folder.is_dir() {
-            return Err(FigureError::NoFolder { folder: folder.to_owned() });
-        }
-        mckibben_files::replace(path, &draw(self)?)
-            .map_err(|source| FigureError::Write { path: path.to_owned(), source })
+        whole(path, |ending| match ending {
+            "svg" => Some(self.to_svg().map(String::into_bytes)),
+            "png" => Some(self.to_png()),
+            "html" | "htm" => Some(self.to_html().map(String::into_bytes)),
+            _ => None,
+        })
     }
+}
+
+/// Writes what `draw` gives for the ending of `path`, whole or not at all.
+pub(crate) fn whole(
+    path: &Path,
+    draw: impl Fn(&str) -> Option<Result<Vec<u8>, FigureError>>,
+) -> Result<(), FigureError> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let ending = path.extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase).unwrap_or_default();
+    let known = folder.is_dir().then(|| draw(&ending));
+    let bytes = match known {
+        None => return Err(FigureError::NoFolder { folder: folder.to_owned() }),
+        Some(None) => return Err(FigureError::UnknownExtension { path: path.to_owned() }),
+        Some(Some(bytes)) => bytes?,
+    };
+    mckibben_files::replace(path, &bytes)
+        .map_err(|source| FigureError::Write { path: path.to_owned(), source })
 }

@@ -13,8 +13,8 @@ use crate::strokes::{Brush, series as draw_series};
 use crate::xml::{escape, length as n};
 use crate::{Figure, FigureError, Style, ticks};
 
-const INK: &str = "#222222";
-const SOFT: &str = "#595959";
+pub(crate) const INK: &str = "#222222";
+pub(crate) const SOFT: &str = "#595959";
 const GRID: &str = "#e4e4e4";
 
 impl Figure {
@@ -80,7 +80,15 @@ pub(crate) fn draw(figure: &Figure, page: &Page<'_>) -> String {
 }
 
 /// A text whose middle line runs through `at`.
-fn text(out: &mut String, at: Spot, size: f64, fill: &str, anchor: &str, extra: &str, content: &str) {
+pub(crate) fn text(
+    out: &mut String,
+    at: Spot,
+    size: f64,
+    fill: &str,
+    anchor: &str,
+    extra: &str,
+    content: &str,
+) {
     let anchor = if anchor == "start" { String::new() } else { format!(" text-anchor=\"{anchor}\"") };
     let _ = writeln!(
         out,

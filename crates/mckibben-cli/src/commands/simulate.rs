@@ -13,12 +13,13 @@ use mckibben::curve::Test;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
 use mckibben_fem::axisymmetric::{Axisymmetric, Solution};
-use mckibben_fem::output::VtuSeries;
+use mckibben_fem::output::{Shape, VtuSeries};
 use serde_json::{Map, Value, json};
 
 /// Runs the command.
 pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     figure::check(args.plot.plot.as_deref())?;
+    figure::check_picture(args.picture.as_deref())?;
     let mut flags = args.muscle.clone();
     flags.muscle = args.file.clone().or(flags.muscle);
     let muscle = resolve::muscle(&flags)?;
@@ -41,6 +42,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
         None => None,
     };
     let mut answered = Vec::with_capacity(points.len());
+    let mut last = None;
     for question in points {
         let solution = match question.1 {
             Ok(e) => model.solve(question.0, e),
@@ -48,6 +50,9 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
         };
         if let (Some(series), Ok(solution)) = (&mut series, &solution) {
             series.add(&model.section(), &solution.response)?;
+        }
+        if let (Some(_), Ok(solution)) = (&args.picture, &solution) {
+            last = Some((Shape::of_section(&model.section()), solution.response));
         }
         answered.push(judged(&model, &muscle, question, solution, args.two_sided));
     }
@@ -58,6 +63,10 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     let failed = points.iter().all(|q| q.solution.is_err() && !q.collapsed);
     if let (Some(path), false) = (&args.plot.plot, failed) {
         figure::simulate(&muscle, test, &points, p).save(path)?;
+    }
+    if let (Some(path), Some((shape, response))) = (&args.picture, &last) {
+        let wanted = figure::Wanted { path, show: &args.show, cut: args.cut, model: "fe" };
+        figure::picture(wanted, &muscle, shape, response, p)?;
     }
     let list: Vec<Value> = points.iter().map(point_json).collect();
     let text = match args.output.format {

@@ -7,7 +7,10 @@ mod error;
 mod helices;
 mod revolve;
 mod series;
-mod vtu;
+mod shape;
+mod skin;
+pub mod vtu;
 
 pub use error::VtuError;
 pub use series::VtuSeries;
+pub use shape::{Seen, Shape};

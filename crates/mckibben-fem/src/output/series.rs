@@ -2,7 +2,7 @@
 
 use super::error::VtuError;
 use super::vtu::{Grid, collection};
-use super::{helices, revolve};
+use super::{Shape, helices};
 use crate::axisymmetric::Section;
 use mckibben::model::Response;
 use std::path::{Path, PathBuf};
@@ -39,9 +39,22 @@ impl VtuSeries {
         let drawn = f64::from(2 * helices::drawn(section));
         let note =
             if section.strand_count().is_some() { "" } else { "; the number of strands is for display" };
+        self.add_shape(Shape::of_section(section), response, note, vec![("strands_drawn", drawn)])
+    }
+
+    /// Adds a step: bodies, what the model says about the equilibrium, a note, and more numbers of the braid.
+    ///
+    /// # Errors
+    /// [`VtuError::Write`], [`VtuError::NotFinite`].
+    pub fn add_shape(
+        &mut self,
+        shape: Shape,
+        response: &Response,
+        note: &str,
+        more: Vec<(&'static str, f64)>,
+    ) -> Result<(), VtuError> {
         let about = format!("{}; step {}{note}", self.about, self.steps);
-        let field = vec![("strands_drawn", drawn)];
-        let grids = [(revolve::tube(section), vec![]), (helices::braid(section), field)];
+        let grids = [(shape.tube, vec![]), (shape.braid, more)];
         let mut ready = Vec::with_capacity(grids.len());
         for (name, (mut grid, more)) in PARTS.into_iter().zip(grids) {
             fill(&mut grid, response, more);

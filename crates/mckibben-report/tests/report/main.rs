@@ -6,4 +6,5 @@ mod figures;
 
 mod drawing;
 mod files;
+mod scene;
 mod terminal;

@@ -1,6 +1,16 @@
-//! Nonlinear least squares (Levenberg–Marquardt) with derivatives by central differences.
+//! Nonlinear least squares (Levenberg–Marquardt).
 //!
 //! The one place that speaks to the library which does it; fits of constants elsewhere hand over their residuals.
+//! [`minimise`] seeks a minimum and nothing else; [`estimate`] knows bounds, weights and outliers, takes derivatives where
+//! the model has them, and says how well the data tell each unknown.
+
+mod bounds;
+mod estimate;
+mod student;
+
+pub use bounds::Unknown;
+pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate};
+pub use student::t95;
 
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
