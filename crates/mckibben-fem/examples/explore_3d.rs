@@ -21,7 +21,14 @@ fn main() {
             (Brick::Quadratic, Ring::OnCircle, 1, 8),
             (Brick::Quadratic, Ring::OnCircle, 1, 12),
         ] {
-            let spec = BrickSpec { brick, ring, through: Some(through), around: Some(around), along: None, keep: Match::Angle };
+            let spec = BrickSpec {
+                brick,
+                ring,
+                through: Some(through),
+                around: Some(around),
+                along: None,
+                keep: Match::Angle,
+            };
             let model = ThreeDimensional::with_mesh(&muscle, &spec).unwrap();
             let t = Instant::now();
             let first = model.force_n(0.25, 0.1);
@@ -33,7 +40,8 @@ fn main() {
                 let axis = model.engine(|x| x.axisymmetric().unwrap().response(p, e));
                 match (model.response(p, e), axis) {
                     (Ok(a), Ok(b)) => print!(
-                        "{:.1}: {:+.2}% {:+.3}% |", b.force_n,
+                        "{:.1}: {:+.2}% {:+.3}% |",
+                        b.force_n,
                         100.0 * (a.force_n / b.force_n - 1.0),
                         100.0 * (a.volume_mm3.unwrap() / b.volume_mm3.unwrap() - 1.0)
                     ),

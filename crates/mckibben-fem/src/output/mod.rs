@@ -3,6 +3,8 @@
 //! Open `muscle.pvd`: one step for each equilibrium, the tube as a solid and the strands as lines. Points stand where
 //! they are now; `displacement` leads there from rest. Lengths in mm, stresses in MPa, forces in N.
 
+mod deck;
+mod eighth;
 mod error;
 mod helices;
 mod revolve;
@@ -11,6 +13,8 @@ mod shape;
 mod skin;
 pub mod vtu;
 
+pub use deck::{DeckError, deck};
+pub use eighth::Extent;
 pub use error::VtuError;
 pub use series::VtuSeries;
 pub use shape::{Seen, Shape};

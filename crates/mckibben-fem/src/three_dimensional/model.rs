@@ -132,7 +132,9 @@ impl ForceModel for ThreeDimensional {
             let mut out = Vec::new();
             let meshed = mesh.angle_rad().to_degrees();
             if (meshed - angle).abs() > 0.005 {
-                out.push(format!("the strands of the mesh lie at {meshed:.2}°, those of the braid at {angle}°"));
+                out.push(format!(
+                    "the strands of the mesh lie at {meshed:.2}°, those of the braid at {angle}°"
+                ));
             }
             let (length, meshed) = (self.muscle.length_mm(), 2.0 * mesh.half_length_mm());
             if (meshed - length).abs() > 1e-6 * length {
@@ -162,11 +164,7 @@ impl ForceModel for ThreeDimensional {
             .map(Ok)
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
         self.engine(|e| e.reach_force(force_n, pressure_mpa).map(|()| e.contraction()))
             .ok()
             .filter(|e| *e >= 0.0)

@@ -7,6 +7,7 @@ use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
 use crate::element::spatial::PAIRS;
 use crate::element::spatial_stretches::principal_axes;
+use crate::element::tie::{Pull, Tie};
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 use std::f64::consts::PI;
@@ -68,7 +69,7 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
 }
 
 /// Place now of a node in mm.
-fn now(body: &Body, node: usize) -> [f64; 3] {
+pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
     let (x, u) = (&body.discrete.parts.nodes[node], &body.state.u[3 * node..3 * node + 3]);
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
 }
@@ -98,10 +99,20 @@ fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
         .collect()
 }
 
+/// What a piece of a strand does now.
+pub(super) fn pull(body: &Body, t: usize) -> Pull {
+    let d = &body.discrete;
+    let (ends, tie) = &d.parts.ties[t];
+    let [a, b] = ends.map(|n| now(body, n as usize));
+    let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    let (compliance, augment) = d.strand[t];
+    let tie = Tie { stiffness_n: augment, ..*tie };
+    tie.pull(delta, (1.0 - augment * compliance) * body.state.q[t], 0.0)
+}
+
 /// Means over both families, row of quads by row.
 fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
     let [_, nj, nk] = mesh.grid();
-    let d = &body.discrete;
     let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
     let width = PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * row) as f64;
     let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
@@ -110,15 +121,7 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
             let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
             let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
             for t in pieces {
-                let (ends, tie) = &d.parts.ties[t];
-                let [a, b] = ends.map(|n| now(body, n as usize));
-                let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-                let (compliance, augment) = d.strand[t];
-                let pull = crate::element::tie::Tie { stiffness_n: augment, ..*tie }.pull(
-                    delta,
-                    (1.0 - augment * compliance) * body.state.q[t],
-                    0.0,
-                );
+                let pull = pull(body, t);
                 stretch += 1.0 + pull.strain;
                 angle += pull.direction[0].hypot(pull.direction[1]).atan2(pull.direction[2].abs());
                 tension += pull.tension;
@@ -177,7 +180,7 @@ fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> StretchAt {
     largest
 }
 
-fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
+pub(super) fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
     let minor = |i: usize, j: usize| {
         let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
         m[a][c] * m[b][d] - m[a][d] * m[b][c]

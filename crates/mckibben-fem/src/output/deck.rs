@@ -1,0 +1,293 @@
+//! One eighth of a muscle as an input deck for CalculiX and Abaqus: the same nodes, bricks, strands, rubber, supports and loads.
+//!
+//! Bricks are C3D8 (C3D20 and C3D27 do not exist or do not converge there), strands are SPRINGA, whose force k (l − L) is that of a
+//! truss with engineering strain and k = E A/L. Laws are those of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with
+//! D1 = 2/K; Ogden's are written there as 2 μi/αi². What is told of the mesh stands in comments `** key = value`.
+
+use crate::axisymmetric::FemError;
+use crate::three_dimensional::{Brick, ThreeDimensional};
+use mckibben::model::ForceModel;
+use mckibben::muscle::Bulk;
+use mckibben::rubber::{Law, RubberLaw};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use thiserror::Error;
+
+/// Bulk modulus over shear modulus that an incompressible rubber gets.
+const BULK: f64 = 1000.0;
+/// Pressure in MPa up to which a muscle is filled before it is shortened: shortened at rest, its strands would buckle.
+const FILL: f64 = 0.05;
+/// Largest step of the contraction.
+const CONTRACTION: f64 = 0.005;
+
+/// Why there is no deck.
+#[derive(Debug, Error)]
+pub enum DeckError {
+    /// A law that decks do not know.
+    #[error("an input deck has no law \"{law}\"; it has mooney-rivlin, neo-hookean, yeoh and ogden")]
+    Law {
+        /// Its name.
+        law: &'static str,
+    },
+    /// Strands without an end to their stiffness.
+    #[error("an input deck needs strands that stretch: give the braid a stiffness")]
+    Inextensible,
+    /// Quadratic bricks.
+    #[error("an input deck is made of eight-node bricks")]
+    Quadratic,
+    /// No pressures, or pressures that fall or are not above zero.
+    #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]
+    Pressures {
+        /// The first one in MPa.
+        first_mpa: f64,
+    },
+    /// A muscle without a mesh.
+    #[error(transparent)]
+    Fem(#[from] FemError),
+}
+
+/// Increments of equal size to a contraction and a pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Step {
+    increments: usize,
+    contraction: f64,
+    pressure_mpa: f64,
+}
+
+/// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
+///
+/// # Errors
+/// [`DeckError`].
+pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -> Result<String, DeckError> {
+    let mesh = model.mesh();
+    if mesh.brick() != Brick::Linear {
+        return Err(DeckError::Quadratic);
+    }
+    let steps = steps(contraction, pressures_mpa)?;
+    let muscle = model.muscle();
+    let (inner, outer) = mesh.radii_mm();
+    let mut out = String::new();
+    let line = |out: &mut String, text: std::fmt::Arguments<'_>| {
+        let _ = writeln!(out, "{text}");
+    };
+    line(
+        &mut out,
+        format_args!(
+            "*HEADING\nOne eighth of a McKibben muscle: mm, MPa, N; mckibben {}",
+            env!("CARGO_PKG_VERSION")
+        ),
+    );
+    for (key, value) in [
+        ("outer_radius_mm", outer),
+        ("inner_radius_mm", inner),
+        ("half_length_mm", mesh.half_length_mm()),
+        ("angle_deg", mesh.angle_rad().to_degrees()),
+        ("contraction", contraction),
+    ] {
+        line(&mut out, format_args!("** {key} = {value:?}"));
+    }
+    line(
+        &mut out,
+        format_args!(
+            "** pull of the whole muscle = 4 x (sum of the reactions of NEND along z, less their share of the pressure) - P x area of the bore"
+        ),
+    );
+    line(&mut out, format_args!("*NODE, NSET=NALL"));
+    for (i, x) in mesh.nodes().iter().enumerate() {
+        line(&mut out, format_args!("{}, {:?}, {:?}, {:?}", i + 1, x[0], x[1], x[2]));
+    }
+    line(&mut out, format_args!("*ELEMENT, TYPE=C3D8, ELSET=TUBE"));
+    let bricks = mesh.bricks();
+    // Ours run through the wall, around, along; theirs around the face.
+    const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+    for (e, nodes) in bricks.iter().enumerate() {
+        let list: Vec<String> = ORDER.iter().map(|&a| (nodes[a] + 1).to_string()).collect();
+        line(&mut out, format_args!("{}, {}", e + 1, list.join(", ")));
+    }
+    strands(&mut out, model, bricks.len())?;
+    sets(&mut out, model);
+    rubber(&mut out, &muscle.tube().rubber.law, muscle.tube().rubber.bulk)?;
+    line(&mut out, format_args!("*BOUNDARY\nSX, 1, 1\nSY, 2, 2\nSZ, 3, 3\nNEND, 1, 2"));
+    for s in steps {
+        let end = -s.contraction * mesh.half_length_mm();
+        line(
+            &mut out,
+            format_args!("*STEP, NLGEOM, INC=2000\n*STATIC, DIRECT\n{:?}, 1.", 1.0 / s.increments as f64),
+        );
+        line(&mut out, format_args!("*CONTROLS, PARAMETERS=FIELD\n1e-5, 1e-5"));
+        line(&mut out, format_args!("*BOUNDARY\nNEND, 3, 3, {end:?}\n*DLOAD\nEIN, P6, {:?}", s.pressure_mpa));
+        line(
+            &mut out,
+            format_args!("*NODE PRINT, NSET=NEND, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=NIN\nU\n*END STEP"),
+        );
+    }
+    Ok(out)
+}
+
+/// Pressures in steps of equal increments.
+fn rising(pressures: &[f64], contraction: f64, start: f64, out: &mut Vec<Step>) {
+    let mut before = start;
+    let mut size = f64::NAN;
+    for &p in pressures {
+        match out.last_mut() {
+            Some(last) if ((p - before) - size).abs() < 1e-9 * p => {
+                last.increments += 1;
+                last.pressure_mpa = p;
+            }
+            _ => out.push(Step { increments: 1, contraction, pressure_mpa: p }),
+        }
+        size = p - before;
+        before = p;
+    }
+}
+
+fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
+    let first_mpa = pressures.first().copied().unwrap_or(0.0);
+    let fine = first_mpa > 0.0
+        && pressures.windows(2).all(|p| p[1] > p[0])
+        && pressures.iter().all(|p| p.is_finite());
+    if !fine {
+        return Err(DeckError::Pressures { first_mpa });
+    }
+    let mut out = vec![];
+    if contraction == 0.0 {
+        rising(pressures, 0.0, 0.0, &mut out);
+        return Ok(out);
+    }
+    let filled = pressures.iter().position(|p| *p >= FILL - 1e-12).unwrap_or(pressures.len() - 1);
+    rising(&pressures[..=filled], 0.0, 0.0, &mut out);
+    let turns = (contraction.abs() / CONTRACTION - 1e-9).ceil().max(1.0);
+    out.push(Step { increments: turns as usize, contraction, pressure_mpa: pressures[filled] });
+    let mut rest = vec![];
+    rising(&pressures[filled + 1..], contraction, pressures[filled], &mut rest);
+    out.extend(rest);
+    Ok(out)
+}
+
+fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), DeckError> {
+    let ties = model.engine(|e| e.body.discrete.parts.ties.clone());
+    // One set for each length, in the order in which they appear.
+    let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
+    for (i, (_, tie)) in ties.iter().enumerate() {
+        groups.entry((tie.length_mm * 1e9).round() as i64).or_default().push(i);
+    }
+    let mut springs = String::new();
+    for (number, members) in groups.values().enumerate() {
+        let tie = ties[members[0]].1;
+        let k = tie.stiffness_n / tie.length_mm;
+        if !k.is_finite() {
+            return Err(DeckError::Inextensible);
+        }
+        let _ = writeln!(out, "*ELEMENT, TYPE=SPRINGA, ELSET=STRANDS{}", number + 1);
+        for &i in members {
+            let [a, b] = ties[i].0;
+            let _ = writeln!(out, "{}, {}, {}", before + i + 1, a + 1, b + 1);
+        }
+        // A spring table from force and elongation; a trace of stiffness is left in compression.
+        let _ = if tie.compression {
+            writeln!(springs, "*SPRING, ELSET=STRANDS{}\n\n{k:?}", number + 1)
+        } else {
+            writeln!(
+                springs,
+                "*SPRING, ELSET=STRANDS{}, NONLINEAR\n\n{:?}, -10.\n0., 0.\n{:?}, 10.",
+                number + 1,
+                -1e-3 * k,
+                10.0 * k
+            )
+        };
+    }
+    out.push_str(&springs);
+    Ok(())
+}
+
+fn sets(out: &mut String, model: &ThreeDimensional) {
+    let mesh = model.mesh();
+    let [ni, nj, nk] = mesh.grid();
+    let all = |keep: &dyn Fn(usize, usize, usize) -> bool| {
+        let mut list = vec![];
+        for k in 0..nk {
+            for j in 0..nj {
+                list.extend((0..ni).filter(|&i| keep(i, j, k)).map(|i| mesh.node(i, j, k) + 1));
+            }
+        }
+        list
+    };
+    let last = nk - 1;
+    let mut write = |head: &str, list: Vec<usize>| {
+        let _ = writeln!(out, "{head}");
+        for part in list.chunks(12) {
+            let words: Vec<String> = part.iter().map(usize::to_string).collect();
+            let _ = writeln!(out, "{},", words.join(", "));
+        }
+    };
+    // No displacement is held twice.
+    write("*NSET, NSET=SX", all(&|_, j, k| j + 1 == nj && k < last));
+    write("*NSET, NSET=SY", all(&|_, j, k| j == 0 && k < last));
+    write("*NSET, NSET=SZ", all(&|_, _, k| k == 0));
+    write("*NSET, NSET=NEND", all(&|_, _, k| k == last));
+    write("*NSET, NSET=NIN", all(&|i, _, _| i == 0));
+    // Bricks at the bore; their face with ξ = −1 has number 6.
+    let [through, around, along] = mesh.elements();
+    write("*ELSET, ELSET=EIN", (0..around * along).map(|e| e * through + 1).collect());
+}
+
+fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), DeckError> {
+    let k = match bulk {
+        Bulk::Modulus(k) => k,
+        Bulk::Incompressible => BULK * law.shear_modulus_mpa(),
+    };
+    if bulk == Bulk::Incompressible {
+        let _ = writeln!(
+            out,
+            "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear modulus"
+        );
+    }
+    let d = 2.0 / k;
+    let (head, numbers) = match law {
+        Law::MooneyRivlin(l) => ("MOONEY-RIVLIN", vec![l.c10_mpa, l.c01_mpa, d]),
+        Law::NeoHookean(l) => ("NEO HOOKE", vec![0.5 * l.mu_mpa, d]),
+        Law::Yeoh(l) => ("YEOH", vec![l.c10_mpa, l.c20_mpa, l.c30_mpa, d, 0.0, 0.0]),
+        Law::Ogden(l) => {
+            let n = l.terms.len();
+            // Σ μi/αi (…) = Σ 2 μ'i/αi² (…) with μ'i = μi αi/2.
+            let pairs = l.terms.iter().flat_map(|&(mu, alpha)| [0.5 * mu * alpha, alpha]);
+            let more = std::iter::repeat_n(0.0, n.saturating_sub(1));
+            let numbers: Vec<f64> = pairs.chain([d]).chain(more).collect();
+            let _ = writeln!(out, "*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, OGDEN, N={n}");
+            write_numbers(out, &numbers);
+            return Ok(());
+        }
+        Law::Gent(_) => return Err(DeckError::Law { law: law.name() }),
+    };
+    let _ = writeln!(out, "*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {head}");
+    write_numbers(out, &numbers);
+    Ok(())
+}
+
+fn write_numbers(out: &mut String, numbers: &[f64]) {
+    for part in numbers.chunks(8) {
+        let words: Vec<String> = part.iter().map(|x| format!("{x:?}")).collect();
+        let _ = writeln!(out, "{}", words.join(", "));
+    }
+    let _ = writeln!(out, "*SOLID SECTION, ELSET=TUBE, MATERIAL=RUBBER");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Step, steps};
+
+    /// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening, twenty of filling.
+    #[test]
+    fn a_muscle_is_filled_before_it_is_shortened() {
+        let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
+        let one = |increments, contraction, pressure_mpa| Step { increments, contraction, pressure_mpa };
+        assert_eq!(steps(0.0, &pressures).unwrap(), [one(25, 0.0, 0.25)]);
+        assert_eq!(
+            steps(0.1, &pressures).unwrap(),
+            [one(5, 0.0, 0.05), one(20, 0.1, 0.05), one(20, 0.1, 0.25)]
+        );
+        assert!(
+            steps(0.1, &[0.0, 0.1]).is_err() && steps(0.1, &[]).is_err() && steps(0.1, &[0.2, 0.1]).is_err()
+        );
+    }
+}

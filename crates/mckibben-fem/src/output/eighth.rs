@@ -1,0 +1,263 @@
+//! One eighth of a muscle in bricks, as it is or mirrored to the whole.
+//!
+//! Mirroring at a plane changes the sign of a displacement across it and of the shear stresses that have one index across it:
+//! σij → si sj σij with the signs s of the copy.
+
+use super::Shape;
+use super::vtu::{Grid, HEXAHEDRON, POLY_LINE, PointData};
+use crate::three_dimensional::{Field, NodeField};
+
+/// How much of the muscle is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Extent {
+    /// What was computed.
+    #[default]
+    Eighth,
+    /// All of it.
+    Whole,
+}
+
+/// A copy of a node: which, and the signs of its x, y, z.
+#[derive(Debug, Clone, Copy)]
+struct Copy {
+    node: usize,
+    sign: [f64; 3],
+}
+
+/// The grid of nodes that is shown, and where its nodes come from.
+struct Lattice {
+    through: usize,
+    around: usize,
+    along: usize,
+    closed: bool,
+    copies: Vec<Copy>,
+}
+
+impl Lattice {
+    fn new(field: &Field, extent: Extent) -> Self {
+        let [ni, nj, nk] = field.mesh.grid();
+        let quarter = nj - 1;
+        let (around, along, closed) = match extent {
+            Extent::Eighth => (nj, nk, false),
+            Extent::Whole => (4 * quarter, 2 * nk - 1, true),
+        };
+        let mut copies = Vec::with_capacity(ni * around * along);
+        for row in 0..along {
+            let (k, sz) = match extent {
+                Extent::Eighth => (row, 1.0),
+                Extent::Whole if row + 1 < nk => (nk - 1 - row, -1.0),
+                Extent::Whole => (row + 1 - nk, 1.0),
+            };
+            for turn in 0..around {
+                let (j, sx, sy) = match (turn / quarter % 4, turn % quarter) {
+                    _ if extent == Extent::Eighth => (turn, 1.0, 1.0),
+                    (0, j) => (j, 1.0, 1.0),
+                    (1, j) => (quarter - j, -1.0, 1.0),
+                    (2, j) => (j, -1.0, -1.0),
+                    (_, j) => (quarter - j, 1.0, -1.0),
+                };
+                copies.extend((0..ni).map(|i| Copy { node: field.mesh.node(i, j, k), sign: [sx, sy, sz] }));
+            }
+        }
+        Self { through: ni, around, along, closed, copies }
+    }
+
+    fn index(&self, i: usize, j: usize, k: usize) -> usize {
+        (k * self.around + j % self.around) * self.through + i
+    }
+
+    /// Rows of cells around.
+    fn cells_around(&self) -> usize {
+        if self.closed { self.around } else { self.around - 1 }
+    }
+}
+
+impl Shape {
+    /// One eighth in bricks, or all of the muscle.
+    pub fn of_field(field: &Field, extent: Extent) -> Self {
+        let lattice = Lattice::new(field, extent);
+        Self { tube: tube(field, &lattice), braid: braid(field, &lattice) }
+    }
+}
+
+fn tube(field: &Field, l: &Lattice) -> Grid {
+    let mirrored = |x: [f64; 3], sign: [f64; 3]| [x[0] * sign[0], x[1] * sign[1], x[2] * sign[2]];
+    let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
+        l.copies.iter().map(|c| mirrored(value(&field.nodes[c.node]), c.sign)).collect()
+    };
+    let scalar = |name, value: &dyn Fn(&NodeField) -> f64| PointData {
+        name,
+        components: 1,
+        values: l.copies.iter().map(|c| value(&field.nodes[c.node])).collect(),
+    };
+    // VTK's order: xx, yy, zz, xy, yz, xz.
+    let tensor = l.copies.iter().flat_map(|c| {
+        let (s, sign) = (field.nodes[c.node].stress_mpa, c.sign);
+        [s[0], s[1], s[2], s[3] * sign[0] * sign[1], s[4] * sign[1] * sign[2], s[5] * sign[2] * sign[0]]
+    });
+    let data = vec![
+        PointData {
+            name: "displacement",
+            components: 3,
+            values: vector(&|n| [0, 1, 2].map(|i| n.now_mm[i] - n.rest_mm[i])).concat(),
+        },
+        PointData { name: "cauchy_stress_mpa", components: 6, values: tensor.collect() },
+        scalar("hoop_stretch", &|n| n.hoop_stretch),
+        scalar("meridional_stretch", &|n| n.meridional_stretch),
+        scalar("max_stretch", &|n| n.max_stretch),
+        scalar("stress_radial_mpa", &|n| around(n)[0]),
+        scalar("stress_hoop_mpa", &|n| around(n)[1]),
+        scalar("stress_axial_mpa", &|n| n.stress_mpa[2]),
+        scalar("stress_mises_mpa", &|n| mises(&n.stress_mpa)),
+        scalar("rubber_pressure_mpa", &|n| -(n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0),
+    ];
+    let mut connectivity = vec![];
+    for k in 0..l.along - 1 {
+        for j in 0..l.cells_around() {
+            for i in 0..l.through - 1 {
+                for above in 0..2 {
+                    connectivity.extend(
+                        [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                            .map(|(i, j)| l.index(i, j, k + above) as i64),
+                    );
+                }
+            }
+        }
+    }
+    let cells = connectivity.len() / 8;
+    Grid {
+        kind: HEXAHEDRON,
+        points: vector(&|n| n.now_mm),
+        connectivity,
+        offsets: (1..=cells).map(|c| 8 * c as i64).collect(),
+        data,
+        field: vec![],
+    }
+}
+
+/// (σrr, σθθ) about the axis, in the present place.
+fn around(n: &NodeField) -> [f64; 2] {
+    let [x, y, _] = n.now_mm;
+    let r = x.hypot(y).max(f64::MIN_POSITIVE);
+    let (c, s) = (x / r, y / r);
+    let [xx, yy, _, xy, ..] = n.stress_mpa;
+    let twice = 2.0 * c * s * xy;
+    [c * c * xx + s * s * yy + twice, s * s * xx + c * c * yy - twice]
+}
+
+/// √(3/2 s:s), s the deviator (von Mises 1913).
+fn mises(s: &[f64; 6]) -> f64 {
+    let [xx, yy, zz, xy, yz, zx] = *s;
+    let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
+    (0.5 * normal + 3.0 * (xy * xy + yz * yz + zx * zx)).sqrt()
+}
+
+fn braid(field: &Field, l: &Lattice) -> Grid {
+    let [ni, nj, nk] = field.mesh.grid();
+    let quads = (nj - 1) * (nk - 1);
+    let (mut ends, mut pieces) = (vec![], vec![]);
+    for k in 0..l.along - 1 {
+        for j in 0..l.cells_around() {
+            let at = |j, k| l.index(ni - 1, j, k);
+            // The two diagonals of a quad; which piece of the eighth each is follows from its nodes.
+            for pair in [[at(j, k), at(j + 1, k + 1)], [at(j + 1, k), at(j, k + 1)]] {
+                ends.push(pair);
+                pieces.push(piece(field, pair.map(|p| l.copies[p].node), quads));
+            }
+        }
+    }
+    let points = ends.iter().flatten().map(|&p| {
+        let c = l.copies[p];
+        let x = field.nodes[c.node].now_mm;
+        [x[0] * c.sign[0], x[1] * c.sign[1], x[2] * c.sign[2]]
+    });
+    let scalar = |name, value: &dyn Fn(&crate::three_dimensional::PieceField) -> f64| PointData {
+        name,
+        components: 1,
+        values: pieces.iter().flat_map(|&p| [p.map_or(0.0, |p| value(&field.pieces[p])); 2]).collect(),
+    };
+    Grid {
+        kind: POLY_LINE,
+        points: points.collect(),
+        connectivity: (0..2 * ends.len() as i64).collect(),
+        offsets: (1..=ends.len() as i64).map(|c| 2 * c).collect(),
+        data: vec![
+            scalar("stretch", &|p| p.stretch),
+            scalar("angle_deg", &|p| p.angle_deg),
+            scalar("mesh_strand_tension_n", &|p| p.tension_n),
+        ],
+        field: vec![],
+    }
+}
+
+/// Number of the strand piece between two nodes of the outer grid.
+fn piece(field: &Field, nodes: [usize; 2], quads: usize) -> Option<usize> {
+    let [ni, nj, _] = field.mesh.grid();
+    let place = nodes.map(|n| (n / ni % nj, n / (ni * nj)));
+    let (j, k) = (place[0].0.min(place[1].0), place[0].1.min(place[1].1));
+    let rising = (place[0].0 < place[1].0) == (place[0].1 < place[1].1);
+    let number = k * (nj - 1) + j + if rising { 0 } else { quads };
+    let found = field.pieces.get(number)?.ends;
+    (found == nodes || found == [nodes[1], nodes[0]]).then_some(number)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::three_dimensional::{BrickSpec, ThreeDimensional};
+    use mckibben::muscle::Muscle;
+
+    fn solved() -> (ThreeDimensional, Field) {
+        let model =
+            ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x6").unwrap()).unwrap();
+        model.solve(0.2, 0.1).unwrap();
+        let field = model.field().unwrap();
+        (model, field)
+    }
+
+    /// Volume inside of the surface by Gauss's theorem: incompressible rubber keeps that of the polygon's tube.
+    #[test]
+    fn the_whole_tube_has_eight_times_the_volume_of_one_eighth_and_keeps_it() {
+        let (_, field) = solved();
+        let volume = |extent, rest: bool| {
+            let shape = Shape::of_field(&field, extent);
+            let moved = shape.tube.data.iter().find(|d| d.name == "displacement").unwrap();
+            let place = |i: usize| {
+                let u = &moved.values[3 * i..3 * i + 3];
+                [0, 1, 2].map(|k| shape.tube.points[i][k] - if rest { u[k] } else { 0.0 })
+            };
+            let mut sum = 0.0;
+            for f in super::super::skin::skin(&shape.tube, |_| true) {
+                let p = f.map(place);
+                // ∫ x·n dA of a bilinear face, exactly, by its two ways of being split into triangles.
+                let six = |a: usize, b: usize, c: usize| {
+                    let (u, v, w) = (p[a], p[b], p[c]);
+                    u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+                        + u[2] * (v[0] * w[1] - v[1] * w[0])
+                };
+                sum += 0.5 * (six(0, 1, 2) + six(0, 2, 3) + six(0, 1, 3) + six(1, 2, 3)) / 6.0;
+            }
+            sum
+        };
+        let (eighth, whole) = (volume(Extent::Eighth, false), volume(Extent::Whole, false));
+        assert!((whole - 8.0 * eighth).abs() < 1e-9 * whole, "{whole} {eighth}");
+        let rest = volume(Extent::Whole, true);
+        assert!((whole - rest).abs() < 1e-6 * rest, "{whole} {rest}");
+    }
+
+    /// Eight times the pieces of one eighth, with the same mean tension.
+    #[test]
+    fn strands_are_found_and_pull() {
+        let (_, field) = solved();
+        let shape = Shape::of_field(&field, Extent::Whole);
+        let tension = shape.braid.data.iter().find(|d| d.name == "mesh_strand_tension_n").unwrap();
+        assert_eq!(tension.values.len(), 16 * field.pieces.len());
+        let mean = |v: &mut dyn Iterator<Item = f64>| {
+            let (n, sum) = v.fold((0.0, 0.0), |(n, s), x| (n + 1.0, s + x));
+            sum / n
+        };
+        let all = mean(&mut tension.values.iter().copied());
+        let eighth = mean(&mut field.pieces.iter().map(|p| p.tension_n));
+        assert!(all > 0.0 && (all - eighth).abs() < 1e-9 * all, "{all} {eighth}");
+    }
+}

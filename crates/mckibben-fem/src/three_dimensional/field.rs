@@ -1,0 +1,233 @@
+//! Places, stretches and Cauchy stress at the nodes of one eighth, for pictures and files.
+//!
+//! Stretches are those of the bricks' own field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
+//! (Barlow 1976): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
+//! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
+
+use super::engine::Engine;
+use super::mesh::{Brick, BrickMesh};
+use super::model::ThreeDimensional;
+use super::results::{inverse, now};
+use super::{Body, Discrete};
+use crate::axisymmetric::FemError;
+use crate::element::brick::ShapePoint;
+use crate::element::hexahedron::{at8, at27};
+use crate::element::q2::GAUSS2;
+use crate::element::spatial::{PAIRS, SpatialLaw, SpatialVisitor, visit};
+use crate::element::spatial_stretches::principal_axes;
+
+/// What is known at a node.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct NodeField {
+    /// (x, y, z) at rest in mm.
+    pub rest_mm: [f64; 3],
+    /// (x, y, z) now in mm.
+    pub now_mm: [f64; 3],
+    /// Stretch of a line that ran around the muscle at rest.
+    pub hoop_stretch: f64,
+    /// Stretch of a line that ran along it.
+    pub meridional_stretch: f64,
+    /// Largest principal stretch.
+    pub max_stretch: f64,
+    /// Cauchy stress in MPa: xx, yy, zz, xy, yz, zx.
+    pub stress_mpa: [f64; 6],
+}
+
+/// A piece of a strand between two nodes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PieceField {
+    /// Its nodes.
+    pub ends: [usize; 2],
+    /// Stretch.
+    pub stretch: f64,
+    /// Angle to the axis now, in degrees.
+    pub angle_deg: f64,
+    /// Tension in N: that of a strand of the mesh.
+    pub tension_n: f64,
+}
+
+/// One eighth, node by node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Field {
+    /// The grid.
+    pub mesh: BrickMesh,
+    /// Nodes, numbered as the grid's.
+    pub nodes: Vec<NodeField>,
+    /// Strand pieces, as [`BrickMesh::strands`] has them.
+    pub pieces: Vec<PieceField>,
+}
+
+impl ThreeDimensional {
+    /// The field of the last equilibrium that was found; of the muscle at rest before the first question.
+    ///
+    /// # Errors
+    /// [`FemError::Force`] where the state has no stress.
+    pub fn field(&self) -> Result<Field, FemError> {
+        self.engine(|e| field(e))
+    }
+}
+
+fn field(e: &mut Engine) -> Result<Field, FemError> {
+    let force_n = e.body.totals.pull;
+    e.body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
+    let body = &e.body;
+    Ok(Field {
+        nodes: visit(&body.discrete.parts.law, Nodes { body }),
+        pieces: pieces(body),
+        mesh: e.mesh.clone(),
+    })
+}
+
+fn pieces(body: &Body) -> Vec<PieceField> {
+    let d = &body.discrete;
+    let one = |t: usize| {
+        let pull = super::results::pull(body, t);
+        let n = pull.direction;
+        PieceField {
+            ends: d.parts.ties[t].0.map(|n| n as usize),
+            stretch: 1.0 + pull.strain,
+            angle_deg: n[0].hypot(n[1]).atan2(n[2].abs()).to_degrees(),
+            tension_n: pull.tension,
+        }
+    };
+    (0..d.parts.ties.len()).map(one).collect()
+}
+
+struct Nodes<'a> {
+    body: &'a Body,
+}
+
+impl SpatialVisitor for Nodes<'_> {
+    type Output = Vec<NodeField>;
+
+    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
+        let d = &self.body.discrete;
+        let mut out = vec![NodeField::default(); d.parts.nodes.len()];
+        match d.parts.brick {
+            Brick::Linear => fill(self.body, law, &at8, &[[0.0; 3]], &mut out),
+            Brick::Quadratic => {
+                let g = [GAUSS2[0].0, GAUSS2[1].0];
+                let points: Vec<[f64; 3]> = (0..8).map(|k| [g[k % 2], g[k / 2 % 2], g[k / 4]]).collect();
+                fill(self.body, law, &at27, &points, &mut out);
+            }
+        }
+        out
+    }
+}
+
+fn fill<L: SpatialLaw, const NN: usize>(
+    body: &Body,
+    law: &L,
+    at: &dyn Fn([f64; 3], f64) -> ShapePoint<NN>,
+    points: &[[f64; 3]],
+    out: &mut [NodeField],
+) {
+    let d = &body.discrete;
+    let corners = if NN == 8 { [-1.0, 1.0].as_slice() } else { &[-1.0, 0.0, 1.0] };
+    let p = corners.len();
+    let places: Vec<[f64; 3]> =
+        (0..NN).map(|a| [corners[a % p], corners[a / p % p], corners[a / (p * p)]]).collect();
+    let at_nodes: Vec<ShapePoint<NN>> = places.iter().map(|x| at(*x, 1.0)).collect();
+    let at_points: Vec<ShapePoint<NN>> = points.iter().map(|x| at(*x, 1.0)).collect();
+    let mut shares = vec![0.0; out.len()];
+    for (e, nodes) in d.parts.bricks.iter().enumerate() {
+        let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, nodes, p)).collect();
+        for (a, node) in nodes.iter().enumerate() {
+            let k = *node as usize;
+            let Some((f, _)) = gradient(body, nodes, &at_nodes[a]) else { continue };
+            let rest = d.parts.nodes[k];
+            let radius = rest[0].hypot(rest[1]).max(f64::MIN_POSITIVE);
+            let hoop = [-rest[1] / radius, rest[0] / radius, 0.0];
+            let length = |v: [f64; 3]| f.map(|row| dot(row, v)).map(|x| x * x).iter().sum::<f64>().sqrt();
+            let field = &mut out[k];
+            shares[k] += 1.0;
+            field.rest_mm = rest;
+            field.now_mm = now(body, k);
+            field.hoop_stretch += length(hoop);
+            field.meridional_stretch += length([0.0, 0.0, 1.0]);
+            let largest = principal_axes(&left(&f)).0.into_iter().fold(0.0, f64::max);
+            field.max_stretch += largest.sqrt();
+            let here = carried(&stress, places[a]);
+            (0..6).for_each(|c| field.stress_mpa[c] += here[c]);
+        }
+    }
+    for (field, share) in out.iter_mut().zip(shares) {
+        let NodeField { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = field;
+        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
+            *value /= share;
+        }
+    }
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|i| a[i] * b[i]).sum()
+}
+
+/// b = F Fᵀ
+fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
+    PAIRS.map(|(i, j)| dot(f[i], f[j]))
+}
+
+/// F at a point of a brick, and the place at rest.
+fn gradient<const NN: usize>(
+    body: &Body,
+    nodes: &[u32],
+    p: &ShapePoint<NN>,
+) -> Option<([[f64; 3]; 3], [f64; 3])> {
+    let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
+    for (a, node) in nodes.iter().enumerate() {
+        let (x, y) = (body.discrete.parts.nodes[*node as usize], now(body, *node as usize));
+        for i in 0..3 {
+            at[i] += p.n[a] * x[i];
+            for j in 0..3 {
+                rest[i][j] += x[i] * p.dn[a][j];
+                here[i][j] += y[i] * p.dn[a][j];
+            }
+        }
+    }
+    let inverse = inverse(&rest)?;
+    Some((here.map(|row| [0, 1, 2].map(|j| (0..3).map(|k| row[k] * inverse[k][j]).sum())), at))
+}
+
+/// Cauchy stress at a point of brick `e`.
+fn stress<L: SpatialLaw, const NN: usize>(
+    body: &Body,
+    law: &L,
+    e: usize,
+    nodes: &[u32],
+    p: &ShapePoint<NN>,
+) -> [f64; 6] {
+    let Some((f, at)) = gradient(body, nodes, p) else { return [0.0; 6] };
+    let j: f64 = (0..3)
+        .map(|k| {
+            let (a, b) = ((k + 1) % 3, (k + 2) % 3);
+            f[0][k] * (f[1][a] * f[2][b] - f[1][b] * f[2][a])
+        })
+        .sum();
+    let pressure = pressure(&body.discrete, body, e, at);
+    let tau = law.spatial::<f64, false>(&left(&f), j).tau;
+    std::array::from_fn(|c| tau[c] / j + if c < 3 { pressure } else { 0.0 })
+}
+
+/// p = Σ (p_k + γ c_k/V) ψ_k at a place at rest, with the part that is condensed.
+fn pressure(d: &Discrete, body: &Body, e: usize, at: [f64; 3]) -> f64 {
+    let rest = &d.rest[e];
+    let monomials = [1.0, at[0] - rest.centre[0], at[1] - rest.centre[1], at[2] - rest.centre[2]];
+    (0..d.modes)
+        .map(|k| {
+            let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();
+            let i = e * d.modes + k;
+            psi * (body.state.p[i] + d.augment * body.work.defect[i] / rest.volume)
+        })
+        .sum()
+}
+
+/// The trilinear function through 2 × 2 × 2 points, or the only value there is.
+fn carried(values: &[[f64; 6]], at: [f64; 3]) -> [f64; 6] {
+    let [only] = values else {
+        let weights = at.map(|x| [0.5 * (1.0 - x / GAUSS2[1].0), 0.5 * (1.0 + x / GAUSS2[1].0)]);
+        let weight = |k: usize| weights[0][k % 2] * weights[1][k / 2 % 2] * weights[2][k / 4];
+        return std::array::from_fn(|c| values.iter().enumerate().map(|(k, v)| weight(k) * v[c]).sum());
+    };
+    *only
+}
