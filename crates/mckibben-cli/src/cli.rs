@@ -5,7 +5,7 @@ mod campaign;
 pub use campaign::{CampaignArgs, CampaignCommand, CampaignMergeArgs, CampaignRunArgs, CampaignShowArgs};
 
 use crate::commands::fit::{FitArgs, FormulaShowArgs};
-use crate::flags::{AskFlags, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::flags::{AskFlags, MatchWord, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -240,12 +240,16 @@ pub struct SimulateArgs {
     /// Pulls of an isotonic test [20,80,150N]
     #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Model: fe
+    /// Model: fe (axisymmetric) or fe3d (three-dimensional)
     #[arg(long, value_name = "NAME", default_value = "fe")]
     pub model: String,
-    /// Mesh: elements along the half length, or through the wall x along, or with :grading [chosen]
+    /// Mesh of fe: elements along the half length, or through the wall x along, or with :grading; of fe3d: bricks around
+    /// the quarter, or through x around, or through x around x along [chosen]
     #[arg(long, value_name = "N or MxN:G")]
     pub mesh: Option<String>,
+    /// What fe3d keeps where bricks with strands at ±θ0 do not fill the length
+    #[arg(long = "match", value_enum, value_name = "WHAT", default_value_t)]
+    pub keep: MatchWord,
     /// Negative force instead of slack where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
@@ -446,7 +450,7 @@ pub struct DesignArgs {
     /// Force model [paper where the search stays in its box, else thick-wall]
     #[arg(long, value_name = "NAME", help_heading = "Model")]
     pub model: Option<String>,
-    /// Mesh of `fe`, as for the other commands [chosen]
+    /// Mesh of `fe` or `fe3d`, as for the other commands [chosen]
     #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
     pub mesh: Option<String>,
     /// Answer outside of the model's range, with a warning

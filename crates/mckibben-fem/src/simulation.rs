@@ -1,8 +1,9 @@
 //! What finite-element models have in common beyond [`ForceModel`]: whole solutions and tests.
 
-use crate::axisymmetric::{Axisymmetric, FemError, Solution, TangentPoint};
-use crate::three_dimensional::ThreeDimensional;
+use crate::axisymmetric::{Axisymmetric, FemError, MeshSpec, Solution, TangentPoint};
+use crate::three_dimensional::{BrickSpec, ThreeDimensional};
 use mckibben::model::ForceModel;
+use mckibben::muscle::Muscle;
 
 /// A finite-element model of a muscle.
 pub trait Simulation: ForceModel {
@@ -77,5 +78,35 @@ impl Simulation for ThreeDimensional {
         _: bool,
     ) -> Vec<Result<TangentPoint, FemError>> {
         ThreeDimensional::isometric_with_tangents(self, contraction, pressures_mpa)
+    }
+}
+
+/// Which finite elements, and how fine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Elements {
+    /// Axisymmetric.
+    Axisymmetric(MeshSpec),
+    /// Three-dimensional.
+    ThreeDimensional(BrickSpec),
+}
+
+impl Elements {
+    /// The word for `--model`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Axisymmetric(_) => "fe",
+            Self::ThreeDimensional(_) => "fe3d",
+        }
+    }
+
+    /// The model of a muscle.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none.
+    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>, FemError> {
+        Ok(match self {
+            Self::Axisymmetric(spec) => Box::new(Axisymmetric::with_mesh(muscle, spec)?),
+            Self::ThreeDimensional(spec) => Box::new(ThreeDimensional::with_mesh(muscle, spec)?),
+        })
     }
 }

@@ -4,7 +4,7 @@ use crate::cli::{SimulateArgs, TestWord};
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
-use crate::kind;
+use crate::kind::{Kind, MeshFlags, Meshed};
 use crate::output::text::{Pressures, muscle_line, number, or_dash, percent, table};
 use crate::output::{csv, emit, json};
 use crate::resolve;
@@ -12,8 +12,9 @@ use crate::simulated::{Point, Question, judged};
 use mckibben::curve::Test;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
-use mckibben_fem::axisymmetric::{Axisymmetric, Solution};
+use mckibben_fem::axisymmetric::Solution;
 use mckibben_fem::output::VtuSeries;
+use mckibben_fem::simulation::Simulation;
 use serde_json::{Map, Value, json};
 
 /// Runs the command.
@@ -22,20 +23,28 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     let mut flags = args.muscle.clone();
     flags.muscle = args.file.clone().or(flags.muscle);
     let muscle = resolve::muscle(&flags)?;
-    if args.model != "fe" {
-        let message =
-            format!("`simulate` runs finite elements, and \"{}\" is none; the model is fe", args.model);
-        return Err(Failure::input("model", message, "`curve` draws the curves of every model"));
-    }
-    let mesh = kind::mesh(args.mesh.as_deref())?;
-    let model =
-        Axisymmetric::with_mesh(&muscle, &mesh).map_err(|e| Failure::input("mesh", e.to_string(), ""))?;
+    let flags = MeshFlags { text: args.mesh.as_deref(), keep: args.keep };
+    let elements = match Kind::parse(&args.model, &flags)?.elements(&muscle) {
+        Some(elements) => elements.map_err(|e| Failure::input("mesh", e.to_string(), ""))?,
+        None => {
+            let message = format!(
+                "`simulate` runs finite elements, and \"{}\" is none; the models are fe and fe3d",
+                args.model
+            );
+            return Err(Failure::input("model", message, "`curve` draws the curves of every model"));
+        }
+    };
+    let model = elements.simulation();
     let test = match args.test {
         TestWord::Isometric => Test::Isometric,
         TestWord::Isotonic => Test::Isotonic,
         TestWord::Isobaric => Test::Isobaric,
     };
-    let points = questions(args, &model, test)?;
+    if args.vtu.is_some() && matches!(elements, Meshed::ThreeDimensional(_)) {
+        let message = "--vtu writes the section of fe; fe3d has none";
+        return Err(Failure::input("vtu", message, "leave it out, or take --model fe"));
+    }
+    let points = questions(args, model, test)?;
     let mut series = match &args.vtu {
         Some(folder) => Some(VtuSeries::new(folder, &muscle_line(&muscle))?),
         None => None,
@@ -46,10 +55,11 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
             Ok(e) => model.solve(question.0, e),
             Err(f) => model.at_force(f, question.0),
         };
-        if let (Some(series), Ok(solution)) = (&mut series, &solution) {
+        if let (Some(series), Meshed::Axisymmetric(model), Ok(solution)) = (&mut series, &elements, &solution)
+        {
             series.add(&model.section(), &solution.response)?;
         }
-        answered.push(judged(&model, &muscle, question, solution, args.two_sided));
+        answered.push(judged(model, &muscle, question, solution, args.two_sided));
     }
     let points = answered;
     let written = series.map(VtuSeries::finish).transpose()?;
@@ -62,12 +72,12 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     let list: Vec<Value> = points.iter().map(point_json).collect();
     let text = match args.output.format {
         Format::Json => json::print(
-            &json!({ "model": "fe", "test": test.name(), "muscle": json::muscle(&muscle), "points": list }),
+            &json!({ "model": model.name(), "test": test.name(), "muscle": json::muscle(&muscle), "points": list, "notes": model.notes() }),
         ),
         Format::Csv => csv::rows(&list)?,
         Format::Text => {
             let opened = written.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
-            as_text(&muscle, test, &points, p) + &opened.unwrap_or_default()
+            as_text(model, &muscle, test, &points, p) + &opened.unwrap_or_default()
         }
     };
     if failed && args.output.format == Format::Text {
@@ -78,7 +88,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     Ok(if failed { NOT_CONVERGED } else { 0 })
 }
 
-fn questions(args: &SimulateArgs, model: &Axisymmetric, test: Test) -> Result<Vec<Question>, Failure> {
+fn questions(args: &SimulateArgs, model: &dyn Simulation, test: Test) -> Result<Vec<Question>, Failure> {
     let p =
         resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?;
     let mut e = resolve::contractions(args.contraction.as_deref(), "0..0.2:0.1")?;
@@ -161,7 +171,7 @@ fn point_json(q: &Point) -> Value {
     Value::Object(map)
 }
 
-fn as_text(m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
+fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
     let unit = format!("P [{}]", p.unit());
     let strands = m.braid().strands.is_some();
     let tension = if strands { "strand [N]" } else { "braid [N]" };
@@ -212,7 +222,9 @@ fn as_text(m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
         };
         head.into_iter().chain(tail).collect()
     });
-    let mut out = format!("{} test, model fe\n{}\n\n", test.name(), muscle_line(m));
+    let mut out = format!("{} test, model {}\n{}\n", test.name(), model.name(), muscle_line(m));
+    model.notes().iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
+    out.push('\n');
     out.push_str(&table(&header, rows.collect()));
     if let Some(s) = points.iter().rev().find_map(|q| q.solution.as_ref().ok()) {
         out.push_str(&last_text(s, p));
@@ -247,7 +259,9 @@ fn last_text(s: &Solution, p: Pressures) -> String {
             number(last.stretch, 5)
         ));
     }
-    out.push_str("\nWhat the pull gains when one of these grows by 1 %\n");
+    if !s.sensitivities.is_empty() {
+        out.push_str("\nWhat the pull gains when one of these grows by 1 %\n");
+    }
     for x in &s.sensitivities {
         let gain = 0.01 * x.value * x.force_n_per_unit;
         let space = if x.unit.is_empty() { "" } else { " " };

@@ -9,9 +9,7 @@ use crate::axisymmetric::Section;
 
 /// Lagrange's weights through three places.
 fn lagrange(x: [f64; 3], at: f64) -> [f64; 3] {
-    [0, 1, 2].map(|i| {
-        (0..3).filter(|&j| j != i).map(|j| (at - x[j]) / (x[i] - x[j])).product()
-    })
+    [0, 1, 2].map(|i| (0..3).filter(|&j| j != i).map(|j| (at - x[j]) / (x[i] - x[j])).product())
 }
 
 /// Weights of the section's nodes at (R, Z) at rest.

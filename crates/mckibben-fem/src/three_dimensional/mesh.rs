@@ -153,27 +153,35 @@ pub struct BrickMesh {
 const MOST: [f64; 3] = [16.0, 256.0, 2048.0];
 
 impl BrickMesh {
+    /// Whether numbers that are said make a mesh.
+    ///
+    /// # Errors
+    /// [`FemError::Mesh`] where they do not.
+    pub fn check(spec: &BrickSpec) -> Result<(), FemError> {
+        let names = ["through", "around", "along"];
+        for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)
+        {
+            let value = value.map_or(1.0, |n| n as f64);
+            if !(1.0..=high).contains(&value) {
+                return Err(FemError::Mesh { name, value, low: 1.0, high });
+            }
+        }
+        Ok(())
+    }
+
     /// Divides one eighth of a tube of inner and outer radius and half length (mm) with strands at `angle` (radians).
     ///
     /// # Errors
     /// [`FemError::Mesh`] where numbers make no mesh.
     pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
         let order = spec.brick.order();
-        let check = |name, value: f64, high| {
-            if (1.0..=high).contains(&value) {
-                Ok(())
-            } else {
-                Err(FemError::Mesh { name, value, low: 1.0, high })
-            }
-        };
+        Self::check(spec)?;
         let through = spec.through.unwrap_or(1);
         let around = spec.around.unwrap_or_else(|| spec.choose_around(outer, half, angle));
-        check("through", through as f64, MOST[0])?;
-        check("around", around as f64, MOST[1])?;
         let (chord, height) = spec.cell(outer, angle, around * order);
         let natural = (half / (height * order as f64)).round();
         let along = spec.along.unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
-        check("along", along as f64, MOST[2])?;
+        Self::check(&BrickSpec { along: Some(along), ..*spec })?;
         let rows = (along * order) as f64;
         // Height of the rows, and of the last ones at the terminal.
         let (height, last) = match (spec.keep, spec.along) {

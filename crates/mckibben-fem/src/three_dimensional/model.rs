@@ -167,11 +167,7 @@ impl ForceModel for ThreeDimensional {
             .map(Ok)
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
         self.engine(|e| e.reach_force(force_n, pressure_mpa).map(|()| e.contraction()))
             .ok()
             .filter(|e| *e >= 0.0)
