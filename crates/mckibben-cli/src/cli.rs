@@ -5,7 +5,7 @@ mod campaign;
 pub use campaign::{CampaignArgs, CampaignCommand, CampaignMergeArgs, CampaignRunArgs, CampaignShowArgs};
 
 use crate::commands::fit::{FitArgs, FormulaShowArgs};
-use crate::flags::{AskFlags, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::flags::{AskFlags, MatchWord, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -99,6 +99,8 @@ const SIMULATE_EXAMPLES: &str = "Examples:
   mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
     --plot shape.svg
   mckibben simulate -e 15% -p 0.25 --picture muscle.png --show stress_hoop_mpa --cut
+  mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
+    --export-inp muscle.inp
   mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
 
 const VALIDATE_EXAMPLES: &str = "Examples:
@@ -241,18 +243,28 @@ pub struct SimulateArgs {
     /// Pulls of an isotonic test [20,80,150N]
     #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
     pub force: Option<String>,
-    /// Model: fe
+    /// Model: fe (axisymmetric) or fe3d (three-dimensional)
     #[arg(long, value_name = "NAME", default_value = "fe")]
     pub model: String,
-    /// Mesh: elements along the half length, or through the wall x along, or with :grading [chosen]
+    /// Mesh of fe: elements along the half length, or through the wall x along, or with :grading; of fe3d: bricks around
+    /// the quarter, or through x around, or through x around x along [chosen]
     #[arg(long, value_name = "N or MxN:G")]
     pub mesh: Option<String>,
+    /// What fe3d keeps where bricks with strands at ±θ0 do not fill the length
+    #[arg(long = "match", value_enum, value_name = "WHAT", default_value_t)]
+    pub keep: MatchWord,
     /// Negative force instead of slack where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
     /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
     #[arg(long, value_name = "DIR", help_heading = "Output")]
     pub vtu: Option<PathBuf>,
+    /// Write all of the muscle there, not the eighth that fe3d computes; fe always does
+    #[arg(long, requires = "vtu", help_heading = "Output")]
+    pub whole: bool,
+    /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub export_inp: Option<PathBuf>,
     /// Draw the deformed muscle of the last point that has an answer: a file ending in .png or .svg
     #[arg(long, value_name = "FILE", help_heading = "Output")]
     pub picture: Option<PathBuf>,
@@ -462,7 +474,7 @@ pub struct DesignArgs {
     /// Force model [paper where the search stays in its box, else thick-wall]
     #[arg(long, value_name = "NAME", help_heading = "Model")]
     pub model: Option<String>,
-    /// Mesh of `fe`, as for the other commands [chosen]
+    /// Mesh of `fe` or `fe3d`, as for the other commands [chosen]
     #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
     pub mesh: Option<String>,
     /// Answer outside of the model's range, with a warning

@@ -1,5 +1,6 @@
 //! Flags that commands share.
 
+use crate::kind::MeshFlags;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -63,12 +64,33 @@ pub struct AskFlags {
     /// Negative force instead of slack where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
-    /// Mesh of `fe`: elements along the half length, or through the wall x along, or with :grading [chosen]
+    /// Mesh of `fe`: elements along the half length, or through the wall x along, or with :grading; of `fe3d`: bricks
+    /// around the quarter, or through x around, or through x around x along [chosen]
     #[arg(long, value_name = "N or MxN:G")]
     pub mesh: Option<String>,
+    /// What `fe3d` keeps where bricks with strands at ±θ0 do not fill the length
+    #[arg(long = "match", value_enum, value_name = "WHAT", default_value_t)]
+    pub keep: MatchWord,
     /// Branch of the friction hysteresis (needs [friction] in the muscle file)
     #[arg(long, value_enum, default_value_t = MotionWord::Mean)]
     pub motion: MotionWord,
+}
+
+impl AskFlags {
+    /// `--mesh` and `--match`.
+    pub fn mesh_flags(&self) -> MeshFlags<'_> {
+        MeshFlags { text: self.mesh.as_deref(), keep: self.keep }
+    }
+}
+
+/// What the mesh of `fe3d` keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum MatchWord {
+    /// The length
+    #[default]
+    Length,
+    /// The braid angle; the length is a whole number of cells
+    Angle,
 }
 
 /// Which branch of the hysteresis.

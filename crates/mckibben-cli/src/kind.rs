@@ -1,10 +1,13 @@
 //! Every model there is, by name: the closed forms of the library and the finite elements.
 
 use crate::failure::Failure;
+use crate::flags::MatchWord;
 use mckibben::formula::{Formula, FormulaModel};
 use mckibben::model::{ForceModel, ModelError, ModelKind};
 use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+use mckibben_fem::axisymmetric::{Axisymmetric, FemError, MeshSpec};
+use mckibben_fem::simulation::Simulation;
+use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec, Match, ThreeDimensional};
 use std::sync::Arc;
 
 /// A model by name.
@@ -14,6 +17,8 @@ pub enum Kind {
     Closed(ModelKind),
     /// Axisymmetric finite elements.
     Fe(MeshSpec),
+    /// Three-dimensional finite elements.
+    Fe3d(BrickSpec),
     /// A fitted formula. It is read once and kept until the program ends, so that a kind stays a small value.
     Formula(&'static Arc<Formula>),
 }
@@ -21,16 +26,23 @@ pub enum Kind {
 const FE: &str = "fe";
 const FE_ABOUT: &str = "axisymmetric finite elements: any rubber, wall, braid and length, with the ends";
 
+const FE3D: &str = "fe3d";
+const FE3D_ABOUT: &str = "three-dimensional finite elements: bricks and single strands; the reference for fe";
+
 impl Kind {
     /// Name and one line of every model.
     pub fn all() -> Vec<(&'static str, &'static str)> {
         let closed = ModelKind::ALL.into_iter().map(|k| (k.name(), k.description()));
-        closed.chain([(FE, FE_ABOUT)]).collect()
+        closed.chain([(FE, FE_ABOUT), (FE3D, FE3D_ABOUT)]).collect()
     }
 
-    /// A model's name, or the path of a formula's JSON; `fe` is built on `mesh`.
-    pub fn parse(name: &str, mesh: MeshSpec) -> Result<Self, Failure> {
+    /// A model's name, or the path of a formula's JSON; finite elements are built on the mesh that the flags say.
+    pub fn parse(name: &str, flags: &MeshFlags<'_>) -> Result<Self, Failure> {
         let name = name.trim();
+        if name == FE3D {
+            return flags.bricks().map(Kind::Fe3d);
+        }
+        let mesh = flags.section()?;
         if name == FE {
             return Ok(Kind::Fe(mesh));
         }
@@ -40,14 +52,15 @@ impl Kind {
         }
         let known = name.parse::<ModelKind>();
         known.map(Kind::Closed).map_err(|e| {
-            let message = format!("{e}, {FE}").replace(&format!("?, {FE}"), "?");
+            let all = format!("{FE}, {FE3D}");
+            let message = format!("{e}, {all}").replace(&format!("?, {all}"), "?");
             Failure::input("model", message, "`mckibben models` describes them")
         })
     }
 
     /// Whether a word is the name of a model already.
     pub fn is_taken(name: &str) -> bool {
-        name.trim() == FE || name.trim().parse::<ModelKind>().is_ok()
+        [FE, FE3D].contains(&name.trim()) || name.trim().parse::<ModelKind>().is_ok()
     }
 
     /// Its name.
@@ -55,6 +68,7 @@ impl Kind {
         match self {
             Kind::Closed(kind) => kind.name(),
             Kind::Fe(_) => FE,
+            Kind::Fe3d(_) => FE3D,
             Kind::Formula(formula) => &formula.name,
         }
     }
@@ -76,22 +90,92 @@ impl Kind {
                 Ok(model) => Ok(Box::new(model)),
                 Err(error) => Err(error.into_model(0.0, 0.0)),
             },
+            Kind::Fe3d(spec) => match ThreeDimensional::with_mesh(muscle, &spec) {
+                Ok(model) => Ok(Box::new(model)),
+                Err(error) => Err(error.into_model(0.0, 0.0)),
+            },
             Kind::Formula(formula) => Ok(Box::new(FormulaModel::new(Arc::clone(formula), muscle))),
         }
     }
 }
 
-/// `--mesh`: 8, 2x8 (through x along), or 2x8:2 with the grading towards the terminal.
-pub fn mesh(text: Option<&str>) -> Result<MeshSpec, Failure> {
-    let Some(text) = text else { return Ok(MeshSpec::default()) };
-    let wrong = || {
-        let message = format!(
-            "--mesh: \"{text}\" is no mesh; expected elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal if you like (2x8:2)"
-        );
-        Failure::input("mesh", message, "leave it out and the program chooses")
-    };
-    let spec = MeshSpec::parse(text).ok_or_else(wrong)?;
-    // The numbers themselves are checked where the mesh is made; here only for the message.
-    spec.resolve(10.0, 1.0, 100.0).map_err(|e| Failure::input("mesh", format!("--mesh: {e}"), ""))?;
-    Ok(spec)
+/// A finite-element model, to look inside.
+pub enum Meshed {
+    /// Axisymmetric.
+    Axisymmetric(Axisymmetric),
+    /// Three-dimensional.
+    ThreeDimensional(ThreeDimensional),
+}
+
+impl Meshed {
+    /// What both have in common.
+    pub fn simulation(&self) -> &dyn Simulation {
+        match self {
+            Self::Axisymmetric(model) => model,
+            Self::ThreeDimensional(model) => model,
+        }
+    }
+}
+
+impl Kind {
+    /// The finite elements of a muscle; `None` where the model is none.
+    pub fn elements(self, muscle: &Muscle) -> Option<Result<Meshed, FemError>> {
+        match self {
+            Kind::Fe(mesh) => Some(Axisymmetric::with_mesh(muscle, &mesh).map(Meshed::Axisymmetric)),
+            Kind::Fe3d(spec) => {
+                Some(ThreeDimensional::with_mesh(muscle, &spec).map(Meshed::ThreeDimensional))
+            }
+            Kind::Closed(_) | Kind::Formula(_) => None,
+        }
+    }
+}
+
+/// `--mesh` and `--match`.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct MeshFlags<'a> {
+    /// The mesh, in words of the model.
+    pub text: Option<&'a str>,
+    /// What fe3d keeps.
+    pub keep: MatchWord,
+}
+
+impl MeshFlags<'_> {
+    /// Of `fe`: 8, 2x8 (through x along), or 2x8:2 with the grading towards the terminal.
+    fn section(&self) -> Result<MeshSpec, Failure> {
+        let Some(text) = self.text else { return Ok(MeshSpec::default()) };
+        let wrong = || {
+            let message = format!(
+                "--mesh: \"{text}\" is no mesh; expected elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal if you like (2x8:2)"
+            );
+            Failure::input("mesh", message, "leave it out and the program chooses")
+        };
+        let spec = MeshSpec::parse(text).ok_or_else(wrong)?;
+        // The numbers themselves are checked where the mesh is made; here only for the message.
+        spec.resolve(10.0, 1.0, 100.0).map_err(|e| Failure::input("mesh", format!("--mesh: {e}"), ""))?;
+        Ok(spec)
+    }
+
+    /// Of `fe3d`: 12 (around the quarter), 2x12 (through x around), 2x12x39 (x along), :circle, :quadratic.
+    fn bricks(&self) -> Result<BrickSpec, Failure> {
+        let keep = self.keep.into();
+        let Some(text) = self.text else { return Ok(BrickSpec { keep, ..BrickSpec::default() }) };
+        let wrong = || {
+            let message = format!(
+                "--mesh: \"{text}\" is no mesh of fe3d; expected bricks around the quarter (12), through the wall x around (2x12), or through x around x along the half length (2x12x39), with :quadratic or :circle behind if you like"
+            );
+            Failure::input("mesh", message, "leave it out and the program chooses")
+        };
+        let spec = BrickSpec { keep, ..BrickSpec::parse(text).ok_or_else(wrong)? };
+        BrickMesh::check(&spec).map_err(|e| Failure::input("mesh", format!("--mesh: {e}"), ""))?;
+        Ok(spec)
+    }
+}
+
+impl From<MatchWord> for Match {
+    fn from(word: MatchWord) -> Self {
+        match word {
+            MatchWord::Length => Self::Length,
+            MatchWord::Angle => Self::Angle,
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{AskFlags, ModelFlags, MotionWord, MuscleFlags};
-use crate::kind::{self, Kind};
+use crate::kind::Kind;
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Hysteresis, ModelError, ModelKind};
 use mckibben::muscle::file::read_muscle;
@@ -160,10 +160,9 @@ pub fn kind(
     muscle: &Muscle,
     pressure_mpa: (f64, f64),
 ) -> Result<Kind, Failure> {
-    let mesh = kind::mesh(asking.mesh.as_deref())?;
     match name {
         None => Ok(Kind::Closed(ModelKind::default_for(muscle, pressure_mpa))),
-        Some(name) => Kind::parse(name, mesh),
+        Some(name) => Kind::parse(name, &asking.mesh_flags()),
     }
 }
 

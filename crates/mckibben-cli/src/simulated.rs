@@ -2,7 +2,8 @@
 
 use mckibben::model::{ForceModel, ThickWall};
 use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::{Axisymmetric, FemError, Solution};
+use mckibben_fem::axisymmetric::{FemError, Solution};
+use mckibben_fem::simulation::Simulation;
 
 /// One point of the test: what was asked, and what came out.
 pub struct Point {
@@ -38,7 +39,7 @@ pub type Question = (f64, Result<f64, f64>);
 
 /// A point with what it means: slack, collapsed, or an answer.
 pub fn judged(
-    model: &Axisymmetric,
+    model: &dyn Simulation,
     muscle: &Muscle,
     (p, second): Question,
     solution: Result<Solution, FemError>,

@@ -27,7 +27,12 @@ fn main() {
         })
         .unwrap();
     let brick = if arg.get(3).is_some_and(|s| s == "27") { Brick::Quadratic } else { Brick::Linear };
-    let spec = BrickSpec { keep: Match::Angle, brick, ..BrickSpec::parse(&mesh_text).unwrap() };
+    let spec = BrickSpec {
+        keep: Match::Angle,
+        brick,
+        ring: Some(Ring::OnCircle),
+        ..BrickSpec::parse(&mesh_text).unwrap()
+    };
     let mesh = BrickMesh::new(12.0, 15.0, 142.5, 28f64.to_radians(), &spec).unwrap();
     println!("{:?} half {} angle {}", mesh.elements(), mesh.half_length_mm(), mesh.angle_rad().to_degrees());
     let t = Instant::now();

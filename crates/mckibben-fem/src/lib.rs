@@ -32,6 +32,7 @@ pub mod axisymmetric;
 pub mod element;
 pub mod load;
 pub mod output;
+pub mod simulation;
 pub mod solver;
 pub mod three_dimensional;
 pub mod validation;

@@ -5,7 +5,7 @@ use crate::Row;
 use mckibben::model::{ForceModel, ThickWall};
 use mckibben::muscle::Muscle;
 use mckibben::rubber::RubberLaw;
-use mckibben_fem::axisymmetric::{Axisymmetric, FemError, TangentPoint};
+use mckibben_fem::axisymmetric::{FemError, TangentPoint};
 
 /// There is an answer.
 pub(super) const OK: &str = "ok";
@@ -21,7 +21,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
     let inputs = plan.inputs(number);
     let testing = plan.testing();
     let model = inputs.muscle(plan.base()).map_err(|e| e.to_string()).and_then(|muscle| {
-        let model = Axisymmetric::with_mesh(&muscle, &testing.mesh).map_err(|e| e.to_string())?;
+        let model = testing.elements.build(&muscle).map_err(|e| e.to_string())?;
         Ok((model, muscle))
     });
     let mut out = Vec::with_capacity(plan.points_per_muscle());

@@ -4,7 +4,7 @@ use crate::cli::{BranchWord, CompareArgs};
 use crate::failure::Failure;
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
-use crate::kind::{self, Kind};
+use crate::kind::Kind;
 use crate::output::text::{Pressures, muscle_line, number, percent, table};
 use crate::output::{csv, emit, json};
 use crate::resolve;
@@ -80,10 +80,10 @@ fn kinds(args: &CompareArgs) -> Result<Vec<Kind>, Failure> {
         (None, []) => vec!["fe", "paper", "thick-wall", "ideal"],
         (None, list) => list.iter().map(String::as_str).collect(),
     };
-    let mesh = kind::mesh(args.asking.mesh.as_deref())?;
+    let mesh = args.asking.mesh_flags();
     let mut kinds: Vec<Kind> = vec![];
     for name in names {
-        let kind = Kind::parse(name.trim(), mesh)?;
+        let kind = Kind::parse(name.trim(), &mesh)?;
         if !kinds.contains(&kind) {
             kinds.push(kind);
         }

@@ -4,7 +4,7 @@ use crate::cli::{DesignArgs, ObjectiveWord, VerifyWord};
 use crate::failure::{Failure, NO_ANSWER};
 use crate::figure;
 use crate::flags::{Format, MuscleFlags, PressureUnit};
-use crate::kind::Kind;
+use crate::kind::{Kind, MeshFlags};
 use crate::output::text::Pressures;
 use crate::output::{csv, emit, json, save};
 use crate::resolve;
@@ -163,7 +163,7 @@ fn specification(args: &DesignArgs) -> Result<(Spec, Kind), Failure> {
         extrapolate: args.extrapolate,
     };
     let kind = match &args.model {
-        Some(name) => Kind::parse(name, crate::kind::mesh(args.mesh.as_deref())?)?,
+        Some(name) => Kind::parse(name, &MeshFlags { text: args.mesh.as_deref(), ..MeshFlags::default() })?,
         None if inside_paper(&spec) => Kind::Closed(ModelKind::Paper),
         None => Kind::Closed(ModelKind::ThickWall),
     };

@@ -4,7 +4,7 @@ use crate::cli::{SimulateArgs, TestWord};
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
-use crate::kind;
+use crate::kind::{Kind, MeshFlags, Meshed};
 use crate::output::text::{Pressures, muscle_line, number, or_dash, percent, table};
 use crate::output::{csv, emit, json};
 use crate::resolve;
@@ -12,9 +12,12 @@ use crate::simulated::{Point, Question, judged};
 use mckibben::curve::Test;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
-use mckibben_fem::axisymmetric::{Axisymmetric, Solution};
-use mckibben_fem::output::{Shape, VtuSeries};
+use mckibben_fem::axisymmetric::Solution;
+use mckibben_fem::output::{Extent, Shape, VtuSeries, deck};
+use mckibben_fem::simulation::Simulation;
+use mckibben_fem::three_dimensional::{Field, ThreeDimensional};
 use serde_json::{Map, Value, json};
+use std::path::Path;
 
 /// Runs the command.
 pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
@@ -23,24 +26,32 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     let mut flags = args.muscle.clone();
     flags.muscle = args.file.clone().or(flags.muscle);
     let muscle = resolve::muscle(&flags)?;
-    if args.model != "fe" {
-        let message =
-            format!("`simulate` runs finite elements, and \"{}\" is none; the model is fe", args.model);
-        return Err(Failure::input("model", message, "`curve` draws the curves of every model"));
-    }
-    let mesh = kind::mesh(args.mesh.as_deref())?;
-    let model =
-        Axisymmetric::with_mesh(&muscle, &mesh).map_err(|e| Failure::input("mesh", e.to_string(), ""))?;
+    let flags = MeshFlags { text: args.mesh.as_deref(), keep: args.keep };
+    let elements = match Kind::parse(&args.model, &flags)?.elements(&muscle) {
+        Some(elements) => elements.map_err(|e| Failure::input("mesh", e.to_string(), ""))?,
+        None => {
+            let message = format!(
+                "`simulate` runs finite elements, and \"{}\" is none; the models are fe and fe3d",
+                args.model
+            );
+            return Err(Failure::input("model", message, "`curve` draws the curves of every model"));
+        }
+    };
+    let model = elements.simulation();
     let test = match args.test {
         TestWord::Isometric => Test::Isometric,
         TestWord::Isotonic => Test::Isotonic,
         TestWord::Isobaric => Test::Isobaric,
     };
-    let points = questions(args, &model, test)?;
+    let points = questions(args, model, test)?;
+    if let Some(path) = &args.export_inp {
+        export(path, &elements, test, &points)?;
+    }
     let mut series = match &args.vtu {
         Some(folder) => Some(VtuSeries::new(folder, &muscle_line(&muscle))?),
         None => None,
     };
+    let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
     let mut answered = Vec::with_capacity(points.len());
     let mut last = None;
     for question in points {
@@ -48,13 +59,26 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
             Ok(e) => model.solve(question.0, e),
             Err(f) => model.at_force(f, question.0),
         };
-        if let (Some(series), Ok(solution)) = (&mut series, &solution) {
-            series.add(&model.section(), &solution.response)?;
+        if let Ok(solution) = &solution {
+            match (&mut series, &elements) {
+                (Some(series), Meshed::Axisymmetric(model)) => {
+                    series.add(&model.section(), &solution.response)?;
+                }
+                (Some(series), Meshed::ThreeDimensional(model)) => {
+                    let shape = Shape::of_field(&field(model)?, extent);
+                    series.add_shape(shape, &solution.response, "", vec![])?;
+                }
+                (None, _) => {}
+            }
+            if args.picture.is_some() {
+                let shape = match &elements {
+                    Meshed::Axisymmetric(model) => Shape::of_section(&model.section()),
+                    Meshed::ThreeDimensional(model) => Shape::of_field(&field(model)?, Extent::Whole),
+                };
+                last = Some((shape, solution.response));
+            }
         }
-        if let (Some(_), Ok(solution)) = (&args.picture, &solution) {
-            last = Some((Shape::of_section(&model.section()), solution.response));
-        }
-        answered.push(judged(&model, &muscle, question, solution, args.two_sided));
+        answered.push(judged(model, &muscle, question, solution, args.two_sided));
     }
     let points = answered;
     let written = series.map(VtuSeries::finish).transpose()?;
@@ -65,18 +89,18 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
         figure::simulate(&muscle, test, &points, p).save(path)?;
     }
     if let (Some(path), Some((shape, response))) = (&args.picture, &last) {
-        let wanted = figure::Wanted { path, show: &args.show, cut: args.cut, model: "fe" };
+        let wanted = figure::Wanted { path, show: &args.show, cut: args.cut, model: model.name() };
         figure::picture(wanted, &muscle, shape, response, p)?;
     }
     let list: Vec<Value> = points.iter().map(point_json).collect();
     let text = match args.output.format {
         Format::Json => json::print(
-            &json!({ "model": "fe", "test": test.name(), "muscle": json::muscle(&muscle), "points": list }),
+            &json!({ "model": model.name(), "test": test.name(), "muscle": json::muscle(&muscle), "points": list, "notes": model.notes() }),
         ),
         Format::Csv => csv::rows(&list)?,
         Format::Text => {
             let opened = written.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
-            as_text(&muscle, test, &points, p) + &opened.unwrap_or_default()
+            as_text(model, &muscle, test, &points, p) + &opened.unwrap_or_default()
         }
     };
     if failed && args.output.format == Format::Text {
@@ -87,7 +111,36 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     Ok(if failed { NOT_CONVERGED } else { 0 })
 }
 
-fn questions(args: &SimulateArgs, model: &Axisymmetric, test: Test) -> Result<Vec<Question>, Failure> {
+fn field(model: &ThreeDimensional) -> Result<Field, Failure> {
+    model.field().map_err(|e| Failure::from(e.into_model(0.0, 0.0)))
+}
+
+/// Writes the input deck of an isometric test with three-dimensional elements.
+fn export(
+    path: &Path,
+    elements: &Meshed,
+    test: Test,
+    points: &[(f64, Result<f64, f64>)],
+) -> Result<(), Failure> {
+    let wrong = |message: String| {
+        Failure::input("deck", message, "an example: --model fe3d -e 10% -p 0.01..0.25:0.01")
+    };
+    let Meshed::ThreeDimensional(model) = elements else {
+        return Err(wrong("--export-inp writes the mesh of --model fe3d".into()));
+    };
+    let contractions: Vec<f64> = points.iter().filter_map(|q| q.1.ok()).collect();
+    let (Test::Isometric, Some(&contraction)) = (test, contractions.first()) else {
+        return Err(wrong("--export-inp writes an isometric test".into()));
+    };
+    if contractions.iter().any(|e| *e != contraction) {
+        return Err(wrong("--export-inp writes a test at one contraction".into()));
+    }
+    let pressures: Vec<f64> = points.iter().map(|q| q.0).collect();
+    let text = deck(model, contraction, &pressures).map_err(|e| wrong(format!("--export-inp: {e}")))?;
+    emit(&text, Some(path))
+}
+
+fn questions(args: &SimulateArgs, model: &dyn Simulation, test: Test) -> Result<Vec<Question>, Failure> {
     let p =
         resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?;
     let mut e = resolve::contractions(args.contraction.as_deref(), "0..0.2:0.1")?;
@@ -170,7 +223,7 @@ fn point_json(q: &Point) -> Value {
     Value::Object(map)
 }
 
-fn as_text(m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
+fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
     let unit = format!("P [{}]", p.unit());
     let strands = m.braid().strands.is_some();
     let tension = if strands { "strand [N]" } else { "braid [N]" };
@@ -221,7 +274,9 @@ fn as_text(m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
         };
         head.into_iter().chain(tail).collect()
     });
-    let mut out = format!("{} test, model fe\n{}\n\n", test.name(), muscle_line(m));
+    let mut out = format!("{} test, model {}\n{}\n", test.name(), model.name(), muscle_line(m));
+    model.notes().iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
+    out.push('\n');
     out.push_str(&table(&header, rows.collect()));
     if let Some(s) = points.iter().rev().find_map(|q| q.solution.as_ref().ok()) {
         out.push_str(&last_text(s, p));
@@ -256,7 +311,9 @@ fn last_text(s: &Solution, p: Pressures) -> String {
             number(last.stretch, 5)
         ));
     }
-    out.push_str("\nWhat the pull gains when one of these grows by 1 %\n");
+    if !s.sensitivities.is_empty() {
+        out.push_str("\nWhat the pull gains when one of these grows by 1 %\n");
+    }
     for x in &s.sensitivities {
         let gain = 0.01 * x.value * x.force_n_per_unit;
         let space = if x.unit.is_empty() { "" } else { " " };

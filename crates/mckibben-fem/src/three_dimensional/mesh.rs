@@ -27,10 +27,11 @@ impl Brick {
     }
 }
 
-/// What is kept where the strands' grid does not fit the length.
+/// What is kept where a whole number of cells at ±θ0 does not make the length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Match {
-    /// The length L0; the strands then lie at the angle that the grid has.
+    /// The length L0. Where the bricks along are the program's choice, the last ones at the terminal are longer or
+    /// shorter than the others; where they are given, strands lie at the angle that makes.
     #[default]
     Length,
     /// The angle θ0; the length then is a whole number of cells.
@@ -60,21 +61,77 @@ pub struct BrickSpec {
     pub along: Option<usize>,
     /// What is kept.
     pub keep: Match,
-    /// Where nodes lie.
-    pub ring: Ring,
+    /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic ones.
+    pub ring: Option<Ring>,
 }
 
+/// The word for [`Ring::OnCircle`] behind a mesh.
+const CIRCLE: &str = "circle";
+/// The word for [`Brick::Quadratic`].
+const QUADRATIC: &str = "quadratic";
+
 impl BrickSpec {
-    /// Reads `2x12x39` (through the wall x around x along), `2x12`, or `12` (around).
+    /// Reads `12` (bricks around the quarter), `2x12` (through the wall x around) or `2x12x39` (x along the half length);
+    /// `:quadratic` behind it takes quadratic bricks, `:circle` puts the nodes of linear ones on the circle. `None` where
+    /// the text is none of them.
     pub fn parse(text: &str) -> Option<Self> {
+        let mut words = text.split(':').map(str::trim);
         let parts: Vec<usize> =
-            text.split('x').map(|t| t.trim().parse().ok()).collect::<Option<Vec<usize>>>()?;
+            words.next()?.split('x').map(|t| t.trim().parse().ok()).collect::<Option<Vec<usize>>>()?;
         let spec = |through, around, along| Self { through, around, along, ..Self::default() };
-        match parts.as_slice() {
-            [a] => Some(spec(None, Some(*a), None)),
-            [t, a] => Some(spec(Some(*t), Some(*a), None)),
-            [t, a, l] => Some(spec(Some(*t), Some(*a), Some(*l))),
-            _ => None,
+        let mut out = match parts.as_slice() {
+            [a] => spec(None, Some(*a), None),
+            [t, a] => spec(Some(*t), Some(*a), None),
+            [t, a, l] => spec(Some(*t), Some(*a), Some(*l)),
+            _ => return None,
+        };
+        for word in words {
+            match word {
+                CIRCLE => out.ring = Some(Ring::OnCircle),
+                QUADRATIC => out.brick = Brick::Quadratic,
+                _ => return None,
+            }
+        }
+        Some(out)
+    }
+
+    fn ring(&self) -> Ring {
+        self.ring.unwrap_or(match self.brick {
+            Brick::Linear => Ring::EqualArea,
+            Brick::Quadratic => Ring::OnCircle,
+        })
+    }
+
+    /// Of one cell of the outer grid with `cells` cells around the quarter: its width, and its height with strands at
+    /// `angle`.
+    fn cell(&self, outer: f64, angle: f64, cells: usize) -> (f64, f64) {
+        let chord = 2.0 * self.ring().width(cells) * outer * (FRAC_PI_4 / cells as f64).sin();
+        (chord, chord / angle.tan())
+    }
+
+    /// Bricks around: that number of a few which leaves the smallest part of a row over.
+    fn choose_around(&self, outer: f64, half: f64, angle: f64) -> usize {
+        let order = self.brick.order();
+        let candidates = match self.brick {
+            Brick::Linear => 10..=16,
+            Brick::Quadratic => 6..=8,
+        };
+        let over = |around: &usize| {
+            let rows = half / (self.cell(outer, angle, around * order).1 * order as f64);
+            (rows - rows.round()).abs()
+        };
+        candidates.min_by(|a, b| over(a).total_cmp(&over(b))).unwrap_or(12)
+    }
+}
+
+impl Ring {
+    /// Radius of the nodes over that of the circle with `cells` intervals a quarter: a regular polygon of the circle's
+    /// area is wider by √(x/sin x), x = π/(2·cells).
+    fn width(self, cells: usize) -> f64 {
+        let x = FRAC_PI_2 / cells as f64;
+        match self {
+            Self::OnCircle => 1.0,
+            Self::EqualArea => (x / x.sin()).sqrt(),
         }
     }
 }
@@ -89,49 +146,60 @@ pub struct BrickMesh {
     outer: f64,
     half: f64,
     angle: f64,
+    last_angle: f64,
 }
 
 /// Most bricks each way.
 const MOST: [f64; 3] = [16.0, 256.0, 2048.0];
 
 impl BrickMesh {
+    /// Whether numbers that are said make a mesh.
+    ///
+    /// # Errors
+    /// [`FemError::Mesh`] where they do not.
+    pub fn check(spec: &BrickSpec) -> Result<(), FemError> {
+        let names = ["through", "around", "along"];
+        for ((name, value), high) in names.into_iter().zip([spec.through, spec.around, spec.along]).zip(MOST)
+        {
+            let value = value.map_or(1.0, |n| n as f64);
+            if !(1.0..=high).contains(&value) {
+                return Err(FemError::Mesh { name, value, low: 1.0, high });
+            }
+        }
+        Ok(())
+    }
+
     /// Divides one eighth of a tube of inner and outer radius and half length (mm) with strands at `angle` (radians).
     ///
     /// # Errors
     /// [`FemError::Mesh`] where numbers make no mesh.
     pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
         let order = spec.brick.order();
-        let check = |name, value: f64, high| {
-            if (1.0..=high).contains(&value) {
-                Ok(())
-            } else {
-                Err(FemError::Mesh { name, value, low: 1.0, high })
-            }
-        };
+        Self::check(spec)?;
         let through = spec.through.unwrap_or(1);
-        let around = spec.around.unwrap_or(12 / order);
-        check("through", through as f64, MOST[0])?;
-        check("around", around as f64, MOST[1])?;
-        let cells = around * order;
-        let wide = match spec.ring {
-            Ring::OnCircle => 1.0,
-            Ring::EqualArea => equal_area(cells),
+        let around = spec.around.unwrap_or_else(|| spec.choose_around(outer, half, angle));
+        let (chord, height) = spec.cell(outer, angle, around * order);
+        let natural = (half / (height * order as f64)).round();
+        let along = spec.along.unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
+        Self::check(&BrickSpec { along: Some(along), ..*spec })?;
+        let rows = (along * order) as f64;
+        // Height of the rows, and of the last ones at the terminal.
+        let (height, last) = match (spec.keep, spec.along) {
+            (Match::Angle, _) => (height, height),
+            (Match::Length, None) if along > 1 => {
+                (height, (half - height * (rows - order as f64)) / order as f64)
+            }
+            (Match::Length, _) => (half / rows, half / rows),
         };
-        // Of one quad of the outer grid.
-        let chord = 2.0 * wide * outer * (FRAC_PI_4 / cells as f64).sin();
-        let step = chord / angle.tan();
-        let along = spec.along.unwrap_or_else(|| ((half / (step * order as f64)).round() as usize).max(1));
-        check("along", along as f64, MOST[2])?;
-        let rows = along * order;
-        let (half, angle) = match spec.keep {
-            Match::Length => (half, (chord * rows as f64 / half).atan()),
-            Match::Angle => (step * rows as f64, angle),
-        };
+        let half = if spec.keep == Match::Length { half } else { height * rows };
+        let wide = spec.ring().width(around * order);
         let elements = [through, around, along];
         let grid = elements.map(|n| n * order + 1);
         let mut nodes = Vec::with_capacity(grid.iter().product());
         for k in 0..grid[2] {
-            let z = half * k as f64 / (grid[2] - 1) as f64;
+            // From the terminal where that is nearer, so that it stands exactly at half the length.
+            let left = grid[2] - 1 - k;
+            let z = if left <= order { half - last * left as f64 } else { height * k as f64 };
             for j in 0..grid[1] {
                 let phi = FRAC_PI_2 * j as f64 / (grid[1] - 1) as f64;
                 // Exactly in the planes of symmetry.
@@ -147,7 +215,8 @@ impl BrickMesh {
                 }
             }
         }
-        Ok(Self { brick: spec.brick, elements, nodes, inner, outer, half, angle })
+        let (angle, last_angle) = ((chord / height).atan(), (chord / last).atan());
+        Ok(Self { brick: spec.brick, elements, nodes, inner, outer, half, angle, last_angle })
     }
 
     /// Which brick.
@@ -186,9 +255,14 @@ impl BrickMesh {
         self.half
     }
 
-    /// Angle of the strands in radians; that of the braid only with [`Match::Angle`].
+    /// Angle of the strands in radians.
     pub fn angle_rad(&self) -> f64 {
         self.angle
+    }
+
+    /// Angle of the strands of the last bricks at the terminal in radians.
+    pub fn last_angle_rad(&self) -> f64 {
+        self.last_angle
     }
 
     /// Nodes of every brick, as the shape functions want them: through the wall first, then around, then along.
@@ -251,10 +325,4 @@ impl BrickMesh {
         }
         area
     }
-}
-
-/// By how much a regular polygon of 4·`cells` corners is wider than the circle of its area.
-fn equal_area(cells: usize) -> f64 {
-    let x = FRAC_PI_2 / cells as f64;
-    (x / x.sin()).sqrt()
 }

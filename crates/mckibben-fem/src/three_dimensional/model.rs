@@ -130,11 +130,14 @@ impl ForceModel for ThreeDimensional {
         self.engine(|e| {
             let (mesh, angle) = (&e.mesh, self.muscle.braid().angle_deg);
             let mut out = Vec::new();
-            let meshed = mesh.angle_rad().to_degrees();
-            if (meshed - angle).abs() > 0.005 {
-                out.push(format!(
-                    "the strands of the mesh lie at {meshed:.2}°, those of the braid at {angle}°"
-                ));
+            let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
+            if (mesh.angle_rad().to_degrees() - angle).abs() > 0.005 {
+                let meshed = degrees(mesh.angle_rad());
+                out.push(format!("the strands of the mesh lie at {meshed}, those of the braid at {angle}°"));
+            }
+            if (mesh.last_angle_rad() - mesh.angle_rad()).abs() > 0.01 {
+                let last = degrees(mesh.last_angle_rad());
+                out.push(format!("in the last row of bricks at the terminal the strands lie at {last}"));
             }
             let (length, meshed) = (self.muscle.length_mm(), 2.0 * mesh.half_length_mm());
             if (meshed - length).abs() > 1e-6 * length {

@@ -25,7 +25,7 @@ pub use sampling::Sampling;
 use mckibben::muscle::file::{FileError, read_text};
 use mckibben::muscle::{Braid, Muscle, MuscleError};
 use mckibben::rubber::RubberLaw;
-use mckibben_fem::axisymmetric::MeshSpec;
+use mckibben_fem::simulation::Elements;
 use sampling::Design;
 use sha2::{Digest, Sha256};
 use std::path::Path;
@@ -39,8 +39,8 @@ pub struct Testing {
     pub of_ideal: bool,
     /// Pressures in MPa.
     pub pressures_mpa: Vec<f64>,
-    /// Mesh of the finite elements.
-    pub mesh: MeshSpec,
+    /// The finite elements.
+    pub elements: Elements,
     /// Whether rows carry ∂F/∂(constants and measures).
     pub sensitivities: bool,
 }
@@ -128,11 +128,20 @@ impl Plan {
     /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the plan, and not more
     /// points than are computed in a good second.
     pub fn block(&self) -> u64 {
-        let most: u64 = if self.testing.sensitivities { 512 } else { 4096 };
-        // Time grows with the elements along and with the square of those through the wall.
-        let mesh = self.testing.mesh;
-        let through = mesh.through.unwrap_or(1) as u64;
-        let most = 6 * most / (through * through * mesh.along.unwrap_or(6) as u64).max(6);
+        let most: u64 = match self.testing.elements {
+            // Time grows with the elements along and with the square of those through the wall.
+            Elements::Axisymmetric(mesh) => {
+                let most = if self.testing.sensitivities { 512 } else { 4096 };
+                let through = mesh.through.unwrap_or(1) as u64;
+                6 * most / (through * through * mesh.along.unwrap_or(6) as u64).max(6)
+            }
+            // A hundred points of 600 bricks.
+            Elements::ThreeDimensional(spec) => {
+                let through = spec.through.unwrap_or(1) as u64;
+                let sheet = spec.around.unwrap_or(14) * spec.along.unwrap_or(45);
+                60_000 / (through * through * sheet as u64).max(60)
+            }
+        };
         let heavy = (most / self.points_per_muscle().max(1) as u64).max(1);
         (self.muscles() / 100).clamp(1, heavy)
     }

@@ -5,6 +5,8 @@ use super::{Plan, Testing, vary};
 use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside};
 use mckibben::units::{Dimension, Values};
 use mckibben_fem::axisymmetric::MeshSpec;
+use mckibben_fem::simulation::Elements;
+use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec};
 
 const TABLES: &[&str] = &["sampling", "vary", "test"];
 const SAMPLING: &[&str] = &["method", "samples", "seed"];
@@ -138,14 +140,18 @@ fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
         let why = format!("make {points} points a muscle with the contractions, more than {MOST_POINTS}");
         return Err(section.error("pressures", Problem::Said(why)));
     }
-    if let Some(model) = section.text("model", "the name of a finite-element model: fe")?
-        && model.trim() != "fe"
-    {
-        let expected = "a finite-element model: fe";
-        return Err(section.error("model", Problem::Word { suggestion: None, expected }));
-    }
+    let expected = "a finite-element model: fe or fe3d";
+    let elements = match section.text("model", expected)?.map_or("fe", str::trim) {
+        "fe" => Elements::Axisymmetric(mesh(section)?),
+        "fe3d" => Elements::ThreeDimensional(bricks(section)?),
+        _ => return Err(section.error("model", Problem::Word { suggestion: None, expected })),
+    };
     let sensitivities = section.boolean("sensitivities")?.unwrap_or(false);
-    Ok(Testing { contractions, of_ideal, pressures_mpa, mesh: mesh(section)?, sensitivities })
+    if sensitivities && matches!(elements, Elements::ThreeDimensional(_)) {
+        let why = "is true, and fe3d has none: take model = \"fe\", or leave it out";
+        return Err(section.error("sensitivities", Problem::Said(why.into())));
+    }
+    Ok(Testing { contractions, of_ideal, pressures_mpa, elements, sensitivities })
 }
 
 fn levels(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Vec<f64>, FileError> {
@@ -169,6 +175,18 @@ fn mesh(section: &Section<'_>) -> Result<MeshSpec, FileError> {
     let spec = MeshSpec::parse(text).ok_or_else(wrong)?;
     match spec.resolve(10.0, 1.0, 100.0) {
         Ok(_) => Ok(spec),
+        Err(error) => Err(section.error("mesh", Problem::Said(error.to_string()))),
+    }
+}
+
+fn bricks(section: &Section<'_>) -> Result<BrickSpec, FileError> {
+    let expected =
+        "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")";
+    let Some(text) = section.text("mesh", expected)? else { return Ok(BrickSpec::default()) };
+    let wrong = || section.error("mesh", Problem::Word { suggestion: None, expected });
+    let spec = BrickSpec::parse(text).ok_or_else(wrong)?;
+    match BrickMesh::check(&spec) {
+        Ok(()) => Ok(spec),
         Err(error) => Err(section.error("mesh", Problem::Said(error.to_string()))),
     }
 }

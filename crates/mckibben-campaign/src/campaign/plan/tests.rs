@@ -210,7 +210,12 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
         ("[test]\ncontractions = []\npressures = 0\n", &["is an empty list"]),
         (
             "[test]\ncontractions = 0\npressures = 1\nmodel = \"paper\"\n",
-            &["\"paper\"", "finite-element model: fe"],
+            &["\"paper\"", "finite-element model: fe or fe3d"],
+        ),
+        ("[test]\ncontractions = 0\npressures = 1\nmodel = \"fe3d\"\nmesh = \"2x0x8\"\n", &["around is 0"]),
+        (
+            "[test]\ncontractions = 0\npressures = 1\nmodel = \"fe3d\"\nsensitivities = true\n",
+            &["fe3d has none"],
         ),
         ("[test]\ncontractions = 0\npressures = 1\nmesh = \"2by8\"\n", &["\"2by8\"", "2x8"]),
         ("[test]\ncontractions = 0\npressures = 1\nmesh = \"0x8\"\n", &["through is 0"]),

@@ -49,7 +49,7 @@ impl Provenance {
             version: VERSION.into(),
             plan_sha256: plan.hash(),
             plan: plan.text().into(),
-            model: "fe".into(),
+            model: plan.testing().elements.name().into(),
             sampling: plan.sampling().name().into(),
             seed: plan.sampling().seed(),
             muscles: plan.muscles(),

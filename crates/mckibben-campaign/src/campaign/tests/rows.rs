@@ -21,7 +21,7 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
     assert_eq!(rows.len(), 18);
     for (muscle, nine) in rows.chunks(9).enumerate() {
         let muscle = plan.inputs(muscle as u64).muscle(plan.base()).unwrap();
-        let model = Axisymmetric::with_mesh(&muscle, &plan.testing().mesh).unwrap();
+        let model = plan.testing().elements.build(&muscle).unwrap();
         let at = |e: usize, p: usize| nine[3 * e + p].force_n.unwrap();
         let here = &nine[4];
         let solution = model.solve(0.2, 0.1).unwrap();
