@@ -13,7 +13,7 @@ use crate::axisymmetric::equilibrium::Control;
 use crate::solver::newton::{NewtonSystem, Stopped};
 use crate::solver::sparse::SparseCholesky;
 
-/// Tolerance of conjugate gradients inside of Newton's method, and for derivatives.
+/// Tolerances of conjugate gradients: inside of Newton's method, and for derivatives.
 const LOOSE: f64 = 1e-4;
 const TIGHT: f64 = 1e-11;
 
@@ -30,6 +30,8 @@ pub struct Body {
     pub control: Control,
     /// Totals of the last assembly.
     pub totals: Totals,
+    /// Tolerance of conjugate gradients inside of Newton's method.
+    pub tolerance: f64,
     /// Back-substitutions so far.
     pub substitutions: usize,
     cholesky: SparseCholesky,
@@ -61,6 +63,7 @@ impl Body {
             step: state.clone(),
             control: Control::Length(0.0),
             totals: Totals::default(),
+            tolerance: LOOSE,
             substitutions: 0,
             cholesky,
             state,
@@ -201,7 +204,7 @@ impl Body {
     pub fn volume_per_length(&mut self) -> f64 {
         let mut out = self.state.clone();
         self.respond(Cause::Terminal, &mut out, TIGHT);
-        4.0 * (dot(&self.work.cavity, &out.u) + self.discrete.parts.cap_mm2 / 3.0)
+        -4.0 * (dot(&self.work.cavity, &out.u) + self.discrete.parts.cap_mm2 / 3.0)
     }
 
     /// The size of nodal forces in N against which residuals are measured.
@@ -248,18 +251,19 @@ impl NewtonSystem for Body {
         let reaction = 0.25 * self.totals.pull;
         match self.control {
             Control::Length(w) => {
-                self.respond(Cause::Residual(w - self.state.terminal), &mut step, LOOSE);
+                self.respond(Cause::Residual(w - self.state.terminal), &mut step, self.tolerance);
             }
             Control::Force(f) => {
                 let mut unit = step.clone();
-                let change = self.respond(Cause::Residual(0.0), &mut step, LOOSE);
-                let per = self.respond(Cause::Terminal, &mut unit, LOOSE);
+                let change = self.respond(Cause::Residual(0.0), &mut step, self.tolerance);
+                let per = self.respond(Cause::Terminal, &mut unit, self.tolerance);
                 step.add((0.25 * f - reaction - change) / per, &unit);
             }
             Control::Pressure { terminal, force } => {
                 let mut unit = step.clone();
-                let change = self.respond(Cause::Residual(terminal - self.state.terminal), &mut step, LOOSE);
-                let per = self.respond(Cause::Pressure, &mut unit, LOOSE);
+                let change =
+                    self.respond(Cause::Residual(terminal - self.state.terminal), &mut step, self.tolerance);
+                let per = self.respond(Cause::Pressure, &mut unit, self.tolerance);
                 step.add((0.25 * force - reaction - change) / per, &unit);
             }
         }

@@ -3,7 +3,7 @@
 use super::discrete::Discrete;
 
 /// Displacements, pressures in the rubber, tensions of the strands, and the loads.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct State {
     /// Displacements in mm, node by node.
     pub u: Vec<f64>,

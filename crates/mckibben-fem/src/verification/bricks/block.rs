@@ -1,0 +1,85 @@
+//! Bodies that are no muscles: a box of bricks, bent by a map into what a case needs.
+
+use crate::solver::dissection::Sheet;
+use crate::three_dimensional::{Brick, Freedom, Parts};
+use mckibben::muscle::Bulk;
+use mckibben::rubber::Law;
+
+/// A box of bricks on the unit cube, mapped.
+pub struct Block {
+    brick: Brick,
+    elements: [usize; 3],
+}
+
+impl Block {
+    /// So many bricks each way.
+    pub fn new(brick: Brick, elements: [usize; 3]) -> Self {
+        Self { brick, elements }
+    }
+
+    /// Nodes each way.
+    pub fn grid(&self) -> [usize; 3] {
+        self.elements.map(|n| n * self.brick.order() + 1)
+    }
+
+    /// Number of a node.
+    pub fn node(&self, i: usize, j: usize, k: usize) -> usize {
+        let [ni, nj, _] = self.grid();
+        (k * nj + j) * ni + i
+    }
+
+    /// (i, j, k) of every node, in the order of their numbers.
+    pub fn places(&self) -> Vec<[usize; 3]> {
+        let [ni, nj, nk] = self.grid();
+        (0..nk).flat_map(|k| (0..nj).flat_map(move |j| (0..ni).map(move |i| [i, j, k]))).collect()
+    }
+
+    /// Nodes of a sheet of faces: `at(a, b)` for a along the first, b along the second direction of so many bricks.
+    pub fn faces(&self, count: [usize; 2], at: impl Fn(usize, usize) -> usize) -> Vec<Vec<u32>> {
+        let p = self.brick.order();
+        let mut out = Vec::new();
+        for b in 0..count[1] {
+            for a in 0..count[0] {
+                let node = |n: usize| at(p * a + n % (p + 1), p * b + n / (p + 1)) as u32;
+                out.push((0..(p + 1).pow(2)).map(node).collect());
+            }
+        }
+        out
+    }
+
+    /// The body, all free; `map` carries the unit cube to the places at rest.
+    pub fn parts(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Parts {
+        let (p, [n0, n1, n2], [ni, nj, nk]) = (self.brick.order(), self.elements, self.grid());
+        let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
+        let nodes: Vec<[f64; 3]> =
+            self.places().iter().map(|[i, j, k]| map([unit(*i, ni), unit(*j, nj), unit(*k, nk)])).collect();
+        let mut bricks = Vec::new();
+        for k in 0..n2 {
+            for j in 0..n1 {
+                for i in 0..n0 {
+                    let at = |a: usize| {
+                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                        self.node(p * i + x, p * j + y, p * k + z) as u32
+                    };
+                    bricks.push((0..(p + 1).pow(3)).map(at).collect());
+                }
+            }
+        }
+        let sheet = Sheet { around: nj, along: nk, stride: p };
+        let columns = sheet.order().into_iter();
+        let order = columns.flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
+        Parts {
+            brick: self.brick,
+            bricks,
+            ties: vec![],
+            faces: vec![],
+            cap_mm2: 0.0,
+            dead: vec![],
+            freedom: vec![[Freedom::Free; 3]; nodes.len()],
+            order: order.map(|(i, j, k)| self.node(i, j, k) as u32).collect(),
+            law,
+            bulk,
+            nodes,
+        }
+    }
+}

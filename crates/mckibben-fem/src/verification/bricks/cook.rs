@@ -1,0 +1,49 @@
+//! H. Cook's membrane, nearly incompressible neo-Hooke, plane strain, mean dilatation (Q1P0): the tip mesh by mesh.
+
+use super::block::Block;
+use super::{body, solve};
+use crate::three_dimensional::{Brick, Freedom};
+use crate::verification::Row;
+use mckibben::muscle::Bulk;
+use mckibben::rubber::{Law, NeoHookean};
+
+const SOURCE: &str = "H: Cook's membrane, Q1P0, plane strain";
+
+/// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
+fn tip(n: usize) -> Option<f64> {
+    let block = Block::new(Brick::Linear, [1, n, n]);
+    let law = Law::NeoHookean(NeoHookean { mu_mpa: 80.1938 });
+    // First direction: the thickness (z); second and third: along and across.
+    let mut parts = block.parts(law, Bulk::Modulus(400_889.806), |[t, x, y]| {
+        let (low, high) = (44.0 * x, 44.0 + 16.0 * x);
+        [48.0 * x, low + (high - low) * y, t]
+    });
+    parts.dead = vec![[0.0; 3]; parts.nodes.len()];
+    for (node, [_, j, k]) in block.places().into_iter().enumerate() {
+        parts.freedom[node][2] = Freedom::Held;
+        if j == 0 {
+            parts.freedom[node] = [Freedom::Held; 3];
+        }
+        if j == n {
+            let share = if k == 0 || k == n { 0.5 } else { 1.0 };
+            parts.dead[node][1] = 100.0 * 0.5 * share / n as f64;
+        }
+    }
+    let corner = block.node(0, n, n);
+    let mut body = body(parts)?;
+    for i in 1..=4 {
+        body.state.pressure = 0.25 * f64::from(i);
+        solve(&mut body, 0.0)?;
+    }
+    Some(body.state.u[3 * corner + 1])
+}
+
+/// The rows of H.
+pub fn cook() -> Vec<Row> {
+    [(4, 6.0199), (8, 6.6186), (16, 6.8144), (32, 6.8842)]
+        .into_iter()
+        .map(|(n, exact)| {
+            Row::new(format!("Cook's membrane, {n} × {n}: tip (mm)"), SOURCE, exact, tip(n), 1e-5)
+        })
+        .collect()
+}

@@ -1,0 +1,80 @@
+//! The cases with bricks: the same exact values, met by the three-dimensional elements.
+
+mod block;
+mod cook;
+mod homogeneous;
+mod muscle;
+mod numerics;
+mod pressure;
+mod torsion;
+mod tube;
+
+use super::Row;
+use crate::axisymmetric::equilibrium::Control;
+use crate::solver::newton::{self, Effort, NewtonOptions};
+use crate::three_dimensional::{Body, Brick, Discrete, Freedom, Parts};
+
+const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Quadratic, "27-node brick")];
+
+/// Every case with bricks.
+pub fn bricks() -> Vec<Row> {
+    [
+        homogeneous::homogeneous(),
+        tube::thick_tube(),
+        torsion::torsion(),
+        pressure::follower_pressure(),
+        cook::cook(),
+        numerics::numerics(),
+        muscle::muscle(),
+    ]
+    .concat()
+}
+
+fn body(parts: Parts) -> Option<Body> {
+    Body::new(Discrete::new(parts).ok()?).ok()
+}
+
+fn tight() -> NewtonOptions {
+    NewtonOptions { tolerance: 1e-12, iterations: 30, small: 0.0, ..NewtonOptions::default() }
+}
+
+/// Solves with the terminal at `w` and the present pressure.
+fn solve(body: &mut Body, w: f64) -> Option<Effort> {
+    let mut effort = Effort::default();
+    body.control = Control::Length(w);
+    newton::solve(body, &tight(), &mut effort, |_| ()).ok().map(|()| effort)
+}
+
+/// Goes to (pressure, displacement of the terminal) in so many equal steps.
+fn drive(body: &mut Body, pressure: f64, terminal: f64, steps: usize) -> Option<()> {
+    for i in 1..=steps {
+        let share = i as f64 / steps as f64;
+        body.state.pressure = share * pressure;
+        solve(body, share * terminal)?;
+    }
+    Some(())
+}
+
+/// Moves held displacements to what `at` says of (node, direction), in so many equal steps.
+fn push(body: &mut Body, steps: usize, at: impl Fn(usize, usize) -> f64) -> Option<()> {
+    let held: Vec<(usize, usize)> = (0..body.discrete.parts.nodes.len())
+        .flat_map(|n| (0..3).map(move |i| (n, i)))
+        .filter(|&(n, i)| body.discrete.parts.freedom[n][i] == Freedom::Held)
+        .collect();
+    let start: Vec<f64> = held.iter().map(|&(n, i)| body.state.u[3 * n + i]).collect();
+    for step in 1..=steps {
+        let share = step as f64 / steps as f64;
+        for (&(n, i), from) in held.iter().zip(&start) {
+            body.state.u[3 * n + i] = from + share * (at(n, i) - from);
+        }
+        let w = body.state.terminal;
+        solve(body, w)?;
+    }
+    Some(())
+}
+
+/// Sum of ∂Π/∂u over some displacements.
+fn reaction(body: &mut Body, of: impl Iterator<Item = (usize, usize)>) -> Option<f64> {
+    body.evaluate().ok()?;
+    Some(of.map(|(n, i)| body.work.force[3 * n + i]).sum())
+}

@@ -1,0 +1,227 @@
+//! J. Numerical conduct: tangents of every law and brick, objectivity, Newton's order, steps, numbering.
+
+use super::pressure::prototype;
+use super::{BRICKS, body, solve, tight};
+use crate::axisymmetric::equilibrium::Control;
+use crate::element::tie::Tie;
+use crate::solver::newton::{self, Effort};
+use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Parts};
+use crate::verification::Row;
+use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
+use mckibben::rubber::Law;
+
+const SOURCE: &str = "J: numerical conduct (bricks)";
+
+/// Numbers between −½ and ½.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+}
+
+/// A small muscle in a random deformed state, with pressures and tensions of their own.
+fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Body> {
+    let muscle = Muscle::prototype();
+    let mut tube = muscle.tube().clone();
+    (tube.rubber.law, tube.rubber.bulk, tube.length_mm) = (law, bulk, 40.0);
+    let braid = Braid { stiffness, compression: true, ..Braid::paper() };
+    let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
+    let spec = BrickSpec { brick, around: Some(2), along: Some(2), through: Some(1), ..BrickSpec::default() };
+    let mesh = BrickMesh::new(12.0, 15.0, 20.0, 0.5, &spec).ok()?;
+    let mut body = body(Parts::of(&muscle, &mesh))?;
+    let mut seed = 7;
+    for &i in &body.discrete.place.clone() {
+        body.state.u[i as usize] = 0.6 * random(&mut seed);
+    }
+    body.state.p.iter_mut().for_each(|p| *p = 0.4 * random(&mut seed));
+    body.state.terminal = 0.7;
+    for &i in &body.discrete.terminal.clone() {
+        body.state.u[i as usize] = 0.7;
+    }
+    body.state.pressure = 0.15;
+    // Tensions that belong to the strains: the residual holds them so.
+    body.evaluate().ok()?;
+    for (t, (_, strain, _)) in body.work.strands.clone().into_iter().enumerate() {
+        let (compliance, augment) = body.discrete.strand[t];
+        body.state.q[t] = if compliance > 0.0 { strain / compliance } else { augment * strain };
+    }
+    Some(body)
+}
+
+/// Largest difference between K v and central differences of the residual, over the largest force.
+///
+/// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
+fn tangent_error(body: &mut Body) -> Option<f64> {
+    let d = body.discrete.clone();
+    let incompressible = d.compliance == 0.0;
+    let follow = |b: &mut Body| -> Option<()> {
+        // Of condensed modes, p + γ c/V is what the elements take; put it into p.
+        if !incompressible {
+            b.evaluate().ok()?;
+            for (i, c) in b.work.defect.clone().into_iter().enumerate() {
+                b.state.p[i] += d.augment * c / d.rest[i / d.modes].volume;
+            }
+        }
+        b.evaluate().ok()?;
+        for (t, (_, strain, _)) in b.work.strands.clone().into_iter().enumerate() {
+            let (compliance, augment) = d.strand[t];
+            if augment * compliance >= 1.0 {
+                b.state.q[t] = strain / compliance;
+            }
+        }
+        Some(())
+    };
+    follow(body)?;
+    if incompressible {
+        // The tangent holds p; what the augmentation adds to the geometric part vanishes with the defects.
+        body.evaluate().ok()?;
+    }
+    body.assemble().ok()?;
+    let mut seed = 3;
+    let v: Vec<f64> = d.place.iter().map(|_| random(&mut seed)).collect();
+    let w = 0.3;
+    let mut product = vec![0.0; d.free];
+    for c in 0..d.free {
+        for k in d.pattern.columns[c] as usize..d.pattern.columns[c + 1] as usize {
+            let r = d.pattern.rows[k] as usize;
+            product[r] += body.work.values[k] * v[c];
+            if r != c {
+                product[c] += body.work.values[k] * v[r];
+            }
+        }
+        product[c] += body.work.values[d.pattern.entries() + c] * w;
+    }
+    let base = body.state.clone();
+    let h = 1e-5;
+    let mut change = vec![0.0; d.free];
+    for (step, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
+        body.state.copy_from(&base);
+        for (x, &i) in v.iter().zip(&d.place) {
+            body.state.u[i as usize] += step * h * x;
+        }
+        for &i in &d.terminal {
+            body.state.u[i as usize] += step * h * w;
+        }
+        body.state.terminal += step * h * w;
+        body.evaluate().ok()?;
+        for (c, &i) in change.iter_mut().zip(&d.place) {
+            *c += weight * body.work.force[i as usize] / (12.0 * h);
+        }
+    }
+    body.state.copy_from(&base);
+    let largest = product.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
+    let worst = product.iter().zip(&change).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    Some(worst / largest)
+}
+
+/// Change of the energy and of the forces' size when everything is turned.
+fn objectivity(brick: Brick) -> Option<f64> {
+    let law = crate::verification::rubber();
+    let mut body = shaken(brick, law, Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(300.0))?;
+    body.state.pressure = 0.0;
+    let before = body.evaluate().ok()?;
+    let size = |b: &Body| b.work.force.iter().map(|f| f * f).sum::<f64>().sqrt();
+    let force = size(&body);
+    let axis = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]].map(|r: [f64; 3]| r.map(|x| x / 3.0));
+    for (n, rest) in body.discrete.parts.nodes.clone().into_iter().enumerate() {
+        let x: Vec<f64> = (0..3).map(|i| rest[i] + body.state.u[3 * n + i]).collect();
+        for i in 0..3 {
+            body.state.u[3 * n + i] = (0..3).map(|j| axis[i][j] * x[j]).sum::<f64>() - rest[i];
+        }
+    }
+    let after = body.evaluate().ok()?;
+    let energy = (after.rubber + after.braid) / (before.rubber + before.braid) - 1.0;
+    Some(energy.abs().max((size(&body) / force - 1.0).abs()))
+}
+
+/// log(r3/r2)/log(r2/r1) of the last residuals of a large step.
+fn order_of_newton(brick: Brick) -> Option<f64> {
+    let mut engine = prototype(brick)?;
+    engine.reach(0.2, 0.05).ok()?;
+    let half = engine.half_length();
+    let body = &mut engine.body;
+    body.control = Control::Length(-0.09 * half);
+    body.tolerance = 1e-11;
+    let mut seen = Vec::new();
+    newton::solve(body, &tight(), &mut Effort::default(), |r| seen.push(r)).ok()?;
+    // Rounding begins at 1e-12.
+    let above: Vec<f64> = seen.into_iter().filter(|r| *r > 1e-10).collect();
+    let [.., a, b, c] = above.as_slice() else { return None };
+    Some(((c / b).ln() / (b / a).ln()).min(2.0))
+}
+
+/// Relative difference of the pull after 4 and after 25 steps of pressure.
+fn steps(brick: Brick) -> Option<f64> {
+    let pull = |steps: usize| {
+        let mut body = prototype(brick)?.body;
+        super::drive(&mut body, 0.2, 0.0, steps)?;
+        Some(body.totals.pull)
+    };
+    Some((pull(4)? / pull(25)? - 1.0).abs())
+}
+
+/// Relative difference of the pull with unknowns numbered backwards.
+fn numbering(brick: Brick) -> Option<f64> {
+    let spec = BrickSpec { brick, around: Some(3), along: Some(6), ..BrickSpec::default() };
+    let mesh = BrickMesh::new(12.0, 15.0, 60.0, 0.5, &spec).ok()?;
+    let pull = |back: bool| {
+        let mut parts = Parts::of(&Muscle::prototype(), &mesh);
+        if back {
+            parts.order.reverse();
+        }
+        let mut body = body(parts)?;
+        body.state.pressure = 0.1;
+        solve(&mut body, 0.0)?;
+        Some(body.totals.pull)
+    };
+    Some((pull(false)? / pull(true)? - 1.0).abs())
+}
+
+/// Largest difference between a strand's tangent and differences of its force, over the tangent.
+fn tie() -> f64 {
+    let tie = Tie { length_mm: 3.0, stiffness_n: 200.0, compression: true };
+    let at = [1.9, 2.1, -1.6];
+    let force = |d: [f64; 3]| {
+        let p = tie.pull(d, 0.0, 0.0);
+        p.direction.map(|n| n * p.tension)
+    };
+    let here = tie.pull(at, 0.0, tie.pull(at, 0.0, 0.0).tension);
+    let mut worst = 0.0_f64;
+    for j in 0..3 {
+        let h = 1e-5;
+        let moved = |s: f64| {
+            let mut d = at;
+            d[j] += s * h;
+            force(d)
+        };
+        let (up, down) = (moved(1.0), moved(-1.0));
+        for i in 0..3 {
+            let exact = here.tangent[crate::element::spatial::AT[i][j]];
+            worst = worst.max(((up[i] - down[i]) / (2.0 * h) - exact).abs());
+        }
+    }
+    worst / 70.0
+}
+
+/// The rows of J.
+pub fn numerics() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (brick, name) in BRICKS {
+        for law in crate::verification::numerics::laws() {
+            let title = mckibben::rubber::RubberLaw::name(&law);
+            let stiffness = BraidStiffness::NewtonPerMm(20.0);
+            let error =
+                shaken(brick, law, Bulk::Modulus(20.0), stiffness).and_then(|mut b| tangent_error(&mut b));
+            let title = format!("{name}, {title}: tangent against differences");
+            rows.push(Row::new(title, SOURCE, 0.0, error, 1e-8));
+        }
+        let row = |what: &str, reference: f64, value: Option<f64>, tolerance: f64| {
+            Row::new(format!("{name}, {what}"), SOURCE, reference, value, tolerance)
+        };
+        rows.push(row("energy and forces after a rotation", 0.0, objectivity(brick), 1e-10));
+        rows.push(row("order of Newton's last residuals (2 or more)", 2.0, order_of_newton(brick), 0.2));
+        rows.push(row("pull after 4 and 25 steps", 0.0, steps(brick), 1e-8));
+        rows.push(row("pull with unknowns numbered backwards", 0.0, numbering(brick), 1e-10));
+    }
+    rows.push(Row::new("strand, tangent against differences".into(), SOURCE, 0.0, Some(tie()), 1e-8));
+    rows
+}

@@ -1,0 +1,80 @@
+//! E. Follower pressure and conservation, on a muscle in bricks.
+
+use super::{BRICKS, solve};
+use crate::solver::newton::NewtonOptions;
+use crate::three_dimensional::{Body, Brick, BrickSpec, Engine};
+use crate::verification::Row;
+use mckibben::muscle::Muscle;
+
+const SOURCE: &str = "E: closed cavity, energy (bricks)";
+
+/// A small mesh of the prototype.
+pub(super) fn prototype(brick: Brick) -> Option<Engine> {
+    let spec = BrickSpec {
+        brick,
+        around: Some(4 / brick.order()),
+        along: Some(12 / brick.order()),
+        ..BrickSpec::default()
+    };
+    let mut engine = Engine::new(&Muscle::prototype(), &spec).ok()?;
+    engine.newton = NewtonOptions { tolerance: 1e-12, ..engine.newton };
+    Some(engine)
+}
+
+/// (∂F/∂P, −∂V/∂L) in mm².
+fn maxwell(brick: Brick) -> Option<(f64, f64)> {
+    let mut engine = prototype(brick)?;
+    engine.reach(0.2, 0.08).ok()?;
+    engine.body.factorise().ok()?;
+    Some((engine.body.force_per_pressure(), engine.body.volume_per_length()))
+}
+
+/// ∫ P dV − ∫ F dL over a path (pressure at rest length, then contraction) and the elastic energy gained, in N·mm.
+fn energy(brick: Brick) -> Option<(f64, f64)> {
+    let mut body = prototype(brick)?.body;
+    let half = body.discrete.half;
+    let taken = |b: &Body| (b.state.pressure, 8.0 * b.totals.volume, b.totals.pull, 2.0 * b.state.terminal);
+    // Gauss points would need derivatives; Simpson's rule in P dV = d(PV) − V dP and F dL needs none.
+    const STEPS: usize = 40;
+    let simpson = |i: usize| match i {
+        0 | STEPS => 1.0,
+        i if i % 2 == 1 => 4.0,
+        _ => 2.0,
+    };
+    body.state.pressure = 0.05;
+    solve(&mut body, 0.0)?;
+    let (p0, v0, ..) = taken(&body);
+    let start = body.totals.rubber + body.totals.braid;
+    let mut volume = 0.0;
+    for i in 0..=STEPS {
+        body.state.pressure = 0.05 + 0.15 * i as f64 / STEPS as f64;
+        solve(&mut body, 0.0)?;
+        volume += simpson(i) * taken(&body).1 * 0.15 / STEPS as f64 / 3.0;
+    }
+    let mut work = 0.0;
+    let stroke = -0.05 * half;
+    for i in 0..=STEPS {
+        solve(&mut body, stroke * i as f64 / STEPS as f64)?;
+        // A muscle that is pulled longer takes up F dL.
+        work += simpson(i) * taken(&body).2 * 2.0 * stroke / STEPS as f64 / 3.0;
+    }
+    let (p, v, ..) = taken(&body);
+    let outer = p * v - p0 * v0 - volume + work;
+    Some((outer, 8.0 * (body.totals.rubber + body.totals.braid - start)))
+}
+
+/// The rows of E.
+pub fn follower_pressure() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (brick, name) in BRICKS {
+        let got = maxwell(brick);
+        let reference = got.map_or(1.0, |g| g.1);
+        let title = format!("{name}, Maxwell: ∂F/∂P = −∂V/∂L (mm²)");
+        rows.push(Row::new(title, SOURCE, reference, got.map(|g| g.0), 1e-9));
+        let got = energy(brick);
+        let reference = got.map_or(1.0, |g| g.1);
+        let title = format!("{name}, ∫P dV + ∫F dL = elastic energy (N·mm)");
+        rows.push(Row::new(title, SOURCE, reference, got.map(|g| g.0), 1e-6));
+    }
+    rows
+}

@@ -1,0 +1,66 @@
+//! D. Torsion of a solid cylinder (Rivlin 1949): M = πR⁴ψ(C1 + C2), N = −½πR⁴ψ²(C1 + 2 C2).
+
+use super::block::Block;
+use super::{body, push};
+use crate::three_dimensional::{Body, Brick, Freedom};
+use crate::verification::{Row, rubber};
+use mckibben::muscle::Bulk;
+
+const SOURCE: &str = "D: Rivlin, torsion";
+const RADIUS: f64 = 5.0;
+/// ψ in rad/mm.
+const TWIST: f64 = 0.05;
+const HEIGHT: f64 = 2.0;
+
+fn twisted(elements: usize) -> Option<(Body, Vec<usize>)> {
+    let block = Block::new(Brick::Quadratic, [elements, elements, 1]);
+    // The square becomes a disc (the elliptical map).
+    let mut parts = block.parts(rubber(), Bulk::Incompressible, |[x, y, z]| {
+        let (u, v) = (2.0 * x - 1.0, 2.0 * y - 1.0);
+        [RADIUS * u * (1.0 - 0.5 * v * v).sqrt(), RADIUS * v * (1.0 - 0.5 * u * u).sqrt(), HEIGHT * z]
+    });
+    let last = block.grid()[2] - 1;
+    let mut top = Vec::new();
+    for (node, [_, _, k]) in block.places().into_iter().enumerate() {
+        if k == 0 || k == last {
+            parts.freedom[node] = [Freedom::Held; 3];
+        }
+        if k == last {
+            top.push(node);
+        }
+    }
+    let nodes = parts.nodes.clone();
+    let (sin, cos) = (TWIST * HEIGHT).sin_cos();
+    let mut body = body(parts)?;
+    push(&mut body, 1, |n, i| {
+        let [x, y, z] = nodes[n];
+        if z < 0.5 * HEIGHT {
+            return 0.0;
+        }
+        [cos * x - sin * y - x, sin * x + cos * y - y, 0.0][i]
+    })?;
+    Some((body, top))
+}
+
+/// Moment and axial force on the top.
+fn loads(elements: usize) -> Option<(f64, f64)> {
+    let (mut body, top) = twisted(elements)?;
+    body.evaluate().ok()?;
+    let (mut moment, mut axial) = (0.0, 0.0);
+    for n in top {
+        let (x, f) = (body.discrete.parts.nodes[n], &body.work.force[3 * n..3 * n + 3]);
+        let (px, py) = (x[0] + body.state.u[3 * n], x[1] + body.state.u[3 * n + 1]);
+        moment += px * f[1] - py * f[0];
+        axial += f[2];
+    }
+    Some((moment, axial))
+}
+
+/// The rows of D.
+pub fn torsion() -> Vec<Row> {
+    let got = loads(6);
+    vec![
+        Row::new("solid cylinder, torsion: M (N·mm)".into(), SOURCE, 11.780_972_45, got.map(|g| g.0), 2e-4),
+        Row::new("solid cylinder, torsion: N (N)".into(), SOURCE, -0.343_611_70, got.map(|g| g.1), 2e-3),
+    ]
+}

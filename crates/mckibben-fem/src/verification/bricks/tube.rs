@@ -1,0 +1,84 @@
+//! B. A thick tube under inside pressure with a given axial stretch, in bricks, and the order of mesh convergence.
+
+use super::block::Block;
+use super::{BRICKS, body, drive};
+use crate::three_dimensional::{Brick, Freedom};
+use crate::verification::{Row, rubber};
+use mckibben::muscle::Bulk;
+use std::f64::consts::FRAC_PI_2;
+
+const SOURCE: &str = "B: Rivlin 1949; Haughton & Ogden 1979 (bricks)";
+
+/// Inner radius now over that at rest, and N − πa²p in N, of a quarter of a ring of radii `a0`, `b0` and height 1 mm.
+fn ring(
+    brick: Brick,
+    radii: (f64, f64),
+    stretch: f64,
+    p: f64,
+    divisions: (usize, usize),
+) -> Option<(f64, f64)> {
+    let (through, around) = divisions;
+    let block = Block::new(brick, [through, around, 1]);
+    let [_, nj, nk] = block.grid();
+    let mut parts = block.parts(rubber(), Bulk::Incompressible, |[x, y, z]| {
+        let (r, phi) = (radii.0 + x * (radii.1 - radii.0), FRAC_PI_2 * y);
+        [r * phi.cos(), r * phi.sin(), z]
+    });
+    for (node, [_, j, k]) in block.places().into_iter().enumerate() {
+        let f = &mut parts.freedom[node];
+        if j == 0 {
+            f[1] = Freedom::Held;
+        }
+        if j + 1 == nj {
+            f[0] = Freedom::Held;
+        }
+        if k == 0 {
+            f[2] = Freedom::Held;
+        }
+        if k + 1 == nk {
+            f[2] = Freedom::Terminal;
+        }
+    }
+    // The lid closes the cavity: from the ring to a point of the terminal on the axis.
+    let centre = parts.nodes.len();
+    parts.nodes.push([0.0, 0.0, 1.0]);
+    parts.freedom.push([Freedom::Held, Freedom::Held, Freedom::Terminal]);
+    parts.faces = block.faces([around, 1], |a, b| block.node(0, a, b));
+    let lid = block.faces([around, 1], |a, b| if b == 0 { block.node(0, a, nk - 1) } else { centre });
+    parts.faces.extend(lid);
+    let mut body = body(parts)?;
+    drive(&mut body, 0.0, stretch - 1.0, 2)?;
+    for i in 1..=4 {
+        body.state.pressure = 0.25 * f64::from(i) * p;
+        super::solve(&mut body, stretch - 1.0)?;
+    }
+    let at = block.node(0, 0, 0);
+    Some((1.0 + body.state.u[3 * at] / radii.0, body.totals.pull))
+}
+
+/// The rows of B.
+pub fn thick_tube() -> Vec<Row> {
+    let cases = [
+        ((8.0, 9.5), 1.0, 1.25, 0.022_254_974_0, -1.000_745_23),
+        ((8.0, 9.5), 0.8, 1.25, 0.015_417_518_9, -16.130_692_06),
+        ((8.0, 9.5), 1.2, 1.25, 0.024_647_538_8, 8.459_104_99),
+        ((1.0, 2.0), 1.0, 2.0, 0.137_772_857_4, -0.623_300_96),
+    ];
+    let mut rows = Vec::new();
+    for (radii, stretch, exact, p, force) in cases {
+        let got = ring(Brick::Quadratic, radii, stretch, p, (3, 8));
+        let title = format!("27-node brick, tube {}–{} mm, λz = {stretch}: a/A", radii.0, radii.1);
+        rows.push(Row::new(title, SOURCE, exact, got.map(|g| g.0), 5e-5));
+        let title = format!("27-node brick, tube {}–{} mm, λz = {stretch}: N − πa²p (N)", radii.0, radii.1);
+        rows.push(Row::new(title, SOURCE, force, got.map(|g| g.1), 1e-3));
+    }
+    // Displacements of bricks of degree p converge like h^(p+1).
+    for ((brick, name), order) in BRICKS.into_iter().zip([2.0, 3.0]) {
+        let error = |n: usize| {
+            ring(brick, (1.0, 2.0), 1.0, 0.137_772_857_4, (2 * n, 4 * n)).map(|g| (g.0 - 2.0).abs())
+        };
+        let got = error(1).zip(error(2)).map(|(coarse, fine)| (coarse / fine).log2());
+        rows.push(Row::new(format!("{name}, order of convergence of a/A"), SOURCE, order, got, 0.1));
+    }
+    rows
+}
