@@ -6,6 +6,7 @@ mod design;
 mod fit;
 mod simulate;
 mod study;
+mod tension;
 
 pub use compare::compare;
 pub use curves::curves;
@@ -13,6 +14,7 @@ pub use design::design;
 pub use fit::{against_points, paper_figures};
 pub use simulate::simulate;
 pub use study::study;
+pub use tension::tension;
 
 /// The small line below every figure.
 fn caption(text: impl std::fmt::Display) -> String {
