@@ -203,6 +203,9 @@ impl From<TensionFitError> for Failure {
         let message = error.to_string();
         match error {
             TensionFitError::NotConverged { .. } => Self::new(NOT_CONVERGED, "not_converged", message, ""),
+            TensionFitError::NoBetter { .. } => {
+                Self::new(NO_ANSWER, "no_answer", message, "take --terms with a smaller number")
+            }
             TensionFitError::TooFew { .. } => {
                 Self::input("fit", message, "take a law with fewer constants, or leave --up-to out")
             }

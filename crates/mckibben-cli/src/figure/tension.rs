@@ -13,7 +13,7 @@ const WITHOUT_POINTS: f64 = 2.0;
 pub fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
     let about = format!("Points of {file}. Dashed: unstable over the stretches of a muscle");
-    let mut figure = Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(2);
+    let mut figure = Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3);
     for mode in Mode::ALL {
         figure = figure.panel(panel(mode, fit, &laws));
     }

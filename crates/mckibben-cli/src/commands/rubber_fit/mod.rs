@@ -78,7 +78,8 @@ fn with_rubber(
     let stem = |p: &Path| p.file_stem().map(|s| s.to_string_lossy().into_owned());
     let mut rubber = Rubber::of(taken.law.clone());
     rubber.name = args.name.clone().or_else(|| stem(&args.file));
-    rubber.fitted_to_stretch = Some(fitted_to_stretch);
+    // 1 + strain has digits that nobody measured.
+    rubber.fitted_to_stretch = Some((fitted_to_stretch * 1e4).round() / 1e4);
     let mut tube = base.tube().clone();
     tube.rubber = rubber;
     Ok(base.with_tube(tube)?)

@@ -53,7 +53,7 @@ pub fn as_text(fit: &TensionFit, settings: &FitSettings, file: &str, written: Op
     let mut header = vec!["".to_owned(), "law".into(), "μ [MPa]".into(), "R²".into(), "rms [kPa]".into()];
     let several = fit.laws.first().is_some_and(|l| l.modes.len() > 1);
     if several {
-        header.extend(fit.laws[0].modes.iter().map(|m| m.mode.name().to_owned()));
+        header.extend(fit.laws[0].modes.iter().map(|m| format!("{} [kPa]", m.mode)));
     }
     header.extend(["relative".into(), "ΔAICc".into(), "in a muscle".into()]);
     let rows = fit.laws.iter().enumerate().map(|(i, l)| {
@@ -67,7 +67,7 @@ pub fn as_text(fit: &TensionFit, settings: &FitSettings, file: &str, written: Op
         if several {
             row.extend(l.modes.iter().map(|m| number(1e3 * m.rms_mpa, 3)));
         }
-        row.extend([percent(number_of(l.relative_rms)), format!("{:.1}", l.aicc - best), stability(l)]);
+        row.extend([percent(rounded(l.relative_rms)), format!("{:.1}", l.aicc - best), stability(l)]);
         row
     });
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
@@ -79,8 +79,8 @@ pub fn as_text(fit: &TensionFit, settings: &FitSettings, file: &str, written: Op
     format!("Tension tests {file}\n{}\n{laws}\n{constants}\n{}", pairs(&head), closing(fit, written))
 }
 
-/// Two digits.
-fn number_of(ratio: f64) -> f64 {
+/// To a hundredth of a percent.
+fn rounded(ratio: f64) -> f64 {
     (ratio * 1e4).round() / 1e4
 }
 
@@ -124,7 +124,7 @@ fn closing(fit: &TensionFit, written: Option<&Path>) -> String {
     match fit.recommended.and_then(|i| fit.laws.get(i)) {
         Some(law) => {
             let one = fit.laws.len() == 1;
-            let why = if one { "stable in a muscle" } else { "lowest AICc of those to be trusted in a muscle" };
+            let why = if one { "stable in a muscle" } else { "the lowest AICc of those to be trusted in a muscle" };
             out.push_str(&format!("→ {}: {why}.\n", title(law)));
         }
         None => out.push_str("None of these laws is stable over the stretches of a muscle; --stable holds them.\n"),

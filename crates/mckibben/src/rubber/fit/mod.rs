@@ -102,6 +102,12 @@ pub enum TensionFitError {
         /// What it should be.
         expected: &'static str,
     },
+    /// A term too many.
+    #[error("{law}: so many terms follow these data no better than fewer do")]
+    NoBetter {
+        /// Which law.
+        law: String,
+    },
     /// No minimum was found.
     #[error("{law}: no fit was found: {why}")]
     NotConverged {
@@ -125,8 +131,8 @@ pub struct TensionFit {
     pub laws: Vec<FittedLaw>,
     /// Laws without a fit.
     pub failed: Vec<TensionFitError>,
-    /// Place of the law to take: of those that are stable in a muscle and whose constants the data tell, the one with the
-    /// lowest AICc; with one-axis tests alone, one of I1.
+    /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with one-axis tests
+    /// alone, one of I1.
     pub recommended: Option<usize>,
     /// What to mind.
     pub warnings: Vec<TensionWarning>,
@@ -137,7 +143,7 @@ pub(super) struct Raw {
     pub constants: Vec<f64>,
     pub standard_errors: Vec<f64>,
     pub at_bound: Vec<bool>,
-    /// What half-width of a constant is too wide, beside half of its own value.
+    /// A change of each constant that moves the stress at the end of the data by the modulus; 0 where it may not be zero.
     pub scales: Vec<f64>,
     pub freedom: usize,
 }
@@ -221,10 +227,8 @@ fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option<usize> {
         let places = (0..laws.len()).filter(|&i| good(&laws[i]));
         places.min_by(|&a, &b| laws[a].aicc.total_cmp(&laws[b].aicc))
     };
-    let told = |l: &FittedLaw| l.is_stable() && l.parameters.iter().all(|p| p.identifiable);
-    best(&|l| told(l) && (l.form.is_of_i1() || !one_axis))
-        .or_else(|| best(&|l| l.is_stable() && (l.form.is_of_i1() || !one_axis)))
-        .or_else(|| best(&FittedLaw::is_stable))
+    let trusted = |l: &FittedLaw| l.is_stable() && !fitted::has_negative_c01(&l.law);
+    best(&|l| trusted(l) && (l.form.is_of_i1() || !one_axis)).or_else(|| best(&trusted))
 }
 
 #[cfg(test)]

@@ -109,7 +109,7 @@ fn sets(count: usize, size: usize) -> Vec<Vec<usize>> {
 pub(super) fn fit(count: usize, problem: &Problem) -> Result<Raw, TensionFitError> {
     let failed = |why: String| TensionFitError::NotConverged { law: Form::Ogden { terms: count }.name(), why };
     let mut best: Option<(f64, Vec<f64>, Estimate)> = None;
-    let mut why = format!("no {count} terms with mu·alpha > 0 follow these data better than fewer");
+    let mut why = None;
     for start in starts(count, problem) {
         let signs: Vec<f64> = start.terms.iter().map(|t| t.1.signum()).collect();
         let unknowns: Vec<Unknown> = start
@@ -129,10 +129,17 @@ pub(super) fn fit(count: usize, problem: &Problem) -> Result<Raw, TensionFitErro
                     best = Some((squares, signs, found));
                 }
             }
-            Err(error) => why = error.to_string(),
+            Err(error) => why = Some(error.to_string()),
         }
     }
-    let (_, signs, found) = best.ok_or_else(|| failed(why))?;
+    let no_better = || TensionFitError::NoBetter { law: Form::Ogden { terms: count }.name() };
+    let (_, signs, found) = best.ok_or_else(|| why.map_or_else(no_better, failed))?;
+    let alpha = |k: usize| signs[k] * found.x[2 * k + 1];
+    let same = |a: usize, b: usize| (alpha(a) - alpha(b)).abs() < 0.01 * alpha(a).abs();
+    let twice = (0..count).any(|a| (0..a).any(|b| same(a, b)));
+    if count > 1 && (twice || (0..count).any(|k| found.at_bound[2 * k])) {
+        return Err(no_better());
+    }
     // The term that gives most of the modulus first.
     let mut order: Vec<usize> = (0..count).collect();
     let share = |k: &usize| found.x[2 * k] * found.x[2 * k + 1];

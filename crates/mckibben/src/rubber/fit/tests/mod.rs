@@ -263,6 +263,10 @@ fn fits_that_make_no_sense_are_refused() {
     assert!(bad(FitSettings { hoop_stretch: f64::NAN, ..FitSettings::default() }).contains("hoop stretch"));
     let weights = vec![(Mode::Uniaxial, -1.0)];
     assert!(bad(FitSettings { mode_weights: weights, ..FitSettings::default() }).contains("a weight is -1"));
+    // One term made these points: a second one has nothing to do.
+    let one = Law::Ogden(Ogden { terms: vec![(0.2, 2.6)] });
+    let exact = points(&one, &Mode::ALL, (1.0, 3.0), 9, |_| 0.0);
+    assert!(message(&exact, &only(Form::Ogden { terms: 2 })).contains("no better than fewer"));
     // All stretches the same: one number for three constants.
     let same = vec![data[2]; 12];
     let found = fit_tension(&same, &FitSettings::default()).unwrap();
