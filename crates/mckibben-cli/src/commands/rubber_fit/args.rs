@@ -92,7 +92,9 @@ impl RubberFitArgs {
         let positive = |flag: &str, text: &Option<String>, dimension| {
             let found = resolve::quantity(flag, text.as_deref(), dimension)?;
             match found.filter(|v| !(*v > 0.0)) {
-                Some(v) => Err(Failure::input("quantity", format!("{flag} is {v}; it must be above zero"), "")),
+                Some(v) => {
+                    Err(Failure::input("quantity", format!("{flag} is {v}; it must be above zero"), ""))
+                }
                 None => Ok(found),
             }
         };
@@ -158,9 +160,7 @@ impl RubberFitArgs {
             let bad = |why: String| {
                 Failure::input("usage", format!("--weights: {why}"), "write uniaxial=1,equibiaxial=2")
             };
-            let (word, value) = entry
-                .split_once('=')
-                .ok_or_else(|| bad(format!("\"{short}\" has no =")))?;
+            let (word, value) = entry.split_once('=').ok_or_else(|| bad(format!("\"{short}\" has no =")))?;
             let mode = Mode::parse(word)
                 .ok_or_else(|| bad(format!("\"{short}\": the mode is none of {}", Mode::WORDS)))?;
             let weight = resolve::required("--weights", Some(value), Dimension::Ratio)?;

@@ -64,7 +64,8 @@ fn read(args: &RubberFitArgs) -> Result<Vec<TensionPoint>, Failure> {
 /// The law that goes into a muscle.
 fn taken(fit: &TensionFit) -> Result<&FittedLaw, Failure> {
     fit.recommended.and_then(|i| fit.laws.get(i)).ok_or_else(|| {
-        let message = "none of these laws is stable over the stretches of a muscle; no muscle file is written";
+        let message =
+            "none of these laws is stable over the stretches of a muscle; no muscle file is written";
         Failure::new(NO_ANSWER, "no_answer", message, "add --stable, or take --law neo-hookean")
     })
 }

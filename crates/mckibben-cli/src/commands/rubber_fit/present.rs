@@ -38,7 +38,8 @@ fn weighting(settings: &FitSettings) -> String {
 /// Text for people.
 pub fn as_text(fit: &TensionFit, settings: &FitSettings, file: &str, written: Option<&Path>) -> String {
     let modes: Vec<(&str, String)> = fit.laws.first().map_or_else(Vec::new, |law| {
-        let range = |m: &ModeError| format!("{} points, to a stretch of {}", m.points, number(m.to_stretch, 3));
+        let range =
+            |m: &ModeError| format!("{} points, to a stretch of {}", m.points, number(m.to_stretch, 3));
         law.modes.iter().map(|m| (m.mode.name(), range(m))).collect()
     });
     let mut head = modes;
@@ -105,29 +106,24 @@ fn constant_rows(law: &FittedLaw) -> Vec<Vec<String>> {
 
 fn closing(fit: &TensionFit, written: Option<&Path>) -> String {
     let mut out = String::new();
-    let held = fit.laws.iter().filter(|l| l.constrained);
-    for stable in held {
-        if let Some(free) = fit.laws.iter().find(|l| l.form == stable.form && !l.constrained) {
-            let how = match stable.form {
-                Form::MooneyRivlin => "with C01 not below 0",
-                Form::Gent => "with a limit behind the muscle's stretches",
-                _ => "among its stable laws",
-            };
-            out.push_str(&format!(
-                "{} {how}: R² {:.5} instead of {:.5}.\n",
-                stable.form.name(),
-                stable.r_squared,
-                free.r_squared
-            ));
-        }
+    for law in &fit.laws {
+        let Some(free) = law.free_r_squared else { continue };
+        let how = match law.form {
+            Form::MooneyRivlin => "with C01 not below 0",
+            Form::Gent => "with a limit behind the muscle's stretches",
+            _ => "among its stable laws",
+        };
+        out.push_str(&format!("{} {how}: R² {:.5} instead of {free:.5}.\n", law.form.name(), law.r_squared));
     }
     match fit.recommended.and_then(|i| fit.laws.get(i)) {
         Some(law) => {
             let one = fit.laws.len() == 1;
-            let why = if one { "stable in a muscle" } else { "the lowest AICc of those to be trusted in a muscle" };
+            let why =
+                if one { "stable in a muscle" } else { "the lowest AICc of those to be trusted in a muscle" };
             out.push_str(&format!("→ {}: {why}.\n", title(law)));
         }
-        None => out.push_str("None of these laws is stable over the stretches of a muscle; --stable holds them.\n"),
+        None => out
+            .push_str("None of these laws is stable over the stretches of a muscle; --stable holds them.\n"),
     }
     if let Some(path) = written {
         let path = path.display();
@@ -158,6 +154,7 @@ fn law_json(law: &FittedLaw, fit: &TensionFit) -> Map<String, Value> {
     put("constrained", json!(law.constrained));
     put("shear_modulus_mpa", json!(law.law.shear_modulus_mpa()));
     put("r_squared", json!(law.r_squared));
+    put("free_r_squared", json!(law.free_r_squared));
     put("rms_mpa", json!(law.rms_mpa));
     put("relative_rms", json!(law.relative_rms));
     put("aicc", json!(law.aicc));

@@ -80,9 +80,13 @@ fn with_active(
         (false, true) => g(r - m, c) / size(r - m),
         (false, false) => 0.0,
     });
-    let right = DVector::from_fn(m + a, |r, _| {
-        if r < m { d[r] * unit[r] } else { cuts[active[r - m]].h / size(r - m) }
-    });
+    let right =
+        DVector::from_fn(
+            m + a,
+            |r, _| {
+                if r < m { d[r] * unit[r] } else { cuts[active[r - m]].h / size(r - m) }
+            },
+        );
     let inverse = kkt.try_inverse()?;
     let both = &inverse * right;
     if both.iter().any(|v| !v.is_finite()) || (m..m + a).any(|k| both[k] < 0.0) {

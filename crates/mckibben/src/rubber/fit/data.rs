@@ -179,9 +179,7 @@ impl<'a> Table<'a> {
         let line = record.position().map_or(0, csv::Position::line);
         let mode = match self.mode.and_then(|i| record.get(i)) {
             None => self.options.mode,
-            Some(text) => {
-                Mode::parse(text).ok_or_else(|| TensionError::Mode { line, text: text.into() })?
-            }
+            Some(text) => Mode::parse(text).ok_or_else(|| TensionError::Mode { line, text: text.into() })?,
         };
         let raw = self.number(record, self.stretch.0, line)?;
         let impossible = |expected| TensionError::Impossible {

@@ -51,6 +51,8 @@ pub struct FittedLaw {
     pub parameters: Vec<Parameter>,
     /// R² of the nominal stresses.
     pub r_squared: f64,
+    /// R² of the free fit, where this one was held.
+    pub free_r_squared: Option<f64>,
     /// Root mean square of the differences of nominal stress, in MPa.
     pub rms_mpa: f64,
     /// Root mean square of the differences over the measured stress, of points that pull.
@@ -94,7 +96,8 @@ pub(super) fn laws(
     if free.is_stable() && !has_negative_c01(&free.law) {
         return Ok(vec![free]);
     }
-    match stable() {
+    let beside = |held: FittedLaw| FittedLaw { free_r_squared: Some(free.r_squared), ..held };
+    match stable().map(beside) {
         Ok(held) if settings.stable => Ok(vec![held]),
         Ok(held) => Ok(vec![free, held]),
         Err(error) if settings.stable => Err(error),
@@ -140,9 +143,7 @@ fn judged(
     let (n, k) = (problem.counting() as f64, form.constants() as f64);
     // Exact data leave rounding only; its logarithm says nothing.
     let mean = (squares / n).max(1e-24);
-    let aicc = n * mean.ln()
-        + 2.0 * (k + 1.0)
-        + 2.0 * (k + 1.0) * (k + 2.0) / (n - k - 2.0).max(0.5);
+    let aicc = n * mean.ln() + 2.0 * (k + 1.0) + 2.0 * (k + 1.0) * (k + 2.0) / (n - k - 2.0).max(0.5);
     let differences: Vec<(f64, f64)> = problem
         .points
         .iter()
@@ -153,16 +154,15 @@ fn judged(
     let spread: f64 = differences.iter().map(|d| (d.1 - average).powi(2)).sum();
     let left: f64 = differences.iter().map(|d| d.0 * d.0).sum();
     let pulls = problem.points.iter().zip(&differences);
-    let pulls: Vec<f64> = pulls
-        .filter(|(p, d)| d.1 * (p.stretch - 1.0) > 0.0)
-        .map(|(_, d)| (d.0 / d.1).powi(2))
-        .collect();
+    let pulls: Vec<f64> =
+        pulls.filter(|(p, d)| d.1 * (p.stretch - 1.0) > 0.0).map(|(_, d)| (d.0 / d.1).powi(2)).collect();
     let modes = Mode::ALL.into_iter().filter_map(|mode| of_mode(mode, &law, problem, hoop)).collect();
     Ok(FittedLaw {
         form,
         constrained,
         parameters,
         r_squared: if spread > 0.0 { 1.0 - left / spread } else { 0.0 },
+        free_r_squared: None,
         rms_mpa: (left / count).sqrt(),
         relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
         aicc,

@@ -82,9 +82,7 @@ impl Form {
     pub(super) fn basis(self) -> Option<Vec<Law>> {
         let law = |c: [f64; 3]| match self {
             Form::NeoHookean => Some(Law::NeoHookean(NeoHookean { mu_mpa: c[0] })),
-            Form::MooneyRivlin => {
-                Some(Law::MooneyRivlin(MooneyRivlin { c10_mpa: c[0], c01_mpa: c[1] }))
-            }
+            Form::MooneyRivlin => Some(Law::MooneyRivlin(MooneyRivlin { c10_mpa: c[0], c01_mpa: c[1] })),
             Form::Yeoh => Some(Law::Yeoh(Yeoh { c10_mpa: c[0], c20_mpa: c[1], c30_mpa: c[2] })),
             Form::Gent | Form::Ogden { .. } => None,
         };

@@ -50,8 +50,7 @@ pub(super) fn fit(problem: &Problem, least_jm: Option<f64>) -> Result<Raw, Tensi
         ];
         match estimate(&of_q, &unknowns, &problem.weights, Loss::Squares) {
             Ok(found) => {
-                let squares: f64 =
-                    found.residuals.iter().zip(&problem.weights).map(|(r, w)| w * r * r).sum();
+                let squares: f64 = found.residuals.iter().zip(&problem.weights).map(|(r, w)| w * r * r).sum();
                 if best.as_ref().is_some_and(|b| b.0 <= squares * (1.0 + 1e-9)) {
                     continue;
                 }

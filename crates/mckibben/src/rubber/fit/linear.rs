@@ -54,8 +54,8 @@ pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw, 
     let unknowns: Vec<Unknown> =
         (0..basis.len()).map(|i| Unknown::free(0.0, scale(form, i, problem))).collect();
     let linear = Linear { columns: &columns, measured: problem.measured() };
-    let found = estimate(&linear, &unknowns, &problem.weights, Loss::Squares)
-        .map_err(|e| failed(e.to_string()))?;
+    let found =
+        estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| failed(e.to_string()))?;
     let scales = unknowns.iter().map(|u| u.scale).collect();
     Ok(Raw {
         constants: found.x,
@@ -96,7 +96,8 @@ pub(super) fn stable(
         if depth >= 0.5 * margin {
             let freedom = (problem.counting() + found.active.len()).saturating_sub(basis.len()).max(1);
             let squares = form.law_of(&found.x).and_then(|law| problem.squares(&law));
-            let deviation = (squares.ok_or_else(|| failed("a stress is not finite"))? / freedom as f64).sqrt();
+            let deviation =
+                (squares.ok_or_else(|| failed("a stress is not finite"))? / freedom as f64).sqrt();
             let on_own = |i: usize| {
                 let alone = |k: &usize| cuts[*k].g.iter().enumerate().all(|(j, g)| (j == i) == (*g != 0.0));
                 found.active.iter().any(alone)

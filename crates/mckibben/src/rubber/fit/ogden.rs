@@ -12,8 +12,7 @@ use super::{Raw, TensionFitError};
 use crate::least_squares::{Estimate, Loss, Residuals, Unknown, estimate};
 use crate::rubber::{Law, Ogden};
 
-const EXPONENTS: [f64; 14] =
-    [0.7, 1.3, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0, -0.7, -1.5, -2.5, -4.5, -8.0];
+const EXPONENTS: [f64; 14] = [0.7, 1.3, 2.0, 3.0, 4.0, 5.5, 7.5, 10.0, 14.0, -0.7, -1.5, -2.5, -4.5, -8.0];
 /// Smallest and largest |α|.
 const RANGE: (f64, f64) = (0.2, 25.0);
 /// Starts that are followed.
@@ -72,17 +71,14 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     for places in sets(columns.len(), count) {
         let chosen: Vec<Vec<f64>> = places.iter().map(|&k| columns[k].1.clone()).collect();
         let (n, d) = normal(&chosen, &measured, &problem.weights);
-        let positive = |i: usize| Inequality {
-            g: (0..count).map(|k| if k == i { 1.0 } else { 0.0 }).collect(),
-            h: 0.0,
-        };
+        let positive =
+            |i: usize| Inequality { g: (0..count).map(|k| if k == i { 1.0 } else { 0.0 }).collect(), h: 0.0 };
         let cuts: Vec<Inequality> = (0..count).map(positive).collect();
         let Some(found) = solve(&n, &d, &cuts) else { continue };
         if found.x.iter().any(|x| *x <= 0.0) {
             continue;
         }
-        let terms: Vec<(f64, f64)> =
-            places.iter().zip(&found.x).map(|(&k, x)| (*x, columns[k].0)).collect();
+        let terms: Vec<(f64, f64)> = places.iter().zip(&found.x).map(|(&k, x)| (*x, columns[k].0)).collect();
         let law = Law::Ogden(Ogden { terms: terms.iter().map(|t| (t.0 * t.1.signum(), t.1)).collect() });
         out.extend(problem.squares(&law).map(|squares| Start { squares, terms }));
     }
@@ -107,7 +103,8 @@ fn sets(count: usize, size: usize) -> Vec<Vec<usize>> {
 
 /// The fit.
 pub(super) fn fit(count: usize, problem: &Problem) -> Result<Raw, TensionFitError> {
-    let failed = |why: String| TensionFitError::NotConverged { law: Form::Ogden { terms: count }.name(), why };
+    let failed =
+        |why: String| TensionFitError::NotConverged { law: Form::Ogden { terms: count }.name(), why };
     let mut best: Option<(f64, Vec<f64>, Estimate)> = None;
     let mut why = None;
     for start in starts(count, problem) {
@@ -123,8 +120,7 @@ pub(super) fn fit(count: usize, problem: &Problem) -> Result<Raw, TensionFitErro
         let terms = Terms { problem, signs: signs.clone() };
         match estimate(&terms, &unknowns, &problem.weights, Loss::Squares) {
             Ok(found) => {
-                let squares: f64 =
-                    found.residuals.iter().zip(&problem.weights).map(|(r, w)| w * r * r).sum();
+                let squares: f64 = found.residuals.iter().zip(&problem.weights).map(|(r, w)| w * r * r).sum();
                 if best.as_ref().is_none_or(|b| squares < b.0 * (1.0 - 1e-9)) {
                     best = Some((squares, signs, found));
                 }

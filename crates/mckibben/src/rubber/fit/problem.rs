@@ -29,9 +29,8 @@ pub(super) struct Problem {
 impl Problem {
     pub fn new(points: Vec<TensionPoint>, measure: Measure, balance: bool, modes: &[(Mode, f64)]) -> Self {
         // A relative error needs a stress that pulls where the specimen is stretched.
-        let counts = |p: &TensionPoint| {
-            measure == Measure::Absolute || p.nominal_stress_mpa * (p.stretch - 1.0) > 0.0
-        };
+        let counts =
+            |p: &TensionPoint| measure == Measure::Absolute || p.nominal_stress_mpa * (p.stretch - 1.0) > 0.0;
         let divisor = |p: &TensionPoint| match measure {
             Measure::Relative if counts(p) => p.nominal_stress_mpa.abs(),
             _ => 1.0,

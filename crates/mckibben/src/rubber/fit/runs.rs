@@ -104,8 +104,11 @@ mod tests {
     use super::*;
 
     fn points(list: &[(f64, f64)]) -> Vec<TensionPoint> {
-        let one =
-            |&(stretch, nominal_stress_mpa)| TensionPoint { mode: Mode::Uniaxial, stretch, nominal_stress_mpa };
+        let one = |&(stretch, nominal_stress_mpa)| TensionPoint {
+            mode: Mode::Uniaxial,
+            stretch,
+            nominal_stress_mpa,
+        };
         list.iter().map(one).collect()
     }
 
@@ -113,7 +116,10 @@ mod tests {
     fn what_comes_after_a_rupture_is_left_out_and_the_next_specimen_is_not() {
         let one = [(1.0, 0.0), (1.5, 0.2), (2.0, 0.4), (2.1, 0.39), (2.2, 0.02), (2.3, 0.0)];
         let found = sort(&points(&one));
-        assert_eq!((found.kept.len(), found.after_rupture, found.unloadings), (3, vec![(Mode::Uniaxial, 3)], 0));
+        assert_eq!(
+            (found.kept.len(), found.after_rupture, found.unloadings),
+            (3, vec![(Mode::Uniaxial, 3)], 0)
+        );
         let two = [&one[..], &[(1.0, 0.0), (1.4, 0.2), (1.9, 0.4)]].concat();
         assert_eq!(sort(&points(&two)).kept.len(), 6);
     }

@@ -137,8 +137,7 @@ impl fmt::Display for TensionWarning {
 
 pub(super) fn of_runs(sorted: &Sorted) -> Vec<TensionWarning> {
     let ruptures = sorted.after_rupture.iter();
-    let mut out: Vec<_> =
-        ruptures.map(|&(mode, points)| TensionWarning::Rupture { mode, points }).collect();
+    let mut out: Vec<_> = ruptures.map(|&(mode, points)| TensionWarning::Rupture { mode, points }).collect();
     if sorted.unloadings > 0 {
         out.push(TensionWarning::Loops { unloadings: sorted.unloadings });
     }
@@ -167,7 +166,8 @@ pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) ->
 
 pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<TensionWarning> {
     let mut out = vec![];
-    let law = if fitted.constrained { format!("{}, held stable", fitted.form.name()) } else { fitted.form.name() };
+    let law =
+        if fitted.constrained { format!("{}, held stable", fitted.form.name()) } else { fitted.form.name() };
     if fitted.law.clone().validated().is_err() {
         let modulus_mpa = crate::rubber::RubberLaw::shear_modulus_mpa(&fitted.law);
         out.push(TensionWarning::NoStiffness { law: law.clone(), modulus_mpa });

@@ -159,11 +159,14 @@ fn intervals_hold_the_true_constants_as_often_as_they_say() {
 /// One axis, stiffening late: the free C01 is negative; held, it is 0 and the law is the neo-Hookean one.
 #[test]
 fn a_negative_c01_is_warned_of_and_the_neighbour_offered() {
-    let found = fit_tension(&shipped("silicones/dragon_skin_30.csv"), &FitSettings {
-        up_to_stretch: Some(3.0),
-        forms: vec![Form::MooneyRivlin, Form::NeoHookean],
-        ..FitSettings::default()
-    })
+    let found = fit_tension(
+        &shipped("silicones/dragon_skin_30.csv"),
+        &FitSettings {
+            up_to_stretch: Some(3.0),
+            forms: vec![Form::MooneyRivlin, Form::NeoHookean],
+            ..FitSettings::default()
+        },
+    )
     .unwrap();
     let of = |constrained: bool| {
         found.laws.iter().find(|l| l.form == Form::MooneyRivlin && l.constrained == constrained).unwrap()
@@ -236,9 +239,9 @@ fn balance_is_repetition() {
     let both = [&many[..], &few[..]].concat();
     let repeated = [&many[..], &few[..], &few[..], &few[..]].concat();
     let balanced = FitSettings { balance: true, ..only(Form::MooneyRivlin) };
-    let weighted =
-        FitSettings { mode_weights: vec![(Mode::Equibiaxial, 3.0)], ..only(Form::MooneyRivlin) };
-    let law_of = |data: &[TensionPoint], s: &FitSettings| fit_tension(data, s).unwrap().laws[0].law.constants();
+    let weighted = FitSettings { mode_weights: vec![(Mode::Equibiaxial, 3.0)], ..only(Form::MooneyRivlin) };
+    let law_of =
+        |data: &[TensionPoint], s: &FitSettings| fit_tension(data, s).unwrap().laws[0].law.constants();
     let reference = law_of(&repeated, &only(Form::MooneyRivlin));
     for found in [law_of(&both, &balanced), law_of(&both, &weighted)] {
         for (a, b) in found.iter().zip(&reference) {

@@ -11,11 +11,7 @@ fn read(text: &str) -> Result<Vec<TensionPoint>, TensionError> {
 /// λ = 1.5 and P = 0.3 MPa, said in many ways.
 #[test]
 fn headings_and_units_are_understood() {
-    let options = ReadOptions {
-        mode: Mode::Planar,
-        area_mm2: Some(10.0),
-        gauge_length_mm: Some(40.0),
-    };
+    let options = ReadOptions { mode: Mode::Planar, area_mm2: Some(10.0), gauge_length_mm: Some(40.0) };
     for text in [
         "stretch,nominal_stress_MPa\n1.5,0.3\n",
         "Engineering strain,Stress (kPa)\n0.5,300\n",
