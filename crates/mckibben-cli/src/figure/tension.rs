@@ -12,8 +12,9 @@ const WITHOUT_POINTS: f64 = 2.0;
 /// One panel a test, also for tests without points: there the laws part. Laws that are unstable in a muscle are dashed.
 pub fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
-    let about = format!("Points of {file}. Dashed: unstable over the stretches of a muscle");
-    let mut figure = Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3);
+    let about = format!("Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle");
+    let mut figure =
+        Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);
     for mode in Mode::ALL {
         figure = figure.panel(panel(mode, fit, &laws));
     }
@@ -42,7 +43,7 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
     let top = heights.iter().copied().fold(0.0, f64::max);
     let bottom = heights.iter().copied().fold(0.0, f64::min);
     let x = Axis::new("stretch λ [–]").range(low, end + 0.03 * (end - low));
-    let mut y = Axis::new("nominal stress P [MPa]");
+    let mut y = Axis::new("stress P [MPa]");
     if top > bottom {
         y = y.range(1.05 * bottom, 1.08 * top);
     }

@@ -113,6 +113,7 @@ const LARGEST_STRETCH: f64 = 25.0;
 ///
 /// # Errors
 /// [`TensionError`] names line and column.
+// Bytes that are not UTF-8 (a degree sign or ² from an old program) are no reason to refuse a table of numbers.
 pub fn read_tension(mut input: impl Read, options: ReadOptions) -> Result<Vec<TensionPoint>, TensionError> {
     let mut bytes = vec![];
     input.read_to_end(&mut bytes)?;
@@ -123,7 +124,7 @@ pub fn read_tension(mut input: impl Read, options: ReadOptions) -> Result<Vec<Te
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
         .delimiter(separator)
-        .from_reader(bytes.as_slice());
+        .from_reader(text.as_bytes());
     let header = reader.headers()?.clone();
     let table = Table::new(&header, options, separator != b',')?;
     let mut points = vec![];
