@@ -9,10 +9,12 @@ const LAWS: usize = 6;
 /// Stretch to which a test without points is drawn.
 const WITHOUT_POINTS: f64 = 2.0;
 
-/// One panel a test, also for tests without points: there the laws part. Laws that are unstable in a muscle are dashed.
+/// One panel a test, also for tests without points: there the laws part. Laws that are unstable in a muscle are dashed, those held stable dotted.
 pub fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
-    let about = format!("Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle");
+    let about = format!(
+        "Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle; dotted: held stable"
+    );
     let mut figure =
         Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);
     for mode in Mode::ALL {
@@ -57,7 +59,12 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
     for (n, law) in laws.iter().enumerate() {
         let at = |i: u32| low + (end - low) * f64::from(i) / 120.0;
         let line: Vec<(f64, f64)> = (0..=120).map(|i| (at(i), stress(law, at(i)))).collect();
-        let style = if law.is_stable() { Style::Line } else { Style::Dashed };
+        // A law on its bound may lie on another one, as Mooney–Rivlin with C01 = 0 on the neo-Hookean.
+        let style = match (law.is_stable(), law.constrained) {
+            (false, _) => Style::Dashed,
+            (true, true) => Style::Dotted,
+            (true, false) => Style::Line,
+        };
         let held = if law.constrained { ", held stable" } else { "" };
         let label = labelled(format!("{}{held}", law.form.name()));
         panel = panel.series(Series::new(label, line).colour(n).style(style));

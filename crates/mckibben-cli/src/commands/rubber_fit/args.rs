@@ -91,7 +91,7 @@ impl RubberFitArgs {
     pub fn read_options(&self) -> Result<ReadOptions, Failure> {
         let positive = |flag: &str, text: &Option<String>, dimension| {
             let found = resolve::quantity(flag, text.as_deref(), dimension)?;
-            match found.filter(|v| !(*v > 0.0)) {
+            match found.filter(|v| *v <= 0.0) {
                 Some(v) => {
                     Err(Failure::input("quantity", format!("{flag} is {v}; it must be above zero"), ""))
                 }

@@ -75,7 +75,7 @@ pub fn as_text(fit: &TensionFit, settings: &FitSettings, file: &str, written: Op
     let laws = table(&header, rows.collect());
     let constants = table(
         &["law", "constant", "value", "standard error", "unit", "told by the data"],
-        fit.laws.iter().flat_map(|l| constant_rows(l)).collect(),
+        fit.laws.iter().flat_map(constant_rows).collect(),
     );
     format!("Tension tests {file}\n{}\n{laws}\n{constants}\n{}", pairs(&head), closing(fit, written))
 }

@@ -222,7 +222,7 @@ impl<'a> Table<'a> {
             StressKind::True(k) => k * stress / stretch,
             StressKind::Force(k) => k * stress / self.options.area_mm2.unwrap_or(f64::NAN),
         };
-        if !(nominal_stress_mpa.abs() < 1e6) {
+        if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() >= 1e6 {
             return Err(TensionError::Impossible {
                 line,
                 column: self.header[self.stress.0].into(),

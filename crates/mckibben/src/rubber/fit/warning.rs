@@ -1,6 +1,6 @@
 //! What to mind about tests and laws.
 
-use super::fitted::FittedLaw;
+use super::fitted::{FittedLaw, Parameter};
 use super::mode::Mode;
 use super::problem::Problem;
 use super::runs::Sorted;
@@ -182,10 +182,12 @@ pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<TensionWarning> {
     {
         out.push(TensionWarning::NegativeC01 { c01_mpa: m.c01_mpa });
     }
+    // The bound of a law held stable is no want of data.
+    let on_purpose = |p: &Parameter| fitted.constrained && p.standard_error == Some(0.0);
     let names: Vec<String> = fitted
         .parameters
         .iter()
-        .filter(|p| !p.identifiable && !(fitted.constrained && p.standard_error == Some(0.0)))
+        .filter(|p| !p.identifiable && !on_purpose(p))
         .map(|p| p.name.clone())
         .collect();
     if !names.is_empty() {
