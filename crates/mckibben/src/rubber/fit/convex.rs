@@ -115,7 +115,7 @@ mod tests {
         let n = DMatrix::from_diagonal(&DVector::from_vec(vec![2.0, 2.0]));
         let d = DVector::from_vec(vec![2.0, -4.0]);
         let cut = Inequality { g: vec![0.0, 1.0], h: 0.0 };
-        let found = solve(&n, &d, &[cut.clone()]).unwrap();
+        let found = solve(&n, &d, std::slice::from_ref(&cut)).unwrap();
         assert!((found.x[0] - 1.0).abs() < 1e-12 && found.x[1].abs() < 1e-12);
         assert!((found.variances[0] - 0.5).abs() < 1e-12 && found.variances[1].abs() < 1e-12);
         let against = Inequality { g: vec![0.0, -1.0], h: 1.0 };
