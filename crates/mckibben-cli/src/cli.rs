@@ -5,6 +5,7 @@ mod campaign;
 pub use campaign::{CampaignArgs, CampaignCommand, CampaignMergeArgs, CampaignRunArgs, CampaignShowArgs};
 
 use crate::commands::fit::{FitArgs, FormulaShowArgs};
+use crate::commands::rubber_fit::RubberFitArgs;
 use crate::flags::{AskFlags, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -122,6 +123,12 @@ const COMPARE_EXAMPLES: &str = "Examples:
   mckibben compare --models ideal,paper,thick-wall -p 1,2bar
   mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
     --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor";
+
+const RUBBER_FIT_EXAMPLES: &str = "Examples:
+  mckibben rubber fit data/treloar/tension.csv --law yeoh --relative
+  mckibben rubber fit data/silicones/dragon_skin_30.csv --up-to 200% \\
+    --plot rubber.svg -o silicone.toml
+  mckibben force --muscle silicone.toml -p 2bar -e 10%";
 
 /// `force`.
 #[derive(Debug, Args)]
@@ -534,6 +541,9 @@ pub enum RubberCommand {
     /// One rubber: its laws, constants, source and terms
     #[command(after_help = "Example:\n  mckibben rubber show dragon-skin-30")]
     Show(RubberShowArgs),
+    /// Laws from tension tests: constants with their errors, and where they are stable
+    #[command(after_help = RUBBER_FIT_EXAMPLES)]
+    Fit(Box<RubberFitArgs>),
 }
 
 /// `rubber list`.
