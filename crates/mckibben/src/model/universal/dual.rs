@@ -28,6 +28,11 @@ impl Dual {
         self.chain(root, if root > 0.0 { 0.5 / root } else { 0.0 })
     }
 
+    pub fn tanh(self) -> Self {
+        let t = self.v.tanh();
+        self.chain(t, 1.0 - t * t)
+    }
+
     pub fn squared(self) -> Self {
         self.chain(self.v * self.v, 2.0 * self.v)
     }

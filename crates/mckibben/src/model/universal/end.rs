@@ -14,6 +14,10 @@
 //! and the volume likewise. The integrand is smooth; the rule of Radau with two points (Ro and two thirds of the way, weights ¼ and ¾)
 //! is used. Derived here. Strands that do not stretch tie λs to r; T is then (U − H)/λs.
 //!
+//! The way back from the bulge decays like e^(−Z/ℓ); in a short muscle the two ends meet before they are through. In the linear theory
+//! that makes δ smaller by the factor tanh(½L0/ℓ). Here it is tanh(1.2 · ½L0/ℓ) with the ℓ = (b − r)/(λs sinφ) found at the second
+//! point.
+//!
 //! Where the muscle would have to push, no such shape need exist; T and the axial load are kept above zero and cosφ below one by smooth
 //! floors that do nothing where it pulls.
 
@@ -30,6 +34,8 @@ const LEAST_TENSION: f64 = 0.02;
 const LEAST_SLOPE: (f64, f64) = (0.01, 0.01);
 /// |b − Ro|/Ro below which the end is that of the linear theory.
 const SMALL: f64 = 1e-5;
+/// Factor of ½L0/ℓ where the ends meet: in large bulges ℓ falls on the way to the middle. Chosen on the campaign.
+const MEETING: f64 = 1.2;
 const ITERATIONS: usize = 40;
 
 /// What the end zone gives, per end.
@@ -55,6 +61,8 @@ pub(super) struct EndZone {
     pub ro: f64,
     /// 2π Ro s μ
     pub scale: f64,
+    /// ½L0
+    pub half: f64,
 }
 
 /// λs and T at a radius.
@@ -76,7 +84,7 @@ impl EndZone {
         if way.v.abs() < SMALL * self.ro {
             return Some(self.linear(l, state, way, axial.positive(least)));
         }
-        let mut end = None;
+        let (mut end, mut decay) = (None, Dual::default());
         let mut deficit = Dual::default();
         let mut volume_mm3 = 0.0;
         for (place, weight) in RADAU {
@@ -93,14 +101,18 @@ impl EndZone {
             let per_r = stretch * sin;
             deficit = deficit + (stretch * cos - lambda) / per_r * weight;
             volume_mm3 += weight * PI * (r.v * r.v * stretch.v * cos.v - b.v * b.v * l) / per_r.v;
+            // The last point says how fast the bulge decays.
+            decay = per_r / (b - r);
             end.get_or_insert((stretch - lambda, sin, tension * (1.0 / self.scale)));
         }
         let (excess, slope, tension) = end?;
         let length = if way.v < 0.0 { -way } else { way };
-        let deficit = deficit * length;
+        let decay = if way.v < 0.0 { -decay } else { decay };
+        let meeting = (decay * (MEETING * self.half)).tanh();
+        let deficit = deficit * length * meeting;
         (deficit.v.is_finite() && deficit.by.iter().all(|d| d.is_finite())).then_some(End {
             deficit,
-            volume_mm3: volume_mm3 * length.v,
+            volume_mm3: volume_mm3 * length.v * meeting.v,
             excess,
             slope,
             tension,
@@ -110,6 +122,7 @@ impl EndZone {
     /// Hardly any bulge: r − b decays like e^(−Z/ℓ), ℓ² = (T/λ)/(d²(Π − Fλ)/dr²).
     fn linear(&self, l: f64, state: &State, way: Dual, axial: Dual) -> End {
         let length = if state.radial > 0.0 { (axial.v / (l * state.radial)).sqrt() } else { 0.0 };
+        let length = if length > 0.0 { length * (MEETING * self.half / length).tanh() } else { 0.0 };
         End {
             deficit: way * (-state.stretch_by_r * length),
             volume_mm3: 0.0,

@@ -79,7 +79,7 @@ impl Universal {
         let tube = muscle.tube();
         let (ro, mu) = (tube.outer_radius_mm(), tube.rubber.law.shear_modulus_mpa());
         let wall = tube.wall_mm / ro;
-        let zone = EndZone { wall: ThickWall::new(muscle), ro, scale: 2.0 * PI * ro * tube.wall_mm * mu };
+        let zone = EndZone { wall: ThickWall::new(muscle), ro, scale: 2.0 * PI * ro * tube.wall_mm * mu, half: 0.5 * tube.length_mm };
         let angle = 4.0 * muscle.braid().angle_rad().sin().powi(2);
         let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
         let source = format!("endless muscle with computed ends; {}", formula.provenance.method);
