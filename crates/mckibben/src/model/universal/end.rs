@@ -28,14 +28,16 @@ use std::f64::consts::PI;
 
 /// Places between Ro and b, and weights.
 const RADAU: [(f64, f64); 2] = [(0.0, 0.25), (2.0 / 3.0, 0.75)];
-/// Floor of T and of the load, as a share of 2π Ro s μ.
-const LEAST_TENSION: f64 = 0.02;
+/// Floor of T and of the load as a share of 2π Ro s μ, and the width of the passage to it.
+const LEAST_TENSION: (f64, f64) = (0.01, 0.02);
 /// Floor of 1 − cosφ as a share of ((b − r)/Ro)², and the width of the passage to it.
 const LEAST_SLOPE: (f64, f64) = (0.01, 0.01);
 /// |b − Ro|/Ro below which the end is that of the linear theory.
 const SMALL: f64 = 1e-5;
 /// Factor of ½L0/ℓ where the ends meet: in large bulges ℓ falls on the way to the middle. Chosen on the campaign.
 const MEETING: f64 = 1.2;
+/// A step of Newton's method this small leaves an error of its square.
+const SMALL_STEP: f64 = 1e-10;
 const ITERATIONS: usize = 40;
 
 /// What the end zone gives, per end.
@@ -79,10 +81,14 @@ impl EndZone {
         let b = Dual::new(state.r, state.r_by);
         let axial = Dual::new(state.axial, state.axial_by);
         let h = Dual::new(state.energy, state.energy_by) - axial * lambda;
-        let least = Dual::constant(LEAST_TENSION * self.scale);
+        let (least, width) = (LEAST_TENSION.0 * self.scale, LEAST_TENSION.1 * self.scale);
+        let kept = |x: Dual| {
+            let least = Dual::constant(least);
+            least + (x - least).positive(Dual::constant(width))
+        };
         let way = b - Dual::constant(self.ro);
         if way.v.abs() < SMALL * self.ro {
-            return Some(self.linear(l, state, way, axial.positive(least)));
+            return Some(self.linear(l, state, way, kept(axial)));
         }
         let (mut end, mut decay) = (None, Dual::default());
         let mut deficit = Dual::default();
@@ -90,8 +96,8 @@ impl EndZone {
         for (place, weight) in RADAU {
             let r = Dual::constant(self.ro) + way * place;
             let Section { stretch, tension } = self.section(r, h, l, state)?;
-            let tension = tension.positive(least);
-            let load = (axial + pressure * (r.squared() - b.squared()) * PI).positive(least);
+            let tension = kept(tension);
+            let load = kept(axial + pressure * (r.squared() - b.squared()) * PI);
             let near = ((b - r) * (1.0 / self.ro)).squared();
             // 1 − cosφ above its floor
             let above = (Dual::constant(1.0) - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
@@ -164,7 +170,7 @@ impl EndZone {
                 return None;
             }
             let step = value / (l * e.ll);
-            if step.abs() < 1e-6 * l {
+            if step.abs() < SMALL_STEP * l {
                 return Some(self.solved(r, h, l, step, &e));
             }
             if value > 0.0 {

@@ -35,7 +35,7 @@ use std::sync::Arc;
 /// Newton steps in λ; three are usual.
 const ITERATIONS: usize = 60;
 /// A step this small leaves an error of its square.
-const SMALL_STEP: f64 = 1e-6;
+const SMALL_STEP: f64 = 1e-7;
 /// Largest step.
 const LARGEST_STEP: f64 = 0.15;
 
