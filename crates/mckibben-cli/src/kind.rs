@@ -18,6 +18,14 @@ pub enum Kind {
     Formula(&'static Arc<Formula>),
     /// A fitted formula for muscles of every make, likewise.
     Universal(&'static Arc<UniversalFormula>),
+    /// What `design` proposes with outside of the paper's box: `universal` where the muscle, the highest pressure and the largest
+    /// contraction lie in its box, else `thick-wall`.
+    Proposing {
+        /// Highest pressure in MPa.
+        pressure_mpa: f64,
+        /// Largest contraction.
+        contraction: f64,
+    },
 }
 
 const FE: &str = "fe";
@@ -62,6 +70,7 @@ impl Kind {
             Kind::Fe(_) => FE,
             Kind::Formula(formula) => &formula.name,
             Kind::Universal(formula) => &formula.name,
+            Kind::Proposing { .. } => ModelKind::Universal.name(),
         }
     }
 
@@ -84,7 +93,22 @@ impl Kind {
             },
             Kind::Formula(formula) => Ok(Box::new(FormulaModel::new(Arc::clone(formula), muscle))),
             Kind::Universal(formula) => Ok(Box::new(Universal::new(Arc::clone(formula), muscle))),
+            Kind::Proposing { pressure_mpa, contraction } => {
+                let model = ModelKind::Universal.build(muscle)?;
+                match model.range().check(model.name(), pressure_mpa, contraction) {
+                    Ok(()) => Ok(model),
+                    Err(_) => ModelKind::ThickWall.build(muscle),
+                }
+            }
         }
+    }
+
+    /// Why a muscle is not answered by the model of this name but by `thick-wall`; `None` where it is.
+    pub fn replaced(self, muscle: &Muscle) -> Option<String> {
+        let Kind::Proposing { pressure_mpa, contraction } = self else { return None };
+        let model = ModelKind::Universal.build(muscle).ok()?;
+        let outside = model.range().check(model.name(), pressure_mpa, contraction).err()?;
+        Some(format!("by thick-wall, since it is {outside}"))
     }
 }
 
