@@ -49,8 +49,11 @@ impl UniversalRange {
         let ideal = muscle.max_ideal_contraction();
         let (low, high) = self.contraction_of_ideal;
         ModelRange {
-            pressure_mpa: (self.pressure_per_modulus.0 * mu, self.highest_pressure_mpa(muscle)),
-            contraction: (low * ideal, high * ideal),
+            pressure_mpa: (
+                self.pressure_per_modulus.0 * mu,
+                (1e5 * self.highest_pressure_mpa(muscle)).floor() / 1e5,
+            ),
+            contraction: (low * ideal, (1e5 * high * ideal).ceil() / 1e5),
             muscle: outside,
             make: vec![],
         }
