@@ -466,7 +466,7 @@ pub struct DesignArgs {
     /// Spread of the winner's pull for ± tolerances: wall=0.1mm,diameter=0.2mm,pressure=0.1bar
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
     pub tolerance: Option<String>,
-    /// Force model [paper where the search stays in its box, else thick-wall]
+    /// Force model [paper where the search stays in its box, else universal]
     #[arg(long, value_name = "NAME", help_heading = "Model")]
     pub model: Option<String>,
     /// Mesh of `fe`, as for the other commands [chosen]
