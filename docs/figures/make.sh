@@ -6,3 +6,5 @@ mckibben=${MCKIBBEN:-target/release/mckibben}
 "$mckibben" compare --models fe,paper,thick-wall,ideal --plot docs/figures/models.svg >/dev/null
 "$mckibben" simulate examples/prototype.toml -e 0,10,20% -p 0.1,0.25 --plot docs/figures/simulate.svg >/dev/null
 "$mckibben" simulate examples/prototype.toml -e 15% -p 0.25 --picture docs/figures/picture.png --show stress_hoop_mpa --cut >/dev/null
+"$mckibben" rubber fit data/treloar/tension.csv --up-to 3 --plot docs/figures/rubber-treloar.svg >/dev/null
+"$mckibben" rubber fit data/silicones/dragon_skin_30.csv --up-to 200% --plot docs/figures/rubber-silicone.svg >/dev/null

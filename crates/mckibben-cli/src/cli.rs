@@ -5,6 +5,7 @@ mod campaign;
 pub use campaign::{CampaignArgs, CampaignCommand, CampaignMergeArgs, CampaignRunArgs, CampaignShowArgs};
 
 use crate::commands::fit::{FitArgs, FormulaShowArgs};
+use crate::commands::rubber_fit::RubberFitArgs;
 use crate::flags::{AskFlags, MatchWord, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -124,6 +125,12 @@ const COMPARE_EXAMPLES: &str = "Examples:
   mckibben compare --models ideal,paper,thick-wall -p 1,2bar
   mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
     --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor";
+
+const RUBBER_FIT_EXAMPLES: &str = "Examples:
+  mckibben rubber fit data/treloar/tension.csv --law yeoh --relative
+  mckibben rubber fit data/silicones/dragon_skin_30.csv --up-to 200% \\
+    --plot rubber.svg -o silicone.toml
+  mckibben force --muscle silicone.toml -p 2bar -e 10%";
 
 /// `force`.
 #[derive(Debug, Args)]
@@ -471,7 +478,7 @@ pub struct DesignArgs {
     /// Spread of the winner's pull for ± tolerances: wall=0.1mm,diameter=0.2mm,pressure=0.1bar
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
     pub tolerance: Option<String>,
-    /// Force model [paper where the search stays in its box, else thick-wall]
+    /// Force model [paper where the search stays in its box, else universal]
     #[arg(long, value_name = "NAME", help_heading = "Model")]
     pub model: Option<String>,
     /// Mesh of `fe` or `fe3d`, as for the other commands [chosen]
@@ -546,6 +553,9 @@ pub enum RubberCommand {
     /// One rubber: its laws, constants, source and terms
     #[command(after_help = "Example:\n  mckibben rubber show dragon-skin-30")]
     Show(RubberShowArgs),
+    /// Laws from tension tests: constants with their errors, and where they are stable
+    #[command(after_help = RUBBER_FIT_EXAMPLES)]
+    Fit(Box<RubberFitArgs>),
 }
 
 /// `rubber list`.

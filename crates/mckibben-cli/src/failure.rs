@@ -7,6 +7,7 @@ use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
+use mckibben::rubber::fit::TensionFitError;
 use mckibben::study::StudyError;
 use mckibben::units::{QuantityError, RangeError};
 use mckibben_campaign::campaign::CampaignError;
@@ -193,6 +194,22 @@ impl From<StudyError> for Failure {
             StudyError::Model(error) => error.into(),
             StudyError::Analysis(error) => error.into(),
             StudyError::Muscle(_) => Self::input("muscle", message, ""),
+        }
+    }
+}
+
+impl From<TensionFitError> for Failure {
+    fn from(error: TensionFitError) -> Self {
+        let message = error.to_string();
+        match error {
+            TensionFitError::NotConverged { .. } => Self::new(NOT_CONVERGED, "not_converged", message, ""),
+            TensionFitError::NoBetter { .. } => {
+                Self::new(NO_ANSWER, "no_answer", message, "take --terms with a smaller number")
+            }
+            TensionFitError::TooFew { .. } => {
+                Self::input("fit", message, "take a law with fewer constants, or leave --up-to out")
+            }
+            _ => Self::input("fit", message, ""),
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::flags::MatchWord;
-use mckibben::formula::{Formula, FormulaModel};
-use mckibben::model::{ForceModel, ModelError, ModelKind};
+use mckibben::formula::{Document, Formula, FormulaModel, UniversalFormula};
+use mckibben::model::{ForceModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::{Axisymmetric, FemError, MeshSpec};
 use mckibben_fem::simulation::Simulation;
@@ -21,6 +21,16 @@ pub enum Kind {
     Fe3d(BrickSpec),
     /// A fitted formula. It is read once and kept until the program ends, so that a kind stays a small value.
     Formula(&'static Arc<Formula>),
+    /// A fitted formula for muscles of every make, likewise.
+    Universal(&'static Arc<UniversalFormula>),
+    /// What `design` proposes with outside of the paper's box: `universal` where the muscle, the highest pressure and the largest
+    /// contraction lie in its box, else `thick-wall`.
+    Proposing {
+        /// Highest pressure in MPa.
+        pressure_mpa: f64,
+        /// Largest contraction.
+        contraction: f64,
+    },
 }
 
 const FE: &str = "fe";
@@ -48,7 +58,10 @@ impl Kind {
         }
         let is_file = || name.parse::<ModelKind>().is_err() && std::path::Path::new(name).is_file();
         if name.to_ascii_lowercase().ends_with(".json") || is_file() {
-            return Ok(Kind::Formula(Box::leak(Box::new(Arc::new(Formula::read(name)?)))));
+            return Ok(match Document::read(name)? {
+                Document::Section(f) => Kind::Formula(Box::leak(Box::new(Arc::new(f)))),
+                Document::Universal(f) => Kind::Universal(Box::leak(Box::new(Arc::new(f)))),
+            });
         }
         let known = name.parse::<ModelKind>();
         known.map(Kind::Closed).map_err(|e| {
@@ -70,6 +83,8 @@ impl Kind {
             Kind::Fe(_) => FE,
             Kind::Fe3d(_) => FE3D,
             Kind::Formula(formula) => &formula.name,
+            Kind::Universal(formula) => &formula.name,
+            Kind::Proposing { .. } => ModelKind::Universal.name(),
         }
     }
 
@@ -95,7 +110,23 @@ impl Kind {
                 Err(error) => Err(error.into_model(0.0, 0.0)),
             },
             Kind::Formula(formula) => Ok(Box::new(FormulaModel::new(Arc::clone(formula), muscle))),
+            Kind::Universal(formula) => Ok(Box::new(Universal::new(Arc::clone(formula), muscle))),
+            Kind::Proposing { pressure_mpa, contraction } => {
+                let model = ModelKind::Universal.build(muscle)?;
+                match model.range().check(model.name(), pressure_mpa, contraction) {
+                    Ok(()) => Ok(model),
+                    Err(_) => ModelKind::ThickWall.build(muscle),
+                }
+            }
         }
+    }
+
+    /// Why a muscle is not answered by the model of this name but by `thick-wall`; `None` where it is.
+    pub fn replaced(self, muscle: &Muscle) -> Option<String> {
+        let Kind::Proposing { pressure_mpa, contraction } = self else { return None };
+        let model = ModelKind::Universal.build(muscle).ok()?;
+        let outside = model.range().check(model.name(), pressure_mpa, contraction).err()?;
+        Some(format!("by thick-wall, since it is {outside}"))
     }
 }
 
@@ -125,7 +156,7 @@ impl Kind {
             Kind::Fe3d(spec) => {
                 Some(ThreeDimensional::with_mesh(muscle, &spec).map(Meshed::ThreeDimensional))
             }
-            Kind::Closed(_) | Kind::Formula(_) => None,
+            _ => None,
         }
     }
 }

@@ -134,7 +134,9 @@ fn maxwell_holds_where_the_force_is_the_slope_of_an_energy() {
 #[test]
 fn presets_say_what_they_ignore() {
     for model in every_model() {
-        assert_eq!(model.notes().is_empty(), !model.name().starts_with("festo"), "{}", model.name());
+        // The muscle has an end factor, which the universal formulas replace by their ends.
+        let ignores = ["festo", "universal"].iter().any(|word| model.name().starts_with(word));
+        assert_eq!(model.notes().is_empty(), !ignores, "{}", model.name());
     }
 }
 

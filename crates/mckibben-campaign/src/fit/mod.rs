@@ -1,4 +1,4 @@
-//! Formulas from tables: the paper's seven steps, and one least-squares problem.
+//! Formulas from tables: the paper's seven steps, one least-squares problem, and the ends of muscles of every make.
 
 pub mod constants;
 pub mod data;
@@ -13,6 +13,7 @@ pub mod polynomial;
 pub mod results;
 pub mod signs;
 pub mod tables;
+pub mod universal;
 
 pub use error::FitError;
 pub use global::{GlobalFit, global};

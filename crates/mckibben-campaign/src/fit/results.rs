@@ -11,6 +11,7 @@ use super::error::FitError;
 use super::errors::{Errors, compared, errors};
 use super::make::{Method, Request, make};
 use super::paper_method::{Rules, SlackRule, ThinRule};
+use super::universal::{HeldOutRow, held_out, held_out_samples};
 use mckibben::formula::{Formula, Made};
 use mckibben::model::Coefficients;
 use mckibben::muscle::Muscle;
@@ -44,7 +45,12 @@ pub struct Results {
     pub seconds: f64,
     /// Terms of the `global` formula.
     pub global_terms: usize,
+    /// Models on random muscles that no fit has seen.
+    pub random_muscles: Vec<HeldOutRow>,
 }
+
+/// Random muscles of the last table, and their seed.
+const RANDOM: (usize, u64) = (500, 7);
 
 fn force(c: &Coefficients, p: &FitPoint) -> f64 {
     c.section(p.outer_diameter_mm, p.wall_mm).force_n(p.pressure_mpa, p.contraction)
@@ -175,7 +181,9 @@ pub fn results() -> Result<Results, FitError> {
     out.add("paper's method on our FE vs FE, D0 35", None, &all, difference, |p| {
         same(p.outer_diameter_mm, HELD_OUT)
     })?;
-    Ok(Results { findings: out.0, constants, seconds, global_terms: terms(&global) })
+    let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
+    let global_terms = terms(&global);
+    Ok(Results { findings: out.0, constants, seconds, global_terms, random_muscles })
 }
 
 fn terms(f: &Formula) -> usize {

@@ -61,9 +61,9 @@ pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
     }
     let text = match args.format {
         Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads, &checked)),
-        Format::Csv => {
-            csv::rows(&outcome.candidates.iter().map(present::candidate_json).collect::<Vec<_>>())?
-        }
+        Format::Csv => csv::rows(
+            &outcome.candidates.iter().map(|c| present::candidate_json(c, kind)).collect::<Vec<_>>(),
+        )?,
         Format::Text => {
             let mut text = present::as_text(&spec, kind, &outcome, &spreads, &checked, p);
             if !drawn.is_empty() && !args.no_chart {
@@ -165,7 +165,10 @@ fn specification(args: &DesignArgs) -> Result<(Spec, Kind), Failure> {
     let kind = match &args.model {
         Some(name) => Kind::parse(name, &MeshFlags { text: args.mesh.as_deref(), ..MeshFlags::default() })?,
         None if inside_paper(&spec) => Kind::Closed(ModelKind::Paper),
-        None => Kind::Closed(ModelKind::ThickWall),
+        None => Kind::Proposing {
+            pressure_mpa: spec.max_pressure_mpa,
+            contraction: spec.points.iter().map(|q| q.contraction).fold(0.0, f64::max),
+        },
     };
     let (diameters, walls) = kind.sections().unwrap_or(((5.0, 80.0), (0.5, 10.0)));
     spec.outer_diameter_mm = diameter.unwrap_or(Values::Interval(diameters.0, diameters.1));

@@ -1,23 +1,45 @@
 //! `formula show`: a fitted formula.
 
-use super::fit::{FormulaShowArgs, error_rows, errors_table, made_text, range_text, terms};
+use super::fit::{FormulaShowArgs, error_rows, errors_table, made_text, range_text, terms, universal_text};
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::text::{number, pairs, table};
 use crate::output::{csv, emit, json};
-use mckibben::formula::{Body, Formula, paper_terms};
+use mckibben::formula::{Body, Document, Formula, UniversalFormula, paper_terms};
+use mckibben::model::ModelKind;
+use serde_json::Value;
 
 /// Runs the command.
 pub fn show(args: &FormulaShowArgs) -> Result<u8, Failure> {
-    let formula = Formula::read(&args.file)?;
+    let document = document(args)?;
+    let (value, latex): (Value, String) = match &document {
+        Document::Section(f) => (f.to_value(), f.to_latex()),
+        Document::Universal(f) => (f.to_value(), f.to_latex()),
+    };
     let text = match args.output.format {
-        _ if args.latex => formula.to_latex(),
-        Format::Json => json::print(&formula.to_value()),
-        Format::Csv => csv::rows(&terms(&formula.to_value()))?,
-        Format::Text => as_text(&formula),
+        _ if args.latex => latex,
+        Format::Json => json::print(&value),
+        Format::Csv => csv::rows(&terms(&value))?,
+        Format::Text => match &document {
+            Document::Section(f) => as_text(f),
+            Document::Universal(f) => universal_text(f),
+        },
     };
     emit(&text, args.output.output.as_deref())?;
     Ok(0)
+}
+
+/// A file, or a built-in formula by its name.
+fn document(args: &FormulaShowArgs) -> Result<Document, Failure> {
+    let built_in = match args.file.to_str() {
+        Some(name) if name == ModelKind::Universal.name() => UniversalFormula::large(),
+        Some(name) if name == ModelKind::UniversalSmall.name() => UniversalFormula::small(),
+        _ => None,
+    };
+    match built_in {
+        Some(formula) => Ok(Document::Universal((*formula).clone())),
+        None => Ok(Document::read(&args.file)?),
+    }
 }
 
 fn as_text(f: &Formula) -> String {

@@ -9,6 +9,7 @@ mod formula;
 mod models;
 mod muscle;
 mod rubber;
+pub mod rubber_fit;
 mod simulate;
 mod study;
 mod validate;
@@ -37,6 +38,7 @@ pub fn run(command: Command) -> Result<u8, Failure> {
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args),
         Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args),
+        Command::Rubber(RubberCommand::Fit(args)) => rubber_fit::run(&args),
         Command::Models(args) => models::run(&args),
         Command::Completions { shell } => {
             // Into memory first: clap_complete panics where it cannot write.

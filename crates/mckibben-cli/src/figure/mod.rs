@@ -7,6 +7,7 @@ mod fit;
 mod picture;
 mod simulate;
 mod study;
+mod tension;
 
 pub use compare::compare;
 pub use curves::curves;
@@ -15,6 +16,7 @@ pub use fit::{against_points, paper_figures};
 pub use picture::{Wanted, check_picture, picture};
 pub use simulate::simulate;
 pub use study::study;
+pub use tension::tension;
 
 /// The small line below every figure.
 fn caption(text: impl std::fmt::Display) -> String {

@@ -61,7 +61,8 @@ pub struct BrickSpec {
     pub along: Option<usize>,
     /// What is kept.
     pub keep: Match,
-    /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic ones.
+    /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic ones and with
+    /// [`Match::Angle`].
     pub ring: Option<Ring>,
 }
 
@@ -96,9 +97,9 @@ impl BrickSpec {
     }
 
     fn ring(&self) -> Ring {
-        self.ring.unwrap_or(match self.brick {
-            Brick::Linear => Ring::EqualArea,
-            Brick::Quadratic => Ring::OnCircle,
+        self.ring.unwrap_or(match (self.brick, self.keep) {
+            (Brick::Linear, Match::Length) => Ring::EqualArea,
+            _ => Ring::OnCircle,
         })
     }
 
@@ -306,8 +307,13 @@ impl BrickMesh {
         left.chain(right).collect()
     }
 
-    /// Area of the bore's polygon at the terminal, of the quarter, in mm²: what the terminal has of the cavity.
-    pub fn cap_mm2(&self) -> f64 {
+    /// Area of the terminal's lid, which is round, of the quarter, in mm².
+    pub fn lid_mm2(&self) -> f64 {
+        FRAC_PI_4 * self.inner * self.inner
+    }
+
+    /// Area of the bore's polygon at the terminal, of the quarter, in mm².
+    pub fn polygon_mm2(&self) -> f64 {
         let [_, nj, nk] = self.grid();
         let at = |j: usize| self.nodes[self.node(0, j, nk - 1)];
         let p = self.brick.order();

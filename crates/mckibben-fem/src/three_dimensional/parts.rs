@@ -33,6 +33,9 @@ pub struct Parts {
     /// Faces under pressure, their normals out of the cavity.
     pub faces: Vec<Vec<u32>>,
     /// Area in mm² with which the terminal closes the cavity.
+    ///
+    /// The cavity is V = ⅓ ∮ x·n dA over the faces and the lid. What a round lid has beyond the polygon of the faces' rim closes the
+    /// cavity as prisms of all its length, not as pyramids, and counts three times here.
     pub cap_mm2: f64,
     /// Dead loads on nodes in N per MPa of pressure; empty without any.
     pub dead: Vec<[f64; 3]>,
@@ -87,7 +90,7 @@ impl Parts {
             bricks: mesh.bricks(),
             ties: ties.collect(),
             faces: mesh.bore(),
-            cap_mm2: mesh.cap_mm2(),
+            cap_mm2: mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
             dead: vec![],
             freedom,
             order,

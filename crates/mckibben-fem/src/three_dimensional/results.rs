@@ -38,7 +38,7 @@ pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<So
 }
 
 fn rest_volume(mesh: &BrickMesh) -> f64 {
-    mesh.cap_mm2() * mesh.half_length_mm()
+    mesh.lid_mm2() * mesh.half_length_mm()
 }
 
 /// The part that every model tells; factorises the tangent.

@@ -6,7 +6,8 @@
 //!   paper    F = a ε² + b ε + c with the 48 numbers of the paper's (11)
 //!   global   F = D0² Σ c · xᵃ pᵇ eᶜ dᵈ,   x = s/D0, p = P, e = ε, d = D0, each divided by its scale
 //!
-//! F in N, P in MPa, lengths in mm.
+//! F in N, P in MPa, lengths in mm. A third kind, `universal`, is for muscles of every make: it holds the terms of the end deficit
+//! of [`crate::model::Universal`], over a dimensionless range ([`UniversalFormula`]). [`Document`] is any of them.
 
 mod error;
 mod errors;
@@ -16,6 +17,7 @@ mod node;
 mod read;
 mod show;
 mod terms;
+mod universal;
 mod write;
 
 pub use error::FormulaError;
@@ -23,6 +25,7 @@ pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
 pub use made::{Made, MadeBraid};
 pub use model::FormulaModel;
 pub use terms::{GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
+pub use universal::{UniversalErrors, UniversalFormula, UniversalSummary};
 
 use crate::model::Coefficients;
 use std::path::Path;
@@ -85,16 +88,46 @@ pub struct Formula {
     pub provenance: Provenance,
 }
 
+/// What a formula's file holds.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Document {
+    /// A formula for muscles of one make.
+    Section(Formula),
+    /// A formula for muscles of every make.
+    Universal(UniversalFormula),
+}
+
+impl Document {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`FormulaError`] names the file and the key.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, FormulaError> {
+        from_file(path.as_ref(), Self::parse)
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        match self {
+            Document::Section(f) => &f.name,
+            Document::Universal(f) => &f.name,
+        }
+    }
+}
+
+fn from_file<T>(path: &Path, parse: impl Fn(&str) -> Result<T, FormulaError>) -> Result<T, FormulaError> {
+    let named = |e: FormulaError| e.in_file(path);
+    let text = std::fs::read_to_string(path).map_err(|e| named(FormulaError::unreadable(&e)))?;
+    parse(&text).map_err(named)
+}
+
 impl Formula {
     /// Reads a file.
     ///
     /// # Errors
     /// [`FormulaError`] names the file and the key.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, FormulaError> {
-        let path = path.as_ref();
-        let named = |e: FormulaError| e.in_file(path);
-        let text = std::fs::read_to_string(path).map_err(|e| named(FormulaError::unreadable(&e)))?;
-        Self::parse(&text).map_err(named)
+        from_file(path.as_ref(), Self::parse)
     }
 
     /// F in N, two-sided; does not look at the range.

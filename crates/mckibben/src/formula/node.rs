@@ -61,6 +61,10 @@ impl<'a> Node<'a> {
         Ok(list.iter().enumerate().map(one).collect())
     }
 
+    pub fn is_null(&self) -> bool {
+        self.value.is_null()
+    }
+
     pub fn text(&self) -> Result<&'a str, FormulaError> {
         self.value.as_str().ok_or_else(|| self.wrong("a text"))
     }

@@ -2,9 +2,10 @@
 
 use super::error::{FormulaError, Problem};
 use super::node::Node;
+use super::universal::UniversalFormula;
 use super::{
-    Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms, HeldOut, Made, MadeBraid,
-    Provenance, RegionErrors, Scales, Term,
+    Body, Document, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms, HeldOut, Made,
+    MadeBraid, Provenance, RegionErrors, Scales, Term,
 };
 use crate::model::Coefficients;
 
@@ -17,19 +18,52 @@ const HIGHEST: u64 = 20;
 
 type Read<T> = Result<T, FormulaError>;
 
+/// The value of a text that says it is a formula.
+pub(super) fn value(text: &str) -> Read<serde_json::Value> {
+    let value: serde_json::Value = serde_json::from_str(text).map_err(|e| Problem::Json(e.to_string()))?;
+    let format = Node::root(&value).get("format")?;
+    if format.text()? != FORMAT {
+        return Err(format.wrong(format!("\"{FORMAT}\"")));
+    }
+    Ok(value)
+}
+
+/// A name that is not empty.
+pub(super) fn name(root: &Node<'_>) -> Read<String> {
+    let name = root.get("name")?;
+    if name.text()?.trim().is_empty() {
+        return Err(name.wrong("a name"));
+    }
+    Ok(name.text()?.to_owned())
+}
+
+impl Document {
+    /// Reads a text.
+    ///
+    /// # Errors
+    /// [`FormulaError`] names the key.
+    pub fn parse(text: &str) -> Read<Self> {
+        let value = value(text)?;
+        let root = Node::root(&value);
+        let kind = root.get("kind")?;
+        match kind.text()? {
+            "universal" => UniversalFormula::of(&root).map(Self::Universal),
+            "paper" | "global" => Formula::of(&root).map(Self::Section),
+            other => Err(kind.unknown(other, "paper, global, universal")),
+        }
+    }
+}
+
 impl Formula {
     /// Reads a text.
     ///
     /// # Errors
     /// [`FormulaError`] names the key.
     pub fn parse(text: &str) -> Read<Self> {
-        let value: serde_json::Value =
-            serde_json::from_str(text).map_err(|e| Problem::Json(e.to_string()))?;
-        let root = Node::root(&value);
-        let format = root.get("format")?;
-        if format.text()? != FORMAT {
-            return Err(format.wrong(format!("\"{FORMAT}\"")));
-        }
+        Self::of(&Node::root(&value(text)?))
+    }
+
+    fn of(root: &Node<'_>) -> Read<Self> {
         let (kind, terms) = (root.get("kind")?, root.get("terms")?);
         let body = match kind.text()? {
             "paper" => Body::Paper(Box::new(paper(&terms)?)),
@@ -38,12 +72,8 @@ impl Formula {
             }
             other => return Err(kind.unknown(other, "paper, global")),
         };
-        let name = root.get("name")?;
-        if name.text()?.trim().is_empty() {
-            return Err(name.wrong("a name"));
-        }
         Ok(Self {
-            name: name.text()?.to_owned(),
+            name: name(root)?,
             body,
             made_for: made(&root.get("made_for")?)?,
             range: range(&root.get("range")?)?,
@@ -190,7 +220,7 @@ fn errors(node: &Node<'_>) -> Read<FormulaErrors> {
     })
 }
 
-fn provenance(node: &Node<'_>) -> Read<Provenance> {
+pub(super) fn provenance(node: &Node<'_>) -> Read<Provenance> {
     let text = |key| Ok::<_, FormulaError>(node.get(key)?.text()?.to_owned());
     let maybe = |key| node.maybe(key)?.map(|n| n.text().map(str::to_owned)).transpose();
     Ok(Provenance {

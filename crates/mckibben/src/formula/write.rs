@@ -109,7 +109,7 @@ fn errors(e: &FormulaErrors) -> Value {
     json!({ "against": e.against, "fit": summary(&e.fit), "held_out": held_out, "regions": regions })
 }
 
-fn provenance(p: &Provenance) -> Value {
+pub(super) fn provenance(p: &Provenance) -> Value {
     json!({
         "program": "mckibben",
         "version": p.version,

@@ -2,12 +2,14 @@
 
 use super::{
     Belforte, ChouHannaford, ConicalEnds, FestoHunt, FestoSarosi, ForceBalance, ForceModel, Ideal,
-    KluteHannaford, ModelError, Paper, RoundedEnds, ThickWall, TonduLopez,
+    KluteHannaford, ModelError, Paper, RoundedEnds, ThickWall, TonduLopez, Universal,
 };
+use crate::formula::UniversalFormula;
 use crate::muscle::Muscle;
 use crate::nearest::nearest;
 use std::fmt;
 use std::str::FromStr;
+use std::sync::Arc;
 use thiserror::Error;
 
 /// A model that answers without a solver of its own.
@@ -37,6 +39,10 @@ pub enum ModelKind {
     FestoDmsp20,
     /// [`FestoHunt`]
     FestoHunt10,
+    /// [`Universal`]
+    Universal,
+    /// [`Universal`] in its short form
+    UniversalSmall,
     /// [`Paper`]
     Paper,
 }
@@ -56,7 +62,7 @@ fn meant(nearest: Option<&str>) -> String {
 }
 
 /// Kind, name, one line for `--help`.
-const TABLE: [(ModelKind, &str, &str); 13] = [
+const TABLE: [(ModelKind, &str, &str); 15] = [
     (ModelKind::Ideal, "ideal", "cylinder without wall, rubber and ends"),
     (
         ModelKind::ThickWall,
@@ -81,13 +87,19 @@ const TABLE: [(ModelKind, &str, &str); 13] = [
         "festo-hunt-10",
         "Festo 10 mm muscle by Hunt's fit; takes only the muscle's length",
     ),
+    (
+        ModelKind::Universal,
+        "universal",
+        "long muscle with computed ends: any size, rubber, wall, braid and length",
+    ),
+    (ModelKind::UniversalSmall, "universal-small", "the same with ends of 16 terms, for hand calculation"),
     (ModelKind::Paper, "paper", "the paper's formula: D0 30-50, s 1-5, L0 285 mm, 28 deg, up to 0.25 MPa"),
 ];
 
 impl ModelKind {
     /// All kinds, in the order of [`ModelKind::NAMES`].
-    pub const ALL: [ModelKind; 13] = {
-        let mut all = [ModelKind::Ideal; 13];
+    pub const ALL: [ModelKind; 15] = {
+        let mut all = [ModelKind::Ideal; 15];
         let mut i = 0;
         while i < all.len() {
             all[i] = TABLE[i].0;
@@ -97,8 +109,8 @@ impl ModelKind {
     };
 
     /// The words for `--model`.
-    pub const NAMES: [&'static str; 13] = {
-        let mut names = [""; 13];
+    pub const NAMES: [&'static str; 15] = {
+        let mut names = [""; 15];
         let mut i = 0;
         while i < names.len() {
             names[i] = TABLE[i].1;
@@ -140,6 +152,8 @@ impl ModelKind {
             ModelKind::FestoDmsp10 => Box::new(FestoSarosi::dmsp_10(muscle)),
             ModelKind::FestoDmsp20 => Box::new(FestoSarosi::dmsp_20_200(muscle)),
             ModelKind::FestoHunt10 => Box::new(FestoHunt::new(muscle)),
+            ModelKind::Universal => universal("universal", UniversalFormula::large(), muscle)?,
+            ModelKind::UniversalSmall => universal("universal-small", UniversalFormula::small(), muscle)?,
             ModelKind::Paper => Box::new(Paper::new(muscle)),
         })
     }
@@ -150,6 +164,16 @@ impl ModelKind {
         let inside = |p| range.check("paper", p, 0.0).is_ok();
         if inside(pressure_mpa.0) && inside(pressure_mpa.1) { ModelKind::Paper } else { ModelKind::ThickWall }
     }
+}
+
+fn universal(
+    model: &'static str,
+    formula: Option<Arc<UniversalFormula>>,
+    muscle: &Muscle,
+) -> Result<Box<dyn ForceModel>, ModelError> {
+    let missing = "its built-in coefficients, which cannot be read; build the program anew";
+    let formula = formula.ok_or(ModelError::Missing { model, missing })?;
+    Ok(Box::new(Universal::new(formula, muscle)))
 }
 
 impl fmt::Display for ModelKind {

@@ -27,7 +27,9 @@ mod rounded_ends;
 mod thick_wall;
 mod tondu_lopez;
 mod tondu_pressures;
+mod universal;
 mod wall;
+mod wall_mooney;
 
 pub use accuracy::{Accuracy, BlockedAt};
 pub use belforte::Belforte;
@@ -51,6 +53,8 @@ pub use rounded_ends::RoundedEnds;
 pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
 pub use tondu_pressures::{largest_pressure_mpa, smallest_pressure_mpa};
+pub(crate) use universal::HIGHEST;
+pub use universal::{Deficit, EndPoint, Form, Universal, UniversalRange, UniversalTerm};
 pub use wall::{Wall, WallEnergy};
 
 use crate::muscle::Muscle;

@@ -6,9 +6,11 @@
 //!   W(λ, ro) = ∫ ŵ(u, v) 2πR dR = π ∫ ŵ dt
 //!
 //! with λ the axial stretch and ro the outer radius now. Source: Green & Zerna (1954); Liu & Rahn (2003) use the same
-//! kinematics for the muscle. The integral runs over y = ln t, where Gauss points converge fastest.
+//! kinematics for the muscle. The integral runs over y = ln t, where Gauss points converge fastest; for neo-Hookean and
+//! Mooney–Rivlin rubber it is known in closed form ([`super::wall_mooney`]).
 
 use super::quadrature::rule;
+use super::wall_mooney::Mooney;
 use crate::muscle::Tube;
 use crate::rubber::{Law, LawVisitor, RubberLaw};
 use std::f64::consts::PI;
@@ -35,6 +37,8 @@ pub struct WallEnergy {
 pub struct Wall {
     ro2: f64,
     ri2: f64,
+    /// ln(Ro²/Ri²)
+    span: f64,
     /// (t = R², weight)
     points: Vec<(f64, f64)>,
 }
@@ -71,7 +75,7 @@ impl Wall {
                 (t, PI * half * weight * t)
             }));
         }
-        Self { ro2: ro * ro, ri2: ri * ri, points: list }
+        Self { ro2: ro * ro, ri2: ri * ri, span: 2.0 * (ro / ri).ln(), points: list }
     }
 
     /// Ro² − Ri² in mm².
@@ -86,6 +90,19 @@ impl Wall {
 
     /// W and its derivatives at an axial stretch λ and outer radius ro in mm.
     pub fn energy(&self, law: &Law, axial_stretch: f64, outer_radius_mm: f64) -> WallEnergy {
+        let closed = |c10_mpa: f64, c01_mpa: f64| {
+            let (ro2, section, span) = (self.ro2, self.section(), self.span);
+            Mooney { c10_mpa, c01_mpa, ro2, section, span }.energy(axial_stretch, outer_radius_mm)
+        };
+        match law {
+            Law::NeoHookean(law) => closed(0.5 * law.mu_mpa, 0.0),
+            Law::MooneyRivlin(law) => closed(law.c10_mpa, law.c01_mpa),
+            _ => self.integrated(law, axial_stretch, outer_radius_mm),
+        }
+    }
+
+    /// W and its derivatives by integration, for any law.
+    fn integrated(&self, law: &Law, axial_stretch: f64, outer_radius_mm: f64) -> WallEnergy {
         law.visit(Integral { wall: self, lambda: axial_stretch, r: outer_radius_mm })
     }
 
@@ -156,12 +173,37 @@ mod tests {
             let (chosen, fine) = (Wall::new(&tube), Wall::with_points(ro, ri, 40));
             for law in laws() {
                 for (lambda, bulge) in [(1.0, 1.0), (0.8, 1.6), (0.7, 1.9)] {
-                    let (a, b) =
-                        (chosen.energy(&law, lambda, bulge * ro), fine.energy(&law, lambda, bulge * ro));
+                    let (a, b) = (
+                        chosen.integrated(&law, lambda, bulge * ro),
+                        fine.integrated(&law, lambda, bulge * ro),
+                    );
                     let scale = b.w.abs() + b.l.abs() + law.shear_modulus_mpa() * ro * ro * 1e-3;
                     let worst = [a.w - b.w, a.l - b.l, (a.r - b.r) * ro, a.ll - b.ll].map(f64::abs);
                     let worst = worst.into_iter().fold(0.0, f64::max) / scale;
                     assert!(worst < 1e-9, "{ro}/{ri} {} λ {lambda}: {worst:e}", law.name());
+                }
+            }
+        }
+    }
+
+    /// The closed form for Mooney–Rivlin rubber is the integral.
+    #[test]
+    fn the_closed_form_is_the_integral() {
+        let law = &laws()[0];
+        for (ro, ri) in [(25.0, 24.9), (25.0, 24.0), (15.0, 12.0), (5.0, 2.0)] {
+            let wall = Wall::with_points(ro, ri, 40);
+            for (l, bulge) in [(1.0, 1.0), (1.1, 0.97), (0.8, 1.6), (0.7, 1.9)] {
+                let (a, b) = (wall.energy(law, l, bulge * ro), wall.integrated(law, l, bulge * ro));
+                let scale = 0.24 * wall.section();
+                for (a, b) in [
+                    (a.w, b.w),
+                    (a.l, b.l),
+                    (a.r * ro, b.r * ro),
+                    (a.ll, b.ll),
+                    (a.lr * ro, b.lr * ro),
+                    (a.rr * ro * ro, b.rr * ro * ro),
+                ] {
+                    assert!((a - b).abs() < 1e-11 * (scale + b.abs()), "{ro}/{ri} λ {l}: {a} {b}");
                 }
             }
         }

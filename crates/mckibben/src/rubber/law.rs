@@ -85,6 +85,22 @@ impl Law {
         if mu > 0.0 { Ok(self) } else { Err(LawError::NotStiff { law, shear_modulus_mpa: mu }) }
     }
 
+    /// The law of a name with its constants in the order of [`RubberLaw::constants`]; `None` where name or number of constants
+    /// fit no law. The law is not checked; see [`Law::validated`].
+    pub fn named(name: &str, constants: &[f64]) -> Option<Law> {
+        let law = match (name, constants) {
+            ("mooney-rivlin", &[c10_mpa, c01_mpa]) => Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa }),
+            ("neo-hookean", &[mu_mpa]) => Law::NeoHookean(NeoHookean { mu_mpa }),
+            ("yeoh", &[c10_mpa, c20_mpa, c30_mpa]) => Law::Yeoh(Yeoh { c10_mpa, c20_mpa, c30_mpa }),
+            ("gent", &[mu_mpa, jm]) => Law::Gent(Gent { mu_mpa, jm }),
+            ("ogden", list) if list.len() >= 2 && list.len().is_multiple_of(2) => {
+                Law::Ogden(Ogden { terms: list.chunks(2).map(|c| (c[0], c[1])).collect() })
+            }
+            _ => return None,
+        };
+        Some(law)
+    }
+
     /// Runs `visitor` with the concrete law, so that loops inside are compiled for it.
     pub fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output {
         match self {
@@ -153,5 +169,26 @@ impl RubberLaw for Law {
     }
     fn biaxial(&self, u: f64, v: f64) -> Biaxial {
         each!(self, l => l.biaxial(u, v))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_law_comes_back_from_its_name_and_constants() {
+        for (name, list) in [
+            ("mooney-rivlin", vec![0.1, 0.02]),
+            ("neo-hookean", vec![0.2]),
+            ("yeoh", vec![0.1, -0.001, 1e-4]),
+            ("gent", vec![0.2, 50.0]),
+            ("ogden", vec![0.6, 1.3, -0.01, -2.0]),
+        ] {
+            let law = Law::named(name, &list).unwrap();
+            assert_eq!(law.name(), name);
+            assert_eq!(law.constants().into_iter().map(|c| c.1).collect::<Vec<_>>(), list);
+            assert_eq!(Law::named(name, &list[1..]), None);
+        }
     }
 }

@@ -4,6 +4,7 @@
 //! [`InvariantLaw`] and get the rest from it. All energies are in MPa (= N·mm/mm³) and vanish at rest.
 //! A new law: one file, one variant of [`Law`], one line in the test battery at the end of this file.
 
+pub mod fit;
 mod gent;
 mod invariants;
 mod law;
@@ -21,7 +22,10 @@ pub use library::{LibraryError, RubberEntry, RubberFit, RubberWarning};
 pub use mooney_rivlin::MooneyRivlin;
 pub use neo_hookean::NeoHookean;
 pub use ogden::Ogden;
-pub use stability::{Stability, biaxial_stability};
+pub use stability::{
+    MUSCLE_AXIAL_STRETCH, MUSCLE_HOOP_STRETCH, Stability, biaxial_stability, is_stable_at, log_hessian,
+    muscle_stability, muscle_states,
+};
 pub use yeoh::Yeoh;
 
 /// Energy and derivatives in the three principal stretches taken as independent variables.

@@ -2,6 +2,11 @@
 
 use super::RubberLaw;
 
+/// Axial stretches between which a muscle wall lies: contracted by up to 40 %, or drawn out by up to 10 %.
+pub const MUSCLE_AXIAL_STRETCH: (f64, f64) = (0.6, 1.1);
+/// Hoop stretch that the bore of a thick muscle reaches.
+pub const MUSCLE_HOOP_STRETCH: f64 = 3.0;
+
 /// How far a law is stable along the path a muscle wall takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stability {
@@ -22,17 +27,44 @@ pub fn biaxial_stability<L: RubberLaw + ?Sized>(law: &L, largest_hoop_stretch: f
     for i in 0..=STEPS {
         let hoop = 1.0 + (largest_hoop_stretch - 1.0) * i as f64 / STEPS as f64;
         for axial in [1.0_f64, 0.75] {
-            let (u, v) = (hoop * hoop, axial * axial);
-            let b = law.biaxial(u, v);
-            // With x = ln λθ, y = ln λz: ∂x = 2u ∂u, ∂y = 2v ∂v.
-            let xx = 4.0 * u * (u * b.uu + b.u);
-            let yy = 4.0 * v * (v * b.vv + b.v);
-            let xy = 4.0 * u * v * b.uv;
-            let stable = xx > 0.0 && yy > 0.0 && xx * yy > xy * xy;
-            if !stable {
+            if !is_stable_at(law, hoop, axial) {
                 return Stability::UnstableFrom { hoop_stretch: hoop };
             }
         }
     }
     Stability::Stable
+}
+
+/// ∂²ŵ/∂x², ∂²ŵ/∂x∂y, ∂²ŵ/∂y² with x = ln λ1, y = ln λ2 of incompressible rubber, in MPa.
+pub fn log_hessian<L: RubberLaw + ?Sized>(law: &L, stretch_1: f64, stretch_2: f64) -> [f64; 3] {
+    let (u, v) = (stretch_1 * stretch_1, stretch_2 * stretch_2);
+    let b = law.biaxial(u, v);
+    // ∂x = 2u ∂u, ∂y = 2v ∂v.
+    let xx = 4.0 * u * (u * b.uu + b.u);
+    let yy = 4.0 * v * (v * b.vv + b.v);
+    [xx, 4.0 * u * v * b.uv, yy]
+}
+
+/// Hill's inequality in one state: the Hessian in the logarithms of the stretches is positive definite.
+pub fn is_stable_at<L: RubberLaw + ?Sized>(law: &L, stretch_1: f64, stretch_2: f64) -> bool {
+    let [xx, xy, yy] = log_hessian(law, stretch_1, stretch_2);
+    xx > 0.0 && yy > 0.0 && xx * yy > xy * xy
+}
+
+/// The states of a muscle wall in which a law is asked: axial stretches 0.6 to 1.1, hoop stretches from 1 upward.
+pub fn muscle_states(largest_hoop_stretch: f64) -> impl Iterator<Item = (f64, f64)> {
+    const HOOPS: u32 = 80;
+    const AXIALS: u32 = 10;
+    let (low, high) = MUSCLE_AXIAL_STRETCH;
+    (0..=HOOPS).flat_map(move |i| {
+        let hoop = 1.0 + (largest_hoop_stretch - 1.0) * f64::from(i) / f64::from(HOOPS);
+        (0..=AXIALS).map(move |k| (hoop, low + (high - low) * f64::from(k) / f64::from(AXIALS)))
+    })
+}
+
+/// [`biaxial_stability`] over the whole field of a muscle's stretches instead of along two paths.
+pub fn muscle_stability<L: RubberLaw + ?Sized>(law: &L, largest_hoop_stretch: f64) -> Stability {
+    muscle_states(largest_hoop_stretch)
+        .find(|&(hoop, axial)| !is_stable_at(law, hoop, axial))
+        .map_or(Stability::Stable, |(hoop_stretch, _)| Stability::UnstableFrom { hoop_stretch })
 }

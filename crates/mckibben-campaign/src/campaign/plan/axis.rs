@@ -132,7 +132,9 @@ impl Inputs {
         if let Some((_, d)) = all().find(|v| v.0 == Measure::OuterDiameter) {
             tube.outer_diameter_mm = d;
         }
-        for (measure, value) in all() {
+        // The factor of all moduli comes last, so that it scales constants that vary too.
+        let (last, first): (Vec<_>, Vec<_>) = all().partition(|v| v.0 == Measure::Scale);
+        for (measure, value) in first.into_iter().chain(last) {
             match measure {
                 Measure::OuterDiameter => {}
                 Measure::Wall => tube.wall_mm = value,

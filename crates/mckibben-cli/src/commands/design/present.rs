@@ -8,7 +8,7 @@ use mckibben::design::{BraidChoice, Candidate, OperatingPoint, Outcome, Rejected
 use serde_json::{Map, Value, json};
 
 /// One candidate with all it knows.
-pub fn candidate_json(c: &Candidate) -> Value {
+pub fn candidate_json(c: &Candidate, kind: Kind) -> Value {
     let points: Vec<Value> = c
         .points
         .iter()
@@ -42,6 +42,7 @@ pub fn candidate_json(c: &Candidate) -> Value {
         "uncertainty_n": c.largest(|q| q.uncertainty_n),
         "points": points,
         "from_thick_wall": c.from_thick_wall,
+        "model": if kind.replaced(&c.muscle).is_some() { "thick-wall" } else { kind.name() },
     });
     if let (Some(out), Value::Object(more)) = (out.as_object_mut(), more) {
         out.extend(more);
@@ -86,7 +87,7 @@ pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], c
         "max_pressure_mpa": spec.max_pressure_mpa,
         "looked_at": outcome.looked_at.0,
         "fitting": outcome.looked_at.1,
-        "candidates": outcome.candidates.iter().map(candidate_json).collect::<Vec<_>>(),
+        "candidates": outcome.candidates.iter().map(|c| candidate_json(c, kind)).collect::<Vec<_>>(),
         "rejected": outcome.rejected.iter().map(|r| rejected_json(r, p_mpa)).collect::<Vec<_>>(),
     });
     let Some(map) = out.as_object_mut() else { return out };
@@ -157,6 +158,12 @@ pub fn as_text(
         }
     } else {
         out.push_str(&candidates(outcome, p));
+        for c in &outcome.candidates {
+            if let Some(why) = kind.replaced(&c.muscle) {
+                let (d0, s) = (number(c.muscle.outer_diameter_mm(), 4), number(c.muscle.wall_mm(), 3));
+                out.push_str(&format!("D0 {d0}, s {s}: {why}.\n"));
+            }
+        }
         out.push_str(&checked_text(spec, outcome, checked, p));
         out.push_str(&spread_text(spreads, p));
     }

@@ -2,6 +2,7 @@
 
 use crate::flags::{Format, MuscleFlags, OutputFlags};
 use clap::{Args, ValueEnum};
+use mckibben::model::Form;
 use mckibben_campaign::fit::{Method, Rules, SlackRule, ThinRule};
 use std::path::PathBuf;
 
@@ -13,6 +14,10 @@ pub enum MethodWord {
     Paper,
     /// One least-squares problem on terms chosen one by one, at most 48
     Global,
+    /// Ends of muscles of every make, from a campaign over them: the built-in model `universal`
+    Universal,
+    /// The same with 16 terms, for hand calculation: the built-in model `universal-small`
+    UniversalSmall,
 }
 
 /// The curves at 0.05 MPa of muscles with D0 < 35 and s > 3 mm.
@@ -90,7 +95,16 @@ pub struct FitArgs {
 }
 
 impl FitArgs {
-    /// The method with its rules.
+    /// The form of a universal formula, where one is asked for.
+    pub fn universal(&self) -> Option<Form> {
+        match self.method {
+            MethodWord::Universal => Some(Form::Membrane),
+            MethodWord::UniversalSmall => Some(Form::Bulge),
+            MethodWord::Paper | MethodWord::Global => None,
+        }
+    }
+
+    /// The method with its rules, of those for muscles of one make.
     pub fn chosen(&self) -> Method {
         let thin = match self.thin_rule {
             ThinWord::LeaveOut => ThinRule::LeaveOut,
@@ -104,7 +118,7 @@ impl FitArgs {
         };
         match self.method {
             MethodWord::Paper => Method::Paper(Rules { thin, slack }),
-            MethodWord::Global => Method::Global(usize::from(self.terms)),
+            _ => Method::Global(usize::from(self.terms)),
         }
     }
 
@@ -122,7 +136,7 @@ impl FitArgs {
 /// `formula show`.
 #[derive(Debug, Args)]
 pub struct FormulaShowArgs {
-    /// The formula (JSON)
+    /// The formula (JSON), or the built-in `universal` or `universal-small`
     #[arg(value_name = "FILE.json")]
     pub file: PathBuf,
     /// The equation with its numbers as LaTeX

@@ -4,9 +4,11 @@ mod args;
 mod load;
 mod present;
 mod report;
+mod universal;
 
 pub use args::{FitArgs, FormulaShowArgs};
 pub use present::{error_rows, errors_table, made_text, range_text};
+pub use universal::as_text as universal_text;
 
 use crate::failure::Failure;
 use crate::figure;
@@ -24,15 +26,15 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &FitArgs) -> Result<u8, Failure> {
     let Some(path) = &args.file else { return report::run(args.format, args.output.as_deref()) };
+    if let Some(form) = args.universal() {
+        return universal::run(args, path, form);
+    }
     let method = args.chosen();
     if let (Method::Global(_), Some(_)) = (method, &args.tables) {
         let message = "--tables: the method global has no intermediate tables";
         return Err(Failure::input("usage", message, "take --method paper"));
     }
-    if let Some(name) = args.name.as_deref().filter(|n| Kind::is_taken(n) || n.trim().is_empty()) {
-        let message = format!("--name: \"{name}\" cannot be told from a model that exists already");
-        return Err(Failure::input("usage", message, "take another name"));
-    }
+    free_name(args)?;
     let hold_out = match &args.hold_out {
         Some(text) => resolve::points("--hold-out", Some(text), Dimension::Length, "", 1)?,
         None => vec![],
@@ -77,6 +79,17 @@ pub fn run(args: &FitArgs) -> Result<u8, Failure> {
     };
     emit(&text, None)?;
     Ok(0)
+}
+
+/// A formula does not take the name of a model.
+fn free_name(args: &FitArgs) -> Result<(), Failure> {
+    match args.name.as_deref().filter(|n| Kind::is_taken(n) || n.trim().is_empty()) {
+        None => Ok(()),
+        Some(name) => {
+            let message = format!("--name: \"{name}\" cannot be told from a model that exists already");
+            Err(Failure::input("usage", message, "take another name"))
+        }
+    }
 }
 
 /// The terms of a formula's JSON.

@@ -1,5 +1,6 @@
 //! `fit --report`: the paper's campaign computed anew, and how everything compares.
 
+use super::universal::errors_row;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
 use crate::output::text::{number, table};
@@ -21,6 +22,11 @@ pub fn run(format: Format, output: Option<&Path>) -> Result<u8, Failure> {
             },
             "seconds_to_the_papers_formula": r.seconds,
             "global_terms": r.global_terms,
+            "random_muscles": r.random_muscles.iter().map(|row| json!({
+                "model": row.model, "muscles": row.errors.muscles, "points": row.errors.points,
+                "rms_of_blocked": row.errors.rms, "p95_of_blocked": row.errors.p95,
+                "p99_of_blocked": row.errors.p99, "max_of_blocked": row.errors.max,
+            })).collect::<Vec<_>>(),
         })),
         Format::Csv => csv::rows(&list)?,
         Format::Text => as_text(&r),
@@ -73,5 +79,11 @@ fn as_text(r: &Results) -> String {
         "From nothing to the paper's formula with its errors: {:.3} s; global has {} terms\n",
         r.seconds, r.global_terms
     ));
+    out.push_str(
+        "\nRandom muscles of every make, where they pull, in % of the blocked force at the same pressure\n\n",
+    );
+    let header = ["model", "points", "muscles", "rms %", "95 % of them %", "99 % %", "max %"];
+    let rows = r.random_muscles.iter().map(|row| errors_row(&row.model, &row.errors));
+    out.push_str(&table(&header, rows.collect()));
     out
 }

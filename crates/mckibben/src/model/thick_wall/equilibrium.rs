@@ -9,20 +9,36 @@ use std::f64::consts::PI;
 const LARGEST_STRAND_STRETCH: f64 = 1.5;
 const ITERATIONS: usize = 60;
 
-/// One equilibrium of the endless muscle.
+/// One equilibrium of the endless muscle; derivatives in λ and P are along the equilibrium, (∂λ, ∂P).
 #[derive(Debug, Clone, Copy)]
-pub(super) struct State {
-    pub(super) r: f64,
-    pub(super) force: f64,
+pub(in crate::model) struct State {
+    pub(in crate::model) r: f64,
+    pub(in crate::model) r_by: [f64; 2],
+    pub(in crate::model) force: f64,
     /// ∂F/∂λ at fixed P
-    pub(super) force_l: f64,
+    pub(in crate::model) force_l: f64,
     /// ∂F/∂P at fixed λ
-    pub(super) force_p: f64,
-    pub(super) tension: f64,
+    pub(in crate::model) force_p: f64,
+    /// Tension of all strands
+    pub(in crate::model) tension: f64,
+    /// λf − 1 of the strands; negative where they are slack
+    pub(in crate::model) strain: f64,
+    pub(in crate::model) strain_by: [f64; 2],
+    /// Energy of wall and braid
+    pub(in crate::model) energy: f64,
+    pub(in crate::model) energy_by: [f64; 2],
+    /// T = F + P π r², the meridional tension of wall and braid
+    pub(in crate::model) axial: f64,
+    pub(in crate::model) axial_by: [f64; 2],
+    /// How the stretch answers a small change of the radius at constant pull, dλ/dr
+    pub(in crate::model) stretch_by_r: f64,
+    /// What a small change of the radius at constant pull takes, d²(Π − Fλ)/dr²
+    pub(in crate::model) radial: f64,
 }
 
 /// Energy of both strand families per unit length at rest, and its derivatives in (λ, r).
 struct BraidEnergy {
+    w: f64,
     l: f64,
     r: f64,
     ll: f64,
@@ -37,11 +53,12 @@ impl ThickWall {
         let stretch = (a * l * l + b * r * r).sqrt();
         let strain = stretch - 1.0;
         if strain <= 0.0 && !self.compression {
-            return BraidEnergy { l: 0.0, r: 0.0, ll: 0.0, lr: 0.0, rr: 0.0, strain };
+            return BraidEnergy { w: 0.0, l: 0.0, r: 0.0, ll: 0.0, lr: 0.0, rr: 0.0, strain };
         }
         let c = 4.0 * PI * self.ro * k;
         let (fl, fr) = (a * l / stretch, b * r / stretch);
         BraidEnergy {
+            w: 0.5 * c * strain * strain,
             l: c * strain * fl,
             r: c * strain * fr,
             ll: c * (fl * fl + strain * (a - fl * fl) / stretch),
@@ -59,15 +76,41 @@ impl ThickWall {
         4.0 * PI * self.ro * self.cos2.sqrt() * k * strain
     }
 
+    /// Energy of wall and braid at a stretch and outer radius, and its derivatives; without the braid where strands do not
+    /// stretch.
+    pub(in crate::model) fn energy(&self, l: f64, r: f64) -> WallEnergy {
+        let w = self.wall.energy(&self.law, l, r);
+        let Some(k) = self.k else { return w };
+        let b = self.braid(k, l, r);
+        WallEnergy {
+            w: w.w + b.w,
+            l: w.l + b.l,
+            r: w.r + b.r,
+            ll: w.ll + b.ll,
+            lr: w.lr + b.lr,
+            rr: w.rr + b.rr,
+        }
+    }
+
     /// Equilibrium at a pressure and an axial stretch.
     pub(super) fn state(&self, p: f64, l: f64) -> Result<State, ModelError> {
+        self.state_near(p, l, None)
+    }
+
+    /// The same from a guess of the outer radius.
+    pub(in crate::model) fn state_near(
+        &self,
+        p: f64,
+        l: f64,
+        near: Option<f64>,
+    ) -> Result<State, ModelError> {
         let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
             return Err(ModelError::Geometry { contraction, lowest: 1.0 - straight, highest: 1.0 });
         }
         match self.k {
-            Some(k) => self.extensible(k, p, l),
+            Some(k) => self.extensible(k, p, l, near),
             None => {
                 let r = self.pantograph(l);
                 if self.wall.bore2(l, r) <= 0.0 {
@@ -90,12 +133,23 @@ impl ThickWall {
         let r1 = -g * self.cos2 * l / r;
         let r2 = -(g * self.cos2 + r1 * r1) / r;
         let area = PI * g * (3.0 * l * l * self.cos2 - 1.0);
+        let force = p * area + w.l + w.r * r1;
+        let force_l = p * 6.0 * PI * g * self.cos2 * l + w.ll + 2.0 * w.lr * r1 + w.rr * r1 * r1 + w.r * r2;
         State {
             r,
-            force: p * area + w.l + w.r * r1,
-            force_l: p * 6.0 * PI * g * self.cos2 * l + w.ll + 2.0 * w.lr * r1 + w.rr * r1 * r1 + w.r * r2,
+            r_by: [r1, 0.0],
+            force,
+            force_l,
             force_p: area,
             tension: contact * self.cos2.sqrt() * self.ro * self.ro / (self.sin2 * r),
+            strain: 0.0,
+            strain_by: [0.0; 2],
+            energy: w.w,
+            energy_by: [w.l + w.r * r1, 0.0],
+            axial: force + p * PI * r * r,
+            axial_by: [force_l + 2.0 * PI * p * r * r1, area + PI * r * r],
+            stretch_by_r: 1.0 / r1,
+            radial: force_l / (r1 * r1),
         }
     }
 
@@ -105,13 +159,14 @@ impl ThickWall {
         self.solve(0.0, p, l, lowest, r_braid, r_braid)
     }
 
-    fn extensible(&self, k: f64, p: f64, l: f64) -> Result<State, ModelError> {
+    fn extensible(&self, k: f64, p: f64, l: f64, near: Option<f64>) -> Result<State, ModelError> {
         let lowest = (self.wall.section() / l).sqrt();
         let at_rest = self.pantograph(l).max(lowest);
         let b = self.sin2 / (self.ro * self.ro);
         let far = LARGEST_STRAND_STRETCH * LARGEST_STRAND_STRETCH - self.cos2 * l * l;
         let highest = (far.max(0.0) / b).sqrt().max(1.0001 * at_rest);
-        let guess = (at_rest * 1.005).max(lowest * 1.01).min(highest);
+        let guess = near.filter(|r| *r > lowest && *r < highest);
+        let guess = guess.unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
         self.solve(k, p, l, lowest, highest, guess)
     }
 
@@ -197,13 +252,27 @@ impl ThickWall {
                 strand_stretch: 1.0 + b.strain,
             });
         }
-        let pi_lr = w.lr + b.lr - 2.0 * PI * r * p;
+        let (axial_l, axial_r, energy_r) = (w.ll + b.ll, w.lr + b.lr, w.r + b.r);
+        let pi_lr = axial_r - 2.0 * PI * r * p;
+        let axial = w.l + b.l;
+        let r_by = [-pi_lr / g_r, 2.0 * PI * r * l / g_r];
+        let stretch = 1.0 + b.strain;
+        let (strain_l, strain_r) = (self.cos2 * l / stretch, self.sin2 * r / (self.ro * self.ro * stretch));
         Ok(State {
             r,
-            force: w.l + b.l - p * PI * r * r,
-            force_l: w.ll + b.ll - pi_lr * pi_lr / g_r,
+            r_by,
+            force: axial - p * PI * r * r,
+            force_l: axial_l - pi_lr * pi_lr / g_r,
             force_p: -PI * r * r + pi_lr * 2.0 * PI * r * l / g_r,
             tension: self.tension(k, b.strain),
+            strain: b.strain,
+            strain_by: [strain_l + strain_r * r_by[0], strain_r * r_by[1]],
+            energy: w.w + b.w,
+            energy_by: [axial + energy_r * r_by[0], energy_r * r_by[1]],
+            axial,
+            axial_by: [axial_l + axial_r * r_by[0], axial_r * r_by[1]],
+            stretch_by_r: -pi_lr / axial_l,
+            radial: g_r - pi_lr * pi_lr / axial_l,
         })
     }
 

@@ -18,6 +18,8 @@ mod equilibrium;
 #[cfg(test)]
 mod tests;
 
+pub(super) use equilibrium::State;
+
 use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Wall};
 use crate::muscle::{Bulk, EndFactor, Muscle};
 use crate::rubber::Law;
@@ -59,8 +61,28 @@ impl ThickWall {
     }
 
     /// Outer radius at which the strands have their length at rest.
-    fn pantograph(&self, l: f64) -> f64 {
+    pub(super) fn pantograph(&self, l: f64) -> f64 {
         self.ro * ((1.0 - l * l * self.cos2) / self.sin2).max(0.0).sqrt()
+    }
+
+    /// Axial stretch at which the strands have their length at rest, at an outer radius.
+    pub(super) fn taut_stretch(&self, r: f64) -> f64 {
+        ((1.0 - self.sin2 * r * r / (self.ro * self.ro)) / self.cos2).max(0.0).sqrt()
+    }
+
+    /// (sin²θ0, cos²θ0)
+    pub(super) fn squares(&self) -> (f64, f64) {
+        (self.sin2, self.cos2)
+    }
+
+    /// Stiffness of one strand family in N/mm; `None` where strands do not stretch.
+    pub(super) fn stiffness(&self) -> Option<f64> {
+        self.k
+    }
+
+    /// Largest principal stretch of the wall at an axial stretch and outer radius.
+    pub(super) fn largest_stretch(&self, l: f64, r: f64) -> f64 {
+        self.wall.largest_stretch(l, r)
     }
 
     /// Contact pressure between tube and braid in MPa, at a pressure and contraction, for strands that do not stretch.

@@ -1,0 +1,127 @@
+//! Random muscles that no fit has seen, and how far models are from finite elements on them.
+
+use super::errors::{shares, summary};
+use super::points::{PullPoint, Sample};
+use mckibben::formula::UniversalSummary;
+use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::axisymmetric::sweep::Random;
+use rayon::prelude::*;
+
+/// Contractions a muscle is asked, as tenths of the ideal muscle's largest.
+const STEPS: u32 = 10;
+/// Draws until a pressure keeps the strands under their largest strain.
+const DRAWS: usize = 100;
+
+/// A random muscle and pressure: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°, shear modulus .08–.8 MPa, k/D0 4–40 MPa, P .05–.5 MPa with
+/// P/μ .1–5 and a strand strain P D0/(4 sin²θ0 k) up to 6 %. `law` makes the rubber from its modulus and a number below one.
+fn random(r: &mut Random, law: &dyn Fn(f64, f64) -> Law) -> Option<(Muscle, f64)> {
+    let outer_diameter_mm = r.between(10.0, 60.0);
+    let (wall_mm, length_mm) =
+        (outer_diameter_mm * r.between(0.03, 0.15), outer_diameter_mm * r.between(5.0, 20.0));
+    let angle_deg = r.between(20.0, 35.0);
+    let mu = r.log(0.08, 0.8);
+    let k = outer_diameter_mm * r.log(4.0, 40.0);
+    let rubber = Rubber::of(law(mu, r.unit()));
+    let sin = angle_deg.to_radians().sin();
+    let fits =
+        |p: f64| (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06;
+    let p = (0..DRAWS).map(|_| r.between(0.05, 0.5)).find(|p| fits(*p))?;
+    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber };
+    let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
+    Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))
+}
+
+/// Mooney–Rivlin with a share of C01 up to 0.3.
+fn mooney(mu: f64, u: f64) -> Law {
+    let share = 0.3 * u;
+    Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu * (1.0 - share), c01_mpa: 0.5 * mu * share })
+}
+
+/// Random muscles with the points where the finite elements pull.
+pub fn held_out_samples(count: usize, seed: u64) -> Vec<Sample> {
+    drawn(count, seed, &mooney)
+}
+
+fn drawn(count: usize, seed: u64, law: &dyn Fn(f64, f64) -> Law) -> Vec<Sample> {
+    let mut r = Random(seed);
+    let mut muscles = vec![];
+    for _ in 0..20 * count {
+        if muscles.len() == count {
+            break;
+        }
+        muscles.extend(random(&mut r, law));
+    }
+    muscles.par_iter().enumerate().filter_map(|(i, (m, p))| solved(i, m, *p)).collect()
+}
+
+fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
+    let fe = Axisymmetric::new(muscle).ok()?;
+    let blocked_n = fe.force_n(pressure_mpa, 0.0).ok().filter(|f| *f > 0.0)?;
+    let point = |step: u32| {
+        let contraction = muscle.max_ideal_contraction() * f64::from(step) / f64::from(STEPS);
+        let r = fe.response(pressure_mpa, contraction).ok().filter(|r| r.force_n > 0.0)?;
+        Some(PullPoint { pressure_mpa, contraction, force_n: r.force_n, blocked_n, volume_mm3: r.volume_mm3 })
+    };
+    // Up to where it ceases to pull: what may come behind is a tube that has collapsed.
+    let points = (0..=STEPS).map_while(point).collect();
+    Some(Sample { number: number as u64, muscle: muscle.clone(), points })
+}
+
+/// A model and its errors.
+#[derive(Debug, Clone)]
+pub struct HeldOutRow {
+    /// The model, in words.
+    pub model: String,
+    /// Its errors.
+    pub errors: UniversalSummary,
+}
+
+type Build<'a> = &'a (dyn Fn(&Muscle) -> Option<Box<dyn ForceModel>> + Sync);
+
+/// The models on random muscles: ideal, thick-wall with strands that do not stretch, thick-wall, both universal forms.
+pub fn held_out(samples: &[Sample]) -> Vec<HeldOutRow> {
+    let rigid = |m: &Muscle| -> Option<Box<dyn ForceModel>> {
+        let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };
+        Some(Box::new(ThickWall::new(&m.with_braid(braid).ok()?)))
+    };
+    let models: [(&str, Build<'_>); 5] = [
+        ("ideal", &|m| Some(Box::new(Ideal::new(m)))),
+        ("thick-wall, strands that do not stretch", &rigid),
+        ("thick-wall", &|m| Some(Box::new(ThickWall::new(m)))),
+        ("universal-small", &|m| ModelKind::UniversalSmall.build(m).ok()),
+        ("universal", &|m| ModelKind::Universal.build(m).ok()),
+    ];
+    let row = |(name, build): (&str, Build<'_>)| HeldOutRow {
+        model: name.into(),
+        errors: summary(&shares(samples, |s| build(&s.muscle), |_, _| true)),
+    };
+    models.into_iter().map(row).collect()
+}
+
+/// `universal` on random muscles of other rubber laws with the same moduli.
+pub fn rubber_laws(count: usize, seed: u64) -> Vec<HeldOutRow> {
+    let yeoh = |mu: f64, _: f64| {
+        let c10 = 0.5 * mu;
+        Law::Yeoh(Yeoh { c10_mpa: c10, c20_mpa: -0.007 * c10, c30_mpa: 2e-4 * c10 })
+    };
+    // Ogden 1972, Treloar's rubber: its modulus is ½ Σ μi αi = 0.4143 MPa.
+    let ogden = |mu: f64, _: f64| {
+        let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
+        Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * mu / 0.414_319, a)).collect() })
+    };
+    let laws: [(&str, &dyn Fn(f64, f64) -> Law); 4] = [
+        ("neo-hookean", &|mu, _| Law::NeoHookean(NeoHookean { mu_mpa: mu })),
+        ("yeoh", &yeoh),
+        ("ogden (Treloar's rubber)", &ogden),
+        ("gent (jm 30 to 80)", &|mu, u| Law::Gent(Gent { mu_mpa: mu, jm: 30.0 + 50.0 * u })),
+    ];
+    let row = |(name, law): (&str, &dyn Fn(f64, f64) -> Law)| {
+        let samples = drawn(count, seed, law);
+        let list = shares(&samples, |s| ModelKind::Universal.build(&s.muscle).ok(), |_, _| true);
+        HeldOutRow { model: format!("universal, {name}"), errors: summary(&list) }
+    };
+    laws.into_iter().map(row).collect()
+}

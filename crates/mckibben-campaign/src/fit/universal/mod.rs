@@ -1,0 +1,216 @@
+//! `--method universal`: the end deficit of [`mckibben::model::Universal`] from a campaign of muscles of every make.
+//!
+//! Each point where the finite elements pull says which δ gives their pull: F∞(λ) = F_FE gives λ, then
+//! δ = ½L0 (1 − λ − ε). The form without its terms has a δ of its own (the membrane's, or none); the terms are linear in
+//! their coefficients, so that
+//!
+//!   Σ w² (dF/dδ · (δ − δ_form − Σ c · column)/F_blocked)² → min
+//!
+//! is one linear problem in what errors are stated in. dF/dδ is the model's own, at fixed ε. w = 1, and 0.3 below P = 0.1 μ where muscles
+//! hardly pull. Errors are those of the finished model, which solves for λ itself; and of models fitted to four
+//! fifths of the muscles on the last fifth.
+
+mod errors;
+mod held_out;
+mod points;
+mod terms;
+#[cfg(test)]
+mod tests;
+
+pub use errors::{shares, summary};
+pub use held_out::{HeldOutRow, held_out, held_out_samples, rubber_laws};
+pub use points::{PullPoint, Sample, samples};
+pub use terms::products;
+
+use super::error::FitError;
+use mckibben::formula::{Provenance, UniversalErrors, UniversalFormula, UniversalSummary};
+use mckibben::model::{Deficit, EndPoint, ForceModel, Form, Universal, UniversalRange, UniversalTerm};
+use mckibben::rubber::RubberLaw;
+use nalgebra::{DMatrix, DVector};
+use rayon::prelude::*;
+use std::sync::Arc;
+
+/// The box that is asked of the campaign; what it does not fill is cut from it.
+pub const RANGE: UniversalRange = UniversalRange {
+    wall_ratio: (0.02, 0.17),
+    length_ratio: (5.0, f64::INFINITY),
+    angle_deg: (18.0, 37.0),
+    pressure_per_modulus: (0.0, 5.0),
+    strand_strain: 0.06,
+    contraction_of_ideal: (0.0, 1.0),
+};
+/// Below this P/μ a point is not used: blocked forces vanish there, and with them the measure of errors.
+const LEAST_PRESSURE: f64 = 0.02;
+/// Below this it counts less.
+const LOW_PRESSURE: (f64, f64) = (0.1, 0.3);
+/// Muscles up to this share outside of the box are used for the fit, so that its edges are inside of the data.
+const MARGIN: f64 = 0.12;
+const FOLDS: u64 = 5;
+
+/// What to fit.
+#[derive(Debug, Clone)]
+pub struct UniversalRequest {
+    /// Which form.
+    pub form: Form,
+    /// Name of the formula.
+    pub name: String,
+    /// Name of the table.
+    pub table: Option<String>,
+    /// Hash of the campaign's plan.
+    pub plan_hash: Option<String>,
+    /// Seed of the plan.
+    pub seed: Option<u64>,
+}
+
+/// One row of the linear problem.
+struct Equation {
+    muscle: u64,
+    left: Vec<f64>,
+    right: f64,
+}
+
+/// Fits a formula.
+///
+/// # Errors
+/// [`FitError`] where the table has no point that pulls inside of the box, or too few.
+pub fn universal(samples: &[Sample], request: &UniversalRequest) -> Result<UniversalFormula, FitError> {
+    let products = products(request.form);
+    let method = match request.form {
+        Form::Membrane => "membrane ends with a fitted correction for the wall",
+        Form::Bulge => "a fitted polynomial for the ends",
+    };
+    let empty = UniversalFormula {
+        name: request.name.clone(),
+        deficit: Deficit { form: request.form, terms: vec![] },
+        range: range(samples),
+        errors: UniversalErrors {
+            against: "forces of axisymmetric finite elements where they pull, P/mu from 0.02, as shares of the muscle's blocked force at the same pressure".into(),
+            fit: UniversalSummary::default(),
+            left_out: UniversalSummary::default(),
+        },
+        provenance: Provenance {
+            version: env!("CARGO_PKG_VERSION").into(),
+            method: format!("universal ({method}; {} terms)", products.len()),
+            points: 0,
+            data_hash: hash(samples),
+            table: request.table.clone(),
+            plan_hash: request.plan_hash.clone(),
+            seed: request.seed,
+        },
+    };
+    let equations = equations(samples, &empty, &products);
+    let with = |terms: Vec<UniversalTerm>| {
+        let deficit = Deficit { form: request.form, terms };
+        Arc::new(UniversalFormula { deficit, ..empty.clone() })
+    };
+    let formula = with(solve(&products, equations.iter())?);
+    let errors_of = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
+        let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
+            chosen(s.number)
+                .then(|| Box::new(Universal::new(formula.clone(), &s.muscle)) as Box<dyn ForceModel>)
+        };
+        shares(samples, build, |s, p| inside(s, p, &empty.range, 0.0))
+    };
+    let fit = summary(&errors_of(&formula, &|_| true));
+    let mut left_out = vec![];
+    for fold in 0..FOLDS {
+        let kept = equations.iter().filter(|e| e.muscle % FOLDS != fold);
+        let of_others = with(solve(&products, kept)?);
+        left_out.extend(errors_of(&of_others, &|number| number % FOLDS == fold));
+    }
+    let mut done = Arc::unwrap_or_clone(formula);
+    done.errors.fit = fit;
+    done.errors.left_out = summary(&left_out);
+    done.provenance.points = equations.len();
+    Ok(done)
+}
+
+/// Whether a point lies in a box, or within a margin around it.
+fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> bool {
+    let m = &s.muscle;
+    let within = |v: f64, (low, high): (f64, f64)| v >= low * (1.0 - margin) && v <= high * (1.0 + margin);
+    let mu = m.tube().rubber.law.shear_modulus_mpa();
+    within(m.wall_mm() / m.outer_diameter_mm(), range.wall_ratio)
+        && within(m.length_mm() / m.outer_diameter_mm(), range.length_ratio)
+        && within(m.braid().angle_deg, range.angle_deg)
+        && p.pressure_mpa >= LEAST_PRESSURE * mu
+        && p.pressure_mpa <= range.highest_pressure_mpa(m) * (1.0 + margin)
+}
+
+/// The box, cut to what the muscles fill.
+fn range(samples: &[Sample]) -> UniversalRange {
+    let cut = |(low, high): (f64, f64), of: &dyn Fn(&Sample) -> f64| {
+        let values = samples.iter().map(of);
+        let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        (low.max(least), if high.is_finite() { high.min(most) } else { high })
+    };
+    UniversalRange {
+        wall_ratio: cut(RANGE.wall_ratio, &|s| s.muscle.wall_mm() / s.muscle.outer_diameter_mm()),
+        length_ratio: cut(RANGE.length_ratio, &|s| s.muscle.length_mm() / s.muscle.outer_diameter_mm()),
+        angle_deg: cut(RANGE.angle_deg, &|s| s.muscle.braid().angle_deg),
+        ..RANGE
+    }
+}
+
+fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]]) -> Vec<Equation> {
+    let formula = Arc::new(empty.clone());
+    let of_sample = |s: &Sample| {
+        let model = Universal::new(formula.clone(), &s.muscle);
+        let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
+        let one = |p: &PullPoint| {
+            let (pressure, e, force) = (p.pressure_mpa, p.contraction, p.force_n);
+            let EndPoint { deficit_mm, start_mm, columns_mm, force_by_deficit_n_per_mm } =
+                model.end_point(pressure, e, force, products)?;
+            // A root on another branch of the endless muscle is none.
+            if deficit_mm.abs() > 0.5 * s.muscle.outer_diameter_mm() {
+                return None;
+            }
+            let low = pressure < LOW_PRESSURE.0 * mu;
+            let weight = force_by_deficit_n_per_mm / p.blocked_n * if low { LOW_PRESSURE.1 } else { 1.0 };
+            let left: Vec<f64> = columns_mm.into_iter().map(|c| weight * c).collect();
+            let right = weight * (deficit_mm - start_mm);
+            let finite = right.is_finite() && left.iter().all(|v| v.is_finite());
+            finite.then_some(Equation { muscle: s.number, left, right })
+        };
+        let chosen = s.points.iter().filter(|p| inside(s, p, &empty.range, MARGIN));
+        chosen.filter_map(one).collect::<Vec<_>>()
+    };
+    samples.par_iter().map(of_sample).collect::<Vec<_>>().into_iter().flatten().collect()
+}
+
+/// Least squares by Householder's QR; coefficients are rounded to nine digits.
+fn solve<'a>(
+    products: &[[u8; 5]],
+    equations: impl Iterator<Item = &'a Equation>,
+) -> Result<Vec<UniversalTerm>, FitError> {
+    let list: Vec<&Equation> = equations.collect();
+    let (rows, columns) = (list.len(), products.len());
+    if rows < 2 * columns {
+        return Err(FitError::Empty(" inside of the box of the method universal, or too few of them"));
+    }
+    let matrix = DMatrix::from_fn(rows, columns, |i, j| list[i].left[j]);
+    let right = DVector::from_fn(rows, |i, _| list[i].right);
+    let qr = matrix.qr();
+    let turned = qr.q().transpose() * right;
+    let solved = qr.r().solve_upper_triangular(&turned).filter(|x| x.iter().all(|v| v.is_finite()));
+    let x = solved.ok_or_else(|| FitError::Singular("the universal formula".into()))?;
+    let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
+    Ok(products
+        .iter()
+        .zip(x.iter())
+        .map(|(&powers, &v)| UniversalTerm { powers, value: rounded(v) })
+        .collect())
+}
+
+/// FNV-1a over the bits of all numbers, in their order.
+fn hash(samples: &[Sample]) -> String {
+    let numbers = samples.iter().flat_map(|s| {
+        let m = &s.muscle;
+        let own = [m.outer_diameter_mm(), m.wall_mm(), m.length_mm(), m.braid().angle_deg];
+        let points = s.points.iter().flat_map(|p| [p.pressure_mpa, p.contraction, p.force_n, p.blocked_n]);
+        own.into_iter().chain(points)
+    });
+    let bytes = numbers.flat_map(f64::to_le_bytes);
+    let sum = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
+    format!("fnv1a:{sum:016x}")
+}

@@ -1,0 +1,87 @@
+//! From the rows of a campaign to points with their muscles.
+
+use crate::Row;
+use crate::fit::error::FitError;
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::rubber::Law;
+
+/// A point of a muscle where it pulls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PullPoint {
+    /// P in MPa.
+    pub pressure_mpa: f64,
+    /// ε
+    pub contraction: f64,
+    /// F in N.
+    pub force_n: f64,
+    /// F at ε = 0 and the same pressure in N.
+    pub blocked_n: f64,
+    /// V in mm³, where it is known.
+    pub volume_mm3: Option<f64>,
+}
+
+/// A muscle with its points.
+#[derive(Debug, Clone)]
+pub struct Sample {
+    /// Its number in the plan.
+    pub number: u64,
+    /// The muscle.
+    pub muscle: Muscle,
+    /// Where it pulls.
+    pub points: Vec<PullPoint>,
+}
+
+/// The muscle of a row.
+fn muscle(row: &Row) -> Option<Muscle> {
+    let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
+    let rubber = Rubber::of(Law::named(&row.law, &constants)?.validated().ok()?);
+    let stiffness =
+        row.stiffness_of_braid_n_per_mm.map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
+    let tube = Tube {
+        outer_diameter_mm: row.outer_diameter_mm,
+        wall_mm: row.wall_mm,
+        length_mm: row.length_mm,
+        rubber,
+    };
+    let braid = Braid { angle_deg: row.angle_deg, stiffness, ..Braid::paper() };
+    Muscle::new(tube, braid, Terminals::default(), None).ok()
+}
+
+/// Muscles with the points where they pull; pressures without a blocked force are left out.
+///
+/// # Errors
+/// [`FitError::Empty`] where nothing pulls.
+pub fn samples(rows: &[Row]) -> Result<Vec<Sample>, FitError> {
+    let known = |r: &&Row| r.status == "ok" && r.force_n.is_some_and(f64::is_finite);
+    let mut out = vec![];
+    for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
+        let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else { continue };
+        let blocked: Vec<(f64, f64)> = group
+            .iter()
+            .filter(known)
+            .filter(|r| r.contraction == 0.0)
+            .filter_map(|r| Some((r.pressure_mpa, r.force_n.filter(|f| *f > 0.0)?)))
+            .collect();
+        // Where a muscle pulls again after it had ceased to, its tube has collapsed: another branch of equilibria.
+        let ends = |r: &&Row| r.force_n.is_none_or(|f| f <= 0.0);
+        let end = |p: f64| {
+            let stops = group.iter().filter(ends).filter(|r| r.pressure_mpa == p).map(|r| r.contraction);
+            stops.fold(f64::INFINITY, f64::min)
+        };
+        let blocked: Vec<(f64, f64, f64)> = blocked.into_iter().map(|(p, f)| (p, f, end(p))).collect();
+        let point = |r: &Row| {
+            let force_n = r.force_n.filter(|f| *f > 0.0)?;
+            let &(_, blocked_n, end) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
+            if r.contraction >= end {
+                return None;
+            }
+            let (pressure_mpa, contraction, volume_mm3) = (r.pressure_mpa, r.contraction, r.volume_mm3);
+            Some(PullPoint { pressure_mpa, contraction, force_n, blocked_n, volume_mm3 })
+        };
+        let points: Vec<PullPoint> = group.iter().filter(known).filter_map(point).collect();
+        if !points.is_empty() {
+            out.push(Sample { number: first.muscle, muscle, points });
+        }
+    }
+    if out.is_empty() { Err(FitError::Empty(" where the muscle pulls")) } else { Ok(out) }
+}

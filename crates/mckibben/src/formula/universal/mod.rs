@@ -1,0 +1,167 @@
+//! A universal formula as a file: the terms of the end deficit, the dimensionless range, the errors, the origin.
+
+mod json;
+
+use super::Provenance;
+use crate::model::{Deficit, UniversalRange, UniversalTerm};
+use std::sync::{Arc, LazyLock};
+
+/// Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct UniversalSummary {
+    /// How many points.
+    pub points: usize,
+    /// Of how many muscles.
+    pub muscles: usize,
+    /// Root mean square.
+    pub rms: f64,
+    /// The share that 95 % of the points do not exceed.
+    pub p95: f64,
+    /// The share that 99 % of the points do not exceed.
+    pub p99: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+/// How wrong a universal formula is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UniversalErrors {
+    /// Against what, in words.
+    pub against: String,
+    /// Over all points it was fitted to.
+    pub fit: UniversalSummary,
+    /// Over the same points, each predicted by a fit to the muscles of the other folds.
+    pub left_out: UniversalSummary,
+}
+
+impl UniversalErrors {
+    /// The half-width that 95 % of the points stay within.
+    pub fn half_width(&self) -> f64 {
+        self.fit.p95.max(self.left_out.p95)
+    }
+}
+
+/// A universal formula with all that is known of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UniversalFormula {
+    /// Its name, which answers carry.
+    pub name: String,
+    /// What it says of the ends.
+    pub deficit: Deficit,
+    /// Where it was fitted.
+    pub range: UniversalRange,
+    /// How wrong it is.
+    pub errors: UniversalErrors,
+    /// Where it comes from.
+    pub provenance: Provenance,
+}
+
+static LARGE: LazyLock<Option<Arc<UniversalFormula>>> =
+    LazyLock::new(|| parsed(include_str!("../../../data/universal.json")));
+static SMALL: LazyLock<Option<Arc<UniversalFormula>>> =
+    LazyLock::new(|| parsed(include_str!("../../../data/universal-small.json")));
+
+fn parsed(text: &str) -> Option<Arc<UniversalFormula>> {
+    UniversalFormula::parse(text).ok().map(Arc::new)
+}
+
+impl UniversalFormula {
+    /// The built-in formula; `None` only if its file were damaged, which a test excludes.
+    pub fn large() -> Option<Arc<Self>> {
+        LARGE.clone()
+    }
+
+    /// The built-in short formula.
+    pub fn small() -> Option<Arc<Self>> {
+        SMALL.clone()
+    }
+
+    /// A term in letters: `S N^2`.
+    pub fn term_name(&self, term: &UniversalTerm) -> String {
+        let letters = self.deficit.form.letters();
+        let factor = |(letter, n): (&str, u8)| match n {
+            0 => None,
+            1 => Some(letter.to_owned()),
+            n => Some(format!("{letter}^{n}")),
+        };
+        let list: Vec<String> = letters.into_iter().zip(term.powers).filter_map(factor).collect();
+        if list.is_empty() { "1".into() } else { list.join(" ") }
+    }
+
+    /// The equation in one line.
+    pub fn equation(&self) -> String {
+        use crate::model::Form;
+        let deficit = match self.deficit.form {
+            Form::Membrane => {
+                "delta = delta_membrane + Ro (l_s0 - l) S/sqrt(t) sum(value S^a A^b N^c M^d E^e); S = s/Ro, A = 4 sin^2(theta0), \
+                 N = sin(phi0), t = T0/(2 pi Ro s mu), M = 1/(1 + t), E = x/sqrt(1 + x^2), x = 10 (strand stretch - 1)"
+            }
+            Form::Bulge => {
+                "delta = Ro (1 - Ro/r) sum(value A^b B^c M^d L^e); A = 4 sin^2(theta0), B = 1 - Ro/r, \
+                 M = mu s/(P Ro + mu s), L = 1 - l"
+            }
+        };
+        format!(
+            "F = F_endless(l, P), contraction = 1 - l - 2 delta/L0; {deficit} (l, r: stretch and outer radius of the middle)"
+        )
+    }
+
+    /// The equation with its numbers as LaTeX (amsmath).
+    pub fn to_latex(&self) -> String {
+        use crate::model::Form;
+        let sum: Vec<String> = self
+            .deficit
+            .terms
+            .iter()
+            .map(|t| format!("{:+.6} {}", t.value, self.term_name(t).replace("1", "").replace(' ', "\\,")))
+            .collect();
+        let sum = sum.join(" ");
+        let (first, rest) = match self.deficit.form {
+            Form::Membrane => (
+                "\\delta &= \\int_{R_o}^{r} \\frac{\\lambda_s\\cos\\varphi - \\lambda}{\\lambda_s\\sin\\varphi}\\,\\mathrm{d}r + R_o(\\lambda_{s0} - \\lambda)\\frac{S}{\\sqrt{t}}",
+                "S &= s/R_o,\\quad A = 4\\sin^2\\theta_0,\\quad N = \\sin\\varphi_0,\\quad M = 1/(1+t)",
+            ),
+            Form::Bulge => (
+                "\\delta &= R_o(1 - R_o/r)",
+                "A &= 4\\sin^2\\theta_0,\\quad B = 1 - R_o/r,\\quad M = \\frac{\\mu s}{P R_o + \\mu s},\\quad L = 1 - \\lambda",
+            ),
+        };
+        format!(
+            "\\begin{{aligned}}\nF &= F_\\infty(\\lambda, P),\\quad \\varepsilon = 1 - \\lambda - 2\\delta/L_0\\\\\n{first}\\bigl({sum}\\bigr)\\\\\n{rest}\n\\end{{aligned}}\n"
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_built_in_formulas_are_read_and_written_to_the_same_text() {
+        for (formula, text) in [
+            (UniversalFormula::large(), include_str!("../../../data/universal.json")),
+            (UniversalFormula::small(), include_str!("../../../data/universal-small.json")),
+        ] {
+            assert_eq!(formula.unwrap().to_json(), text);
+        }
+    }
+
+    #[test]
+    fn the_short_formula_is_short() {
+        assert!(UniversalFormula::small().unwrap().deficit.terms.len() <= 16);
+    }
+
+    #[test]
+    fn damage_is_named() {
+        let text = include_str!("../../../data/universal.json");
+        for (from, to, says) in [
+            ("\"membrane\"", "\"shell\"", "form"),
+            ("\"wall_ratio\"", "\"wall\"", "range.wall_ratio"),
+            ("\"left_out\"", "\"leftout\"", "errors.left_out"),
+        ] {
+            assert!(text.contains(from), "{from}");
+            let error = UniversalFormula::parse(&text.replace(from, to)).unwrap_err().to_string();
+            assert!(error.contains(says), "{error}");
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! The end of a muscle as a membrane: from the terminal, where it has its radius at rest, to the uniform middle.
+//!
+//! With U(λs, r) the energy of wall and braid per length at rest when the meridian is stretched by λs at outer radius r, the
+//! shape r(Z), z(Z) of the muscle minimises ∫ U(√(r'² + z'²), r) − P π r² z' dZ. Z does not appear, nor does z: two
+//! quantities are the same in every section,
+//!
+//!   F = T cosφ − P π r²,   H = U − λs T,   T = ∂U/∂λs,   cosφ = z'/λs
+//!
+//! and their values are those of the middle (λ, b): H = U(λ, b) − λ T(λ, b). At any r on the way the second gives λs, the first
+//! the slope φ, so that what the end adds to the length of a uniform muscle is an integral over r,
+//!
+//!   δ = ∫ (z' − λ) dZ = ∫ (λs cosφ − λ)/(λs sinφ) dr   from Ro to b
+//!
+//! and the volume likewise. The integrand is smooth; the rule of Radau with two points (Ro and two thirds of the way, weights ¼ and ¾)
+//! is used. Derived here. Strands that do not stretch tie λs to r; T is then (U − H)/λs.
+//!
+//! The way back from the bulge decays like e^(−Z/ℓ); in a short muscle the two ends meet before they are through. In the linear theory
+//! that makes δ smaller by the factor tanh(½L0/ℓ). Here it is tanh(1.2 · ½L0/ℓ) with the ℓ = (b − r)/(λs sinφ) found at the second
+//! point.
+//!
+//! Where the muscle would have to push, no such shape need exist; T and the axial load are kept above zero and cosφ below one by smooth
+//! floors that do nothing where it pulls.
+
+use super::dual::Dual;
+use crate::model::WallEnergy;
+use crate::model::thick_wall::{State, ThickWall};
+use std::f64::consts::PI;
+
+/// Places between Ro and b, and weights.
+const RADAU: [(f64, f64); 2] = [(0.0, 0.25), (2.0 / 3.0, 0.75)];
+/// Floor of T and of the load as a share of 2π Ro s μ, and the width of the passage to it.
+const LEAST_TENSION: (f64, f64) = (0.01, 0.02);
+/// Floor of 1 − cosφ as a share of ((b − r)/Ro)², and the width of the passage to it.
+const LEAST_SLOPE: (f64, f64) = (0.01, 0.01);
+/// |b − Ro|/Ro below which the end is that of the linear theory.
+const SMALL: f64 = 1e-5;
+/// Factor of ½L0/ℓ where the ends meet: in large bulges ℓ falls on the way to the middle. Chosen on the campaign.
+const MEETING: f64 = 1.2;
+/// A step of Newton's method this small leaves an error of its square.
+const SMALL_STEP: f64 = 1e-10;
+const ITERATIONS: usize = 40;
+
+/// What the end zone gives, per end.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End {
+    /// δ in mm
+    pub deficit: Dual,
+    /// ∫ π r² z' − π b² λ dZ in mm³
+    pub volume_mm3: f64,
+    /// λs − λ at the terminal
+    pub excess: Dual,
+    /// sinφ at the terminal
+    pub slope: Dual,
+    /// T/(2π Ro s μ) at the terminal
+    pub tension: Dual,
+}
+
+/// The muscle's constants that the end needs.
+#[derive(Debug, Clone)]
+pub(super) struct EndZone {
+    pub wall: ThickWall,
+    /// Ro
+    pub ro: f64,
+    /// 2π Ro s μ
+    pub scale: f64,
+    /// ½L0
+    pub half: f64,
+}
+
+/// λs and T at a radius.
+struct Section {
+    stretch: Dual,
+    tension: Dual,
+}
+
+impl EndZone {
+    /// The end of a muscle whose middle is in a state; `None` where no section is found.
+    pub fn at(&self, p: f64, l: f64, state: &State) -> Option<End> {
+        let lambda = Dual::new(l, [1.0, 0.0]);
+        let pressure = Dual::new(p, [0.0, 1.0]);
+        let b = Dual::new(state.r, state.r_by);
+        let axial = Dual::new(state.axial, state.axial_by);
+        let h = Dual::new(state.energy, state.energy_by) - axial * lambda;
+        let (least, width) = (LEAST_TENSION.0 * self.scale, LEAST_TENSION.1 * self.scale);
+        let kept = |x: Dual| {
+            let least = Dual::constant(least);
+            least + (x - least).positive(Dual::constant(width))
+        };
+        let way = b - Dual::constant(self.ro);
+        if way.v.abs() < SMALL * self.ro {
+            return Some(self.linear(l, state, way, kept(axial)));
+        }
+        let (mut end, mut decay) = (None, Dual::default());
+        let mut deficit = Dual::default();
+        let mut volume_mm3 = 0.0;
+        for (place, weight) in RADAU {
+            let r = Dual::constant(self.ro) + way * place;
+            let Section { stretch, tension } = self.section(r, h, l, state)?;
+            let tension = kept(tension);
+            let load = kept(axial + pressure * (r.squared() - b.squared()) * PI);
+            let near = ((b - r) * (1.0 / self.ro)).squared();
+            // 1 − cosφ above its floor
+            let above =
+                (Dual::constant(1.0) - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
+            let turn = near * LEAST_SLOPE.0 + above;
+            let cos = Dual::constant(1.0) - turn;
+            let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();
+            let per_r = stretch * sin;
+            deficit = deficit + (stretch * cos - lambda) / per_r * weight;
+            volume_mm3 += weight * PI * (r.v * r.v * stretch.v * cos.v - b.v * b.v * l) / per_r.v;
+            // The last point says how fast the bulge decays.
+            decay = per_r / (b - r);
+            end.get_or_insert((stretch - lambda, sin, tension * (1.0 / self.scale)));
+        }
+        let (excess, slope, tension) = end?;
+        let length = if way.v < 0.0 { -way } else { way };
+        let decay = if way.v < 0.0 { -decay } else { decay };
+        let meeting = (decay * (MEETING * self.half)).tanh();
+        let deficit = deficit * length * meeting;
+        (deficit.v.is_finite() && deficit.by.iter().all(|d| d.is_finite())).then_some(End {
+            deficit,
+            volume_mm3: volume_mm3 * length.v * meeting.v,
+            excess,
+            slope,
+            tension,
+        })
+    }
+
+    /// Hardly any bulge: r − b decays like e^(−Z/ℓ), ℓ² = (T/λ)/(d²(Π − Fλ)/dr²).
+    fn linear(&self, l: f64, state: &State, way: Dual, axial: Dual) -> End {
+        let length = if state.radial > 0.0 { (axial.v / (l * state.radial)).sqrt() } else { 0.0 };
+        let length = if length > 0.0 { length * (MEETING * self.half / length).tanh() } else { 0.0 };
+        End {
+            deficit: way * (-state.stretch_by_r * length),
+            volume_mm3: 0.0,
+            excess: way * (-state.stretch_by_r),
+            slope: Dual::default(),
+            tension: axial * (1.0 / self.scale),
+        }
+    }
+
+    fn section(&self, r: Dual, h: Dual, l: f64, state: &State) -> Option<Section> {
+        let (sin2, cos2) = self.wall.squares();
+        let at = r.v / self.ro;
+        let taut = self.wall.taut_stretch(r.v);
+        if self.wall.stiffness().is_some() {
+            // The strands here are about as long as those of the middle.
+            let strand2 = cos2 * l * l + sin2 * (state.r / self.ro).powi(2);
+            let guess = ((strand2 - sin2 * at * at) / cos2).max(0.01).sqrt();
+            return self.stretched(r, h, guess);
+        }
+        if taut > 0.0 {
+            let w = self.wall.energy(taut, r.v);
+            let stretch = r.chain(taut, -sin2 * r.v / (self.ro * self.ro * cos2 * taut));
+            let tension = (lift(w.w, w.l, w.r, stretch, r) - h) / stretch;
+            if tension.v >= w.l {
+                return Some(Section { stretch, tension });
+            }
+        }
+        self.stretched(r, h, if taut > 0.0 { taut } else { l })
+    }
+
+    /// Root λs of U − λs ∂U/∂λs = H, which falls with λs.
+    fn stretched(&self, r: Dual, h: Dual, guess: f64) -> Option<Section> {
+        let mut l = guess;
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        for _ in 0..ITERATIONS {
+            let e = self.wall.energy(l, r.v);
+            let value = e.w - l * e.l - h.v;
+            if !(value.is_finite() && e.ll > 0.0) {
+                return None;
+            }
+            let step = value / (l * e.ll);
+            if step.abs() < SMALL_STEP * l {
+                return Some(self.solved(r, h, l, step, &e));
+            }
+            if value > 0.0 {
+                low = l;
+            } else {
+                high = l;
+            }
+            let next = l + step.clamp(-0.3 * l, 0.3 * l);
+            l = if next > low && next < high { next } else { 0.5 * (low + high.min(2.0 * l)) };
+        }
+        None
+    }
+
+    /// The last step of Newton's method leaves an error of its square.
+    fn solved(&self, r: Dual, h: Dual, l: f64, step: f64, e: &WallEnergy) -> Section {
+        let by = [0, 1].map(|i| ((e.r - l * e.lr) * r.by[i] - h.by[i]) / (l * e.ll));
+        let stretch = Dual::new(l + step, by);
+        let tension = Dual::new(e.l + e.ll * step, [0, 1].map(|i| e.ll * by[i] + e.lr * r.by[i]));
+        Section { stretch, tension }
+    }
+}
+
+/// A function of (λs, r) from its value and slopes.
+fn lift(v: f64, by_stretch: f64, by_r: f64, stretch: Dual, r: Dual) -> Dual {
+    Dual::new(v, [0, 1].map(|i| by_stretch * stretch.by[i] + by_r * r.by[i]))
+}

@@ -1,0 +1,62 @@
+//! The energy of a Mooney–Rivlin wall in closed form.
+//!
+//! With A = Ro² − Ri², x = ro² and K = x − Ro²/λ, the wall of [`super::Wall`] has r² = R²/λ + K, and the integrals of
+//! I1 and I2 over R² are elementary:
+//!
+//!   W/π = C10 [(λ² − 3)A + 2A/λ] + C01 [(1/λ² − 3)A + 2λA] + (C10 + C01 λ²) Q
+//!   Q = K [ln(Ro²/Ri²) − ln(ro²/ri²)],   ri² = x − A/λ
+//!
+//! Derived here; Q carries all of the bulge.
+
+use super::WallEnergy;
+use std::f64::consts::PI;
+
+/// A wall of Mooney–Rivlin rubber.
+pub(super) struct Mooney {
+    pub c10_mpa: f64,
+    pub c01_mpa: f64,
+    /// Ro² in mm²
+    pub ro2: f64,
+    /// A in mm²
+    pub section: f64,
+    /// ln(Ro²/Ri²)
+    pub span: f64,
+}
+
+impl Mooney {
+    /// W and its derivatives at λ and ro.
+    pub(super) fn energy(&self, l: f64, r: f64) -> WallEnergy {
+        let (c10, c01, a) = (self.c10_mpa, self.c01_mpa, self.section);
+        let (x, i) = (r * r, 1.0 / l);
+        let (i2, i3) = (i * i, i * i * i);
+        // g = λ ri²; M = ln(ro²/ri²) and its derivatives in (λ, x)
+        let g = l * x - a;
+        let s = 1.0 / g;
+        let m = -(g * i / x).ln();
+        let (ml, mx) = (-a * i * s, -a * s / x);
+        let twice = a * (2.0 * l * x - a) * s * s;
+        let (mll, mxx, mlx) = (twice * i2, twice / (x * x), a * s * s);
+        let k = x - self.ro2 * i;
+        let (kl, kll) = (self.ro2 * i2, -2.0 * self.ro2 * i3);
+        let d = self.span - m;
+        let q = k * d;
+        let (ql, qx) = (kl * d - k * ml, d - k * mx);
+        let qll = kll * d - 2.0 * kl * ml - k * mll;
+        let qlx = -ml - kl * mx - k * mlx;
+        let qxx = -2.0 * mx - k * mxx;
+        let c = c10 + c01 * l * l;
+        let (wx, wxx) = (c * qx, c * qxx);
+        WallEnergy {
+            w: PI * (a * (c10 * (l * l - 3.0 + 2.0 * i) + c01 * (i2 - 3.0 + 2.0 * l)) + c * q),
+            l: PI * (2.0 * a * (c10 * (l - i2) + c01 * (1.0 - i3)) + c * ql + 2.0 * c01 * l * q),
+            ll: PI
+                * (a * (c10 * (2.0 + 4.0 * i3) + 6.0 * c01 * i2 * i2)
+                    + c * qll
+                    + 4.0 * c01 * l * ql
+                    + 2.0 * c01 * q),
+            r: PI * 2.0 * r * wx,
+            lr: PI * 2.0 * r * (c * qlx + 2.0 * c01 * l * qx),
+            rr: PI * (4.0 * x * wxx + 2.0 * wx),
+        }
+    }
+}

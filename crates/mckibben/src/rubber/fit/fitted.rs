@@ -1,0 +1,201 @@
+//! A law with its constants, and how well it does.
+
+use super::form::Form;
+use super::mode::Mode;
+use super::problem::Problem;
+use super::{FitSettings, Raw, TensionFitError, gent, linear, ogden};
+use crate::least_squares::t95;
+use crate::rubber::{Law, MUSCLE_AXIAL_STRETCH, RubberLaw, Stability, is_stable_at, muscle_stability};
+
+/// A constant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    /// As in muscle files; `mu1`, `alpha1` for terms.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// `MPa` or nothing.
+    pub unit: &'static str,
+    /// Standard error; 0 on a bound, `None` where the data do not tell it at all.
+    pub standard_error: Option<f64>,
+    /// Whether the data tell it: it is not on a bound, and its 95 % interval does not reach zero or (constants that may be
+    /// zero) is so narrow that it moves the stress at the end of the data by less than a quarter of the modulus.
+    pub identifiable: bool,
+}
+
+/// How well a law follows one of the tests.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeError {
+    /// Which test.
+    pub mode: Mode,
+    /// Its points.
+    pub points: usize,
+    /// Largest stretch of them.
+    pub to_stretch: f64,
+    /// Root mean square of the differences of nominal stress, in MPa.
+    pub rms_mpa: f64,
+    /// Stretch up to which the law is stable in this test, where it ends below the larger of the data's and the muscle's.
+    pub stable_to_stretch: Option<f64>,
+}
+
+/// A fitted law.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FittedLaw {
+    /// Which law.
+    pub form: Form,
+    /// Whether it was held among the laws that are stable in a muscle.
+    pub constrained: bool,
+    /// With its constants; they may be no sound rubber where `constrained` is false.
+    pub law: Law,
+    /// The constants.
+    pub parameters: Vec<Parameter>,
+    /// R² of the nominal stresses.
+    pub r_squared: f64,
+    /// R² of the free fit, where this one was held.
+    pub free_r_squared: Option<f64>,
+    /// Root mean square of the differences of nominal stress, in MPa.
+    pub rms_mpa: f64,
+    /// Root mean square of the differences over the measured stress, of points that pull.
+    pub relative_rms: f64,
+    /// Akaike's criterion, for laws fitted to the same points in the same way.
+    pub aicc: f64,
+    /// One entry a test.
+    pub modes: Vec<ModeError>,
+    /// Over a muscle's stretches.
+    pub stability: Stability,
+}
+
+impl FittedLaw {
+    /// Whether it is stable in a muscle.
+    pub fn is_stable(&self) -> bool {
+        self.stability == Stability::Stable && self.law.clone().validated().is_ok()
+    }
+}
+
+/// The free fit and, where that is unstable in a muscle, the stable one; or the stable one alone.
+pub(super) fn laws(
+    form: Form,
+    problem: &Problem,
+    settings: &FitSettings,
+) -> Result<Vec<FittedLaw>, TensionFitError> {
+    let hoop = settings.hoop_stretch;
+    let stable = || {
+        let raw = match (form, form.basis()) {
+            (_, Some(basis)) => linear::stable(form, &basis, problem, hoop)?,
+            (Form::Ogden { terms }, _) => ogden::fit(terms, problem)?,
+            _ => gent::fit(problem, Some(least_jm(hoop)))?,
+        };
+        judged(form, true, raw, problem, hoop)
+    };
+    let raw = match (form, form.basis()) {
+        (_, Some(basis)) => linear::free(form, &basis, problem)?,
+        (Form::Ogden { terms }, _) => ogden::fit(terms, problem)?,
+        _ => gent::fit(problem, None)?,
+    };
+    let free = judged(form, false, raw, problem, hoop)?;
+    if free.is_stable() && !has_negative_c01(&free.law) {
+        return Ok(vec![free]);
+    }
+    let beside = |held: FittedLaw| FittedLaw { free_r_squared: Some(free.r_squared), ..held };
+    match stable().map(beside) {
+        Ok(held) if settings.stable => Ok(vec![held]),
+        Ok(held) => Ok(vec![free, held]),
+        Err(error) if settings.stable => Err(error),
+        Err(_) => Ok(vec![free]),
+    }
+}
+
+/// Mooney–Rivlin as one-axis tests give it, even if the muscle at hand does not reach where it turns unstable.
+pub(super) fn has_negative_c01(law: &Law) -> bool {
+    matches!(law, Law::MooneyRivlin(l) if l.c01_mpa < 0.0)
+}
+
+/// Gent's limit that lies beyond all stretches of a muscle: the largest I1 − 3 there, and a little more.
+fn least_jm(hoop: f64) -> f64 {
+    let i1 = |axial: f64| hoop * hoop + axial * axial + (hoop * axial).powi(-2) - 3.0;
+    1.02 * i1(MUSCLE_AXIAL_STRETCH.0).max(i1(MUSCLE_AXIAL_STRETCH.1))
+}
+
+fn judged(
+    form: Form,
+    constrained: bool,
+    raw: Raw,
+    problem: &Problem,
+    hoop: f64,
+) -> Result<FittedLaw, TensionFitError> {
+    let failed = |why: &str| TensionFitError::NotConverged { law: form.name(), why: why.into() };
+    let law = form.law_of(&raw.constants).ok_or_else(|| failed("its constants are not complete"))?;
+    let squares = problem.squares(&law).filter(|s| s.is_finite());
+    let squares = squares.ok_or_else(|| failed("its stresses are not finite"))?;
+    let t = t95(raw.freedom);
+    let parameters = law.constants().into_iter().enumerate().map(|(i, (name, value, unit))| {
+        let error = raw.standard_errors[i];
+        let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
+        Parameter {
+            name,
+            value,
+            unit,
+            standard_error: error.is_finite().then_some(error),
+            identifiable: narrow && !raw.at_bound[i],
+        }
+    });
+    let parameters = parameters.collect();
+    let (n, k) = (problem.counting() as f64, form.constants() as f64);
+    // Exact data leave rounding only; its logarithm says nothing.
+    let mean = (squares / n).max(1e-24);
+    let aicc = n * mean.ln() + 2.0 * (k + 1.0) + 2.0 * (k + 1.0) * (k + 2.0) / (n - k - 2.0).max(0.5);
+    let differences: Vec<(f64, f64)> = problem
+        .points
+        .iter()
+        .map(|p| (p.mode.nominal_stress_mpa(&law, p.stretch) - p.nominal_stress_mpa, p.nominal_stress_mpa))
+        .collect();
+    let count = differences.len() as f64;
+    let average = differences.iter().map(|d| d.1).sum::<f64>() / count;
+    let spread: f64 = differences.iter().map(|d| (d.1 - average).powi(2)).sum();
+    let left: f64 = differences.iter().map(|d| d.0 * d.0).sum();
+    let pulls = problem.points.iter().zip(&differences);
+    let pulls: Vec<f64> =
+        pulls.filter(|(p, d)| d.1 * (p.stretch - 1.0) > 0.0).map(|(_, d)| (d.0 / d.1).powi(2)).collect();
+    let modes = Mode::ALL.into_iter().filter_map(|mode| of_mode(mode, &law, problem, hoop)).collect();
+    Ok(FittedLaw {
+        form,
+        constrained,
+        parameters,
+        r_squared: if spread > 0.0 { 1.0 - left / spread } else { 0.0 },
+        free_r_squared: None,
+        rms_mpa: (left / count).sqrt(),
+        relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
+        aicc,
+        modes,
+        stability: muscle_stability(&law, hoop),
+        law,
+    })
+}
+
+fn of_mode(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {
+    let of: Vec<_> = problem.points.iter().filter(|p| p.mode == mode).collect();
+    if of.is_empty() {
+        return None;
+    }
+    let difference =
+        |p: &&&super::TensionPoint| mode.nominal_stress_mpa(law, p.stretch) - p.nominal_stress_mpa;
+    let squares: f64 = of.iter().map(|p| difference(&p).powi(2)).sum();
+    let to_stretch = of.iter().map(|p| p.stretch).fold(0.0, f64::max);
+    Some(ModeError {
+        mode,
+        points: of.len(),
+        to_stretch,
+        rms_mpa: (squares / of.len() as f64).sqrt(),
+        stable_to_stretch: stable_to(mode, law, to_stretch.max(hoop)),
+    })
+}
+
+/// Stretch from which on a law is unstable in a test, walking from rest.
+fn stable_to(mode: Mode, law: &Law, end: f64) -> Option<f64> {
+    const STEPS: u32 = 400;
+    let stretch = |i: u32| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS);
+    (0..=STEPS).map(stretch).find(|&l| {
+        let (a, b) = mode.stretches(l);
+        !is_stable_at(law, a, b)
+    })
+}

@@ -1,0 +1,235 @@
+//! A rubber law from tension tests.
+//!
+//! [`read_tension`] reads one-axis, planar and equibiaxial tests; [`fit_tension`] finds the constants of every law by
+//! least squares of the nominal stress,
+//!
+//!   minimise Σ w (P(λ; c) − P_measured)²   or   Σ w (P(λ; c)/P_measured − 1)²,
+//!
+//! with standard errors (see [`estimate`](crate::least_squares::estimate)), R² = 1 − Σ(P − P_m)²/Σ(P_m − mean)² (always
+//! of the stresses, not weighted), and Akaike's criterion for small samples (Hurvich & Tsai 1989), k constants and s²:
+//!
+//!   AICc = n ln(Σ w r²/n) + 2(k + 1) + 2(k + 1)(k + 2)/(n − k − 2).
+//!
+//! It asks where a law is stable: over the stretches of a muscle wall, and in the three tests. A law that is not is
+//! fitted again among those that are. Standard errors take the errors of the points as independent; neighbouring points
+//! of one test err alike, so that the true errors are larger.
+
+mod columns;
+mod convex;
+mod data;
+mod fitted;
+mod form;
+mod gent;
+mod linear;
+mod mode;
+mod ogden;
+mod problem;
+mod runs;
+mod warning;
+
+pub use data::{ReadOptions, TensionError, TensionPoint, read_tension};
+pub use fitted::{FittedLaw, ModeError, Parameter};
+pub use form::Form;
+pub use mode::Mode;
+pub use problem::Measure;
+pub use warning::TensionWarning;
+
+use super::stability::MUSCLE_HOOP_STRETCH;
+use problem::Problem;
+use thiserror::Error;
+
+/// What is wanted of a fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FitSettings {
+    /// The laws; none means all that the number of points carries.
+    pub forms: Vec<Form>,
+    /// What is made small.
+    pub measure: Measure,
+    /// Every mode counts alike, however many points it has. Else every point counts alike.
+    pub balance: bool,
+    /// A factor on the weights of a mode.
+    pub mode_weights: Vec<(Mode, f64)>,
+    /// Points up to this stretch only.
+    pub up_to_stretch: Option<f64>,
+    /// Laws that are stable in a muscle only.
+    pub stable: bool,
+    /// Largest hoop stretch of the muscle.
+    pub hoop_stretch: f64,
+}
+
+impl Default for FitSettings {
+    fn default() -> Self {
+        Self {
+            forms: vec![],
+            measure: Measure::Absolute,
+            balance: false,
+            mode_weights: vec![],
+            up_to_stretch: None,
+            stable: false,
+            hoop_stretch: MUSCLE_HOOP_STRETCH,
+        }
+    }
+}
+
+/// Why there is no fit.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum TensionFitError {
+    /// Not enough points for a law.
+    #[error("{points} points are too few for {law}: it takes {needed} or more")]
+    TooFew {
+        /// Which law.
+        law: String,
+        /// Points that count.
+        points: usize,
+        /// Points it takes.
+        needed: usize,
+    },
+    /// The stress does not grow with the stretch.
+    #[error(
+        "the points pull with a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; look at the columns and their signs"
+    )]
+    NoStiffness {
+        /// The neo-Hookean modulus that fits best.
+        modulus_mpa: f64,
+    },
+    /// A setting that makes no sense.
+    #[error("{what} is {value}; it must be {expected}")]
+    Setting {
+        /// Which.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// A term too many.
+    #[error("{law}: so many terms follow these data no better than fewer do")]
+    NoBetter {
+        /// Which law.
+        law: String,
+    },
+    /// No minimum was found.
+    #[error("{law}: no fit was found: {why}")]
+    NotConverged {
+        /// Which law.
+        law: String,
+        /// Why.
+        why: String,
+    },
+}
+
+/// The laws of one set of tests.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TensionFit {
+    /// The points that were fitted.
+    pub points: Vec<TensionPoint>,
+    /// Points left out because they lie behind a rupture or beyond `up_to_stretch`, or cannot count.
+    pub left_out: usize,
+    /// Largest principal stretch of the points.
+    pub fitted_to_stretch: f64,
+    /// The laws, lowest AICc first. A law that is unstable in a muscle is followed by its stable neighbour.
+    pub laws: Vec<FittedLaw>,
+    /// Laws without a fit.
+    pub failed: Vec<TensionFitError>,
+    /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with one-axis tests
+    /// alone, one of I1.
+    pub recommended: Option<usize>,
+    /// What to mind.
+    pub warnings: Vec<TensionWarning>,
+}
+
+/// Constants as a solver gives them.
+pub(super) struct Raw {
+    pub constants: Vec<f64>,
+    pub standard_errors: Vec<f64>,
+    pub at_bound: Vec<bool>,
+    /// A change of each constant that moves the stress at the end of the data by the modulus; 0 where it may not be zero.
+    pub scales: Vec<f64>,
+    pub freedom: usize,
+}
+
+/// Fits laws to points.
+///
+/// # Errors
+/// [`TensionFitError`]: bad settings, too few points, no stiffness; or, where none of the laws has a fit, why the first one
+/// has none.
+pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<TensionFit, TensionFitError> {
+    check(settings)?;
+    let sorted = runs::sort(points);
+    let mut warnings = warning::of_runs(&sorted);
+    let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
+    let used: Vec<TensionPoint> = sorted.kept.into_iter().filter(|p| p.stretch <= limit).collect();
+    let problem = Problem::new(used, settings.measure, settings.balance, &settings.mode_weights);
+    let count = problem.counting();
+    let forms = chosen(settings, count)?;
+    if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
+        return Err(TensionFitError::NoStiffness { modulus_mpa: problem.modulus_mpa });
+    }
+    let stretch = |p: &TensionPoint| p.mode.largest_stretch(p.stretch);
+    let fitted_to_stretch = problem.points.iter().map(stretch).fold(1.0, f64::max);
+    let (mut laws, mut failed) = (vec![], vec![]);
+    for form in forms {
+        match fitted::laws(form, &problem, settings) {
+            Ok(found) => laws.push(found),
+            Err(error) => failed.push(error),
+        }
+    }
+    // Free and stable of one law stay together.
+    laws.sort_by(|a, b| a[0].aicc.total_cmp(&b[0].aicc));
+    let laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
+    if let (true, Some(error)) = (laws.is_empty(), failed.first()) {
+        return Err(error.clone());
+    }
+    let recommended = recommended(&laws, &problem.points);
+    warnings.extend(warning::of_points(&problem, fitted_to_stretch, settings.hoop_stretch));
+    warnings.extend(laws.iter().flat_map(|l| warning::of_law(l, settings.hoop_stretch)));
+    let left_out = points.len() - count;
+    Ok(TensionFit {
+        points: problem.points,
+        left_out,
+        fitted_to_stretch,
+        laws,
+        failed,
+        recommended,
+        warnings,
+    })
+}
+
+fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
+    let bad = |what, value, expected| Err(TensionFitError::Setting { what, value, expected });
+    if let Some(limit) = settings.up_to_stretch.filter(|l| !(*l > 1.0 && l.is_finite())) {
+        return bad("the largest stretch", limit, "above 1 (a stretch, or a strain such as 200%)");
+    }
+    if !(settings.hoop_stretch > 1.0 && settings.hoop_stretch <= 10.0) {
+        return bad("the hoop stretch", settings.hoop_stretch, "above 1 and at most 10");
+    }
+    match settings.mode_weights.iter().find(|w| !(w.1 >= 0.0 && w.1.is_finite())) {
+        Some(w) => bad("a weight", w.1, "zero or above"),
+        None => Ok(()),
+    }
+}
+
+/// The laws that are asked for, or all that the points carry.
+fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFitError> {
+    let too_few = |f: &Form| TensionFitError::TooFew { law: f.name(), points, needed: f.fewest_points() };
+    let carried = |f: &Form| points >= f.fewest_points();
+    let asked = if settings.forms.is_empty() { &Form::ALL[..] } else { &settings.forms };
+    let forms: Vec<Form> = asked.iter().copied().filter(carried).collect();
+    match (forms.is_empty(), asked.first()) {
+        (true, Some(first)) => Err(too_few(first)),
+        _ => Ok(forms),
+    }
+}
+
+fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option<usize> {
+    let one_axis = points.iter().all(|p| p.mode == Mode::Uniaxial);
+    let best = |good: &dyn Fn(&FittedLaw) -> bool| {
+        let places = (0..laws.len()).filter(|&i| good(&laws[i]));
+        places.min_by(|&a, &b| laws[a].aicc.total_cmp(&laws[b].aicc))
+    };
+    let trusted = |l: &FittedLaw| l.is_stable() && !fitted::has_negative_c01(&l.law);
+    best(&|l| trusted(l) && (l.form.is_of_i1() || !one_axis)).or_else(|| best(&trusted))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,143 @@
+//! Loading, unloading and rupture, from the order of the points.
+
+use super::data::TensionPoint;
+use super::mode::Mode;
+
+/// A turn back by more than this share of the range of stretches ends a run.
+const TURN: f64 = 0.05;
+/// Stress after the largest one, as a share of it, below which a specimen has failed.
+const FAILED: f64 = 0.8;
+
+/// Points as one test after another gave them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Sorted {
+    /// Those that can be fitted.
+    pub kept: Vec<TensionPoint>,
+    /// How many lie behind a rupture, by mode.
+    pub after_rupture: Vec<(Mode, usize)>,
+    /// Times a specimen was unloaded.
+    pub unloadings: usize,
+}
+
+/// Leaves out what lies behind a rupture, and counts the loops.
+pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
+    let mut out = Sorted::default();
+    for mode in Mode::ALL {
+        let of_mode = points.iter().filter(|p| p.mode == mode).copied();
+        let (mut of, pressed): (Vec<_>, Vec<_>) = of_mode.partition(|p| p.stretch >= 1.0);
+        out.kept.extend(pressed);
+        let mut ends = runs(&of);
+        // One run may be listed from its end; points in no order, as collected from several sources, are one run too.
+        if ends.len() == 1 || (ends.len() > 2 && ends.len() > of.len() / 3) {
+            of.sort_by(|a, b| a.stretch.total_cmp(&b.stretch));
+            ends = vec![of.len()];
+        }
+        let (mut from, mut lost, mut broken) = (0, 0, false);
+        for end in ends {
+            let run = &of[from..end];
+            from = end;
+            let up = run.last().map(|p| p.stretch) >= run.first().map(|p| p.stretch);
+            if !up {
+                // What comes back after a rupture carries nothing.
+                if broken {
+                    lost += run.len();
+                } else {
+                    out.unloadings += 1;
+                    out.kept.extend(run);
+                }
+                continue;
+            }
+            let good = before_rupture(run);
+            broken = good < run.len();
+            lost += run.len() - good;
+            out.kept.extend(&run[..good]);
+        }
+        if lost > 0 {
+            out.after_rupture.push((mode, lost));
+        }
+    }
+    out
+}
+
+/// Ends (exclusive) of the stretches of points between two turns.
+fn runs(points: &[TensionPoint]) -> Vec<usize> {
+    let (low, high) = points
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), p| (a.min(p.stretch), b.max(p.stretch)));
+    let turn = TURN * (high - low);
+    let mut ends = vec![];
+    // Place and stretch of the last extreme, and the way it went since the last turn.
+    let (mut place, mut extreme, mut up) = (0, f64::NAN, None);
+    for (i, p) in points.iter().enumerate() {
+        let moved = p.stretch - extreme;
+        match up {
+            _ if i == 0 => (place, extreme) = (0, p.stretch),
+            None if moved.abs() > turn => (place, extreme, up) = (i, p.stretch, Some(moved > 0.0)),
+            None => {}
+            Some(true) if moved >= 0.0 => (place, extreme) = (i, p.stretch),
+            Some(false) if moved <= 0.0 => (place, extreme) = (i, p.stretch),
+            Some(way) if moved.abs() > turn => {
+                ends.push(place + 1);
+                (place, extreme, up) = (i, p.stretch, Some(!way));
+            }
+            Some(_) => {}
+        }
+    }
+    if !points.is_empty() {
+        ends.push(points.len());
+    }
+    ends
+}
+
+/// How many points of a loading lie before its rupture.
+fn before_rupture(run: &[TensionPoint]) -> usize {
+    let top = run.iter().enumerate().max_by(|a, b| a.1.nominal_stress_mpa.total_cmp(&b.1.nominal_stress_mpa));
+    let Some((at, top)) = top.filter(|t| t.1.nominal_stress_mpa > 0.0 && t.1.stretch > 1.0) else {
+        return run.len();
+    };
+    let falls = run[at..].iter().any(|p| p.nominal_stress_mpa < FAILED * top.nominal_stress_mpa);
+    if falls { at + 1 } else { run.len() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(list: &[(f64, f64)]) -> Vec<TensionPoint> {
+        let one = |&(stretch, nominal_stress_mpa)| TensionPoint {
+            mode: Mode::Uniaxial,
+            stretch,
+            nominal_stress_mpa,
+        };
+        list.iter().map(one).collect()
+    }
+
+    #[test]
+    fn what_comes_after_a_rupture_is_left_out_and_the_next_specimen_is_not() {
+        let one = [(1.0, 0.0), (1.5, 0.2), (2.0, 0.4), (2.1, 0.39), (2.2, 0.02), (2.3, 0.0)];
+        let found = sort(&points(&one));
+        assert_eq!(
+            (found.kept.len(), found.after_rupture, found.unloadings),
+            (3, vec![(Mode::Uniaxial, 3)], 0)
+        );
+        let two = [&one[..], &[(1.0, 0.0), (1.4, 0.2), (1.9, 0.4)]].concat();
+        assert_eq!(sort(&points(&two)).kept.len(), 6);
+    }
+
+    #[test]
+    fn loops_are_counted_and_kept() {
+        let up = [(1.0, 0.0), (1.2, 0.1), (1.4, 0.2), (1.6, 0.3), (1.8, 0.35), (2.0, 0.4)];
+        let down: Vec<_> = up.iter().rev().skip(1).map(|&(l, s)| (l, 0.8 * s)).collect();
+        let both = [&up[..], &down, &up[1..], &down].concat();
+        let found = sort(&points(&both));
+        assert_eq!((found.kept.len(), found.unloadings), (both.len(), 2));
+        assert!(found.after_rupture.is_empty());
+    }
+
+    #[test]
+    fn points_in_no_order_are_one_loading() {
+        let list = [(1.5, 0.2), (1.0, 0.0), (2.0, 0.4), (1.2, 0.1), (1.8, 0.3), (1.1, 0.05)];
+        let found = sort(&points(&list));
+        assert_eq!((found.kept.len(), found.unloadings), (6, 0));
+    }
+}
