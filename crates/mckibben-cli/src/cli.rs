@@ -98,7 +98,8 @@ const SIMULATE_EXAMPLES: &str = "Examples:
   mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
   mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
     --plot shape.svg
-  mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
+  mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv
+  mckibben simulate --model fe3d -e 10% -p 0.25 --match angle";
 
 const VALIDATE_EXAMPLES: &str = "Examples:
   mckibben validate

@@ -1,7 +1,11 @@
 //! What an equilibrium tells, in the words of the axisymmetric model: averages around the circumference.
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use super::body::Body;
 use super::mesh::{Brick, BrickMesh};
+use super::saddle::share;
 use crate::axisymmetric::{Energies, FemError, ProfilePoint, Solution, StrandState, StretchAt};
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
@@ -116,7 +120,7 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
                 let (compliance, augment) = d.strand[t];
                 let pull = crate::element::tie::Tie { stiffness_n: augment, ..*tie }.pull(
                     delta,
-                    (1.0 - augment * compliance) * body.state.q[t],
+                    share(compliance, augment) * body.state.q[t],
                     0.0,
                 );
                 stretch += 1.0 + pull.strain;
