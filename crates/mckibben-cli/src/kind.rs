@@ -133,17 +133,17 @@ impl Kind {
 /// A finite-element model, to look inside.
 pub enum Meshed {
     /// Axisymmetric.
-    Axisymmetric(Axisymmetric),
+    Axisymmetric(Box<Axisymmetric>),
     /// Three-dimensional.
-    ThreeDimensional(ThreeDimensional),
+    ThreeDimensional(Box<ThreeDimensional>),
 }
 
 impl Meshed {
     /// What both have in common.
     pub fn simulation(&self) -> &dyn Simulation {
         match self {
-            Self::Axisymmetric(model) => model,
-            Self::ThreeDimensional(model) => model,
+            Self::Axisymmetric(model) => model.as_ref(),
+            Self::ThreeDimensional(model) => model.as_ref(),
         }
     }
 }
@@ -152,10 +152,12 @@ impl Kind {
     /// The finite elements of a muscle; `None` where the model is none.
     pub fn elements(self, muscle: &Muscle) -> Option<Result<Meshed, FemError>> {
         match self {
-            Kind::Fe(mesh) => Some(Axisymmetric::with_mesh(muscle, &mesh).map(Meshed::Axisymmetric)),
-            Kind::Fe3d(spec) => {
-                Some(ThreeDimensional::with_mesh(muscle, &spec).map(Meshed::ThreeDimensional))
+            Kind::Fe(mesh) => {
+                Some(Axisymmetric::with_mesh(muscle, &mesh).map(|m| Meshed::Axisymmetric(Box::new(m))))
             }
+            Kind::Fe3d(spec) => Some(
+                ThreeDimensional::with_mesh(muscle, &spec).map(|m| Meshed::ThreeDimensional(Box::new(m))),
+            ),
             _ => None,
         }
     }

@@ -1,95 +1,90 @@
-//! The peers' benchmark (work in progress).
-use mckibben::muscle::*;
-use mckibben::rubber::*;
-use mckibben_fem::axisymmetric::equilibrium::Control;
-use mckibben_fem::solver::newton::{self, Effort, NewtonOptions};
-use mckibben_fem::three_dimensional::*;
+//! Time and memory of one Newton iteration of the three-dimensional muscle against the size of its mesh, the exponents,
+//! and how far the factorisation is from what the processor can do.
+//!
+//! `cargo run --release -p mckibben-fem --example size_3d` goes up to 300 000 unknowns and takes a minute.
+
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+use mckibben::muscle::Muscle;
+use mckibben_fem::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Discrete, Parts};
+use std::error::Error;
 use std::time::Instant;
 
-fn main() {
-    let arg: Vec<String> = std::env::args().collect();
-    let mesh_text = arg.get(1).cloned().unwrap_or("2x12x39".into());
-    let k: f64 = arg.get(2).map_or(300.0, |s| s.parse().unwrap());
-    let mut muscle = Muscle::prototype();
-    let mut tube = muscle.tube().clone();
-    tube.rubber = Rubber {
-        bulk: if k > 0.0 { Bulk::Modulus(k) } else { Bulk::Incompressible },
-        ..Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 }))
-    };
-    muscle = muscle.with_tube(tube).unwrap();
-    muscle = muscle
-        .with_braid(Braid {
-            angle_deg: 28.0,
-            stiffness: BraidStiffness::OfStrands,
-            strands: Some(Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None }),
-            measured: None,
-            compression: true,
-        })
-        .unwrap();
-    let brick = if arg.get(3).is_some_and(|s| s == "27") { Brick::Quadratic } else { Brick::Linear };
-    let spec = BrickSpec {
-        keep: Match::Angle,
-        brick,
-        ring: Some(Ring::OnCircle),
-        ..BrickSpec::parse(&mesh_text).unwrap()
-    };
-    let mesh = BrickMesh::new(12.0, 15.0, 142.5, 28f64.to_radians(), &spec).unwrap();
-    println!("{:?} half {} angle {}", mesh.elements(), mesh.half_length_mm(), mesh.angle_rad().to_degrees());
-    let t = Instant::now();
-    let d = Discrete::new(Parts::of(&muscle, &mesh)).unwrap();
-    println!("free {} entries {} setup {:?} {:?}", d.free, d.pattern.entries(), t.elapsed(), d.width);
-    let mut body = Body::new(d).unwrap();
-    println!(
-        "factor {} flops {:.3e} setup {:?}",
-        body.cholesky().factor_entries(),
-        body.cholesky().operations(),
-        t.elapsed()
-    );
+/// Shortest of three times in s.
+fn shortest<E>(mut work: impl FnMut() -> Result<(), E>) -> Result<f64, E> {
+    let mut best = f64::INFINITY;
     for _ in 0..3 {
-        let t = Instant::now();
-        body.assemble().unwrap();
-        let a = t.elapsed();
-        body.evaluate().unwrap();
-        let e = t.elapsed() - a;
-        body.assemble().unwrap();
-        let t = Instant::now();
-        body.factorise_assembled().unwrap();
-        println!("assemble {a:?} evaluate {e:?} factorise {:?}", t.elapsed());
+        let start = Instant::now();
+        work()?;
+        best = best.min(start.elapsed().as_secs_f64());
     }
-    let options = NewtonOptions { tolerance: 1e-9, ..NewtonOptions::default() };
-    let half = body.discrete.half;
-    let conv = std::f64::consts::PI * 144.0 - 4.0 * mesh.cap_mm2();
-    let run = |targets: &[(f64, f64)], body: &mut Body| {
-        body.state = State::rest(&body.discrete);
-        let mut effort = Effort::default();
-        let t = Instant::now();
-        for &(e, p) in targets {
-            body.state.pressure = p;
-            body.control = Control::Length(-e * half);
-            let mut seen = vec![];
-            let r = newton::solve(body, &options, &mut effort, |n| seen.push(n));
-            if r.is_err() || (e, p) == *targets.last().unwrap() || p == 0.10 || arg.len() > 4 {
-                println!(
-                    "e {e:.3} P {p:.3} F {:.4} round {:.4} {r:?} {}",
-                    body.totals.pull,
-                    body.totals.pull - p * conv,
-                    seen.iter().map(|x| format!("{x:.1e} ")).collect::<String>()
-                );
-            }
+    Ok(best)
+}
+
+/// Floating-point operations a second of a product of large matrices on one thread.
+fn peak() -> f64 {
+    const N: usize = 1200;
+    let a = Mat::<f64>::from_fn(N, N, |i, j| ((i * 7 + j) % 13) as f64);
+    let mut c = Mat::<f64>::zeros(N, N);
+    let seconds = shortest(|| {
+        matmul(c.as_mut(), Accum::Replace, a.as_ref(), a.as_ref(), 1.0, Par::Seq);
+        Ok::<(), ()>(())
+    });
+    2.0 * (N as f64).powi(3) / seconds.unwrap_or(f64::INFINITY)
+}
+
+/// Resident memory in MB, where the system tells it.
+fn memory() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find(|l| l.starts_with("VmRSS:"))?;
+    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let muscle = Muscle::prototype();
+    let peak = peak();
+    println!("matrix product, one thread: {:.1} GFlop/s\n", peak * 1e-9);
+    println!("brick  mesh          unknowns  assembly  factorise  solve     of peak  memory  setup");
+    for (brick, meshes) in [
+        (Brick::Linear, &[[1, 8], [2, 12], [2, 24], [3, 30], [3, 48], [4, 79]][..]),
+        (Brick::Quadratic, &[[1, 4], [1, 8], [1, 16], [1, 32]][..]),
+    ] {
+        let mut rows: Vec<[f64; 3]> = vec![];
+        for &[through, around] in meshes {
+            let start = Instant::now();
+            let spec =
+                BrickSpec { brick, through: Some(through), around: Some(around), ..BrickSpec::default() };
+            let mesh = BrickMesh::new(12.0, 15.0, 142.5, muscle.braid().angle_rad(), &spec)?;
+            let mut body = Body::new(Discrete::new(Parts::of(&muscle, &mesh))?)?;
+            let setup = start.elapsed().as_secs_f64();
+            body.state.pressure = 0.01;
+            let assembly = shortest(|| body.assemble().map(|_| ()))?;
+            let factorise = shortest(|| body.factorise_assembled())?;
+            let solve = shortest(|| {
+                body.force_per_pressure();
+                Ok::<(), ()>(())
+            });
+            let n = body.discrete.free as f64;
+            let [a, b, c] = mesh.elements();
+            println!(
+                "{:<6} {:<13} {:>8} {:>7.1} ms {:>7.1} ms {:>6.1} ms {:>6.0} % {:>5.0} MB {:>5.0} ms",
+                if brick == Brick::Linear { "8" } else { "27" },
+                format!("{a}x{b}x{c}"),
+                n,
+                1e3 * assembly,
+                1e3 * factorise,
+                1e3 * solve.unwrap_or(0.0),
+                100.0 * body.cholesky().operations() / factorise / peak,
+                memory().unwrap_or(f64::NAN),
+                1e3 * setup
+            );
+            rows.push([n, assembly, factorise]);
         }
-        println!("{:?} {effort:?} substitutions {}", t.elapsed(), body.substitutions);
-    };
-    let up: Vec<(f64, f64)> = (1..=25).map(|i| (0.0, 0.01 * i as f64)).collect();
-    run(&up, &mut body);
-    let mut low: Vec<(f64, f64)> = (1..=5).map(|i| (0.0, 0.01 * i as f64)).collect();
-    low.extend((1..=20).map(|i| (0.005 * i as f64, 0.05)));
-    low.extend((6..=25).map(|i| (0.1, 0.01 * i as f64)));
-    run(&low, &mut body);
-    body.factorise().unwrap();
-    println!(
-        "dF/dP {} -dV/dL {} stiffness {}",
-        body.force_per_pressure(),
-        body.volume_per_length(),
-        body.terminal_stiffness()
-    );
+        // Slopes of the last three.
+        if let [.., first, _, last] = rows.as_slice() {
+            let slope = |i: usize| (last[i] / first[i]).ln() / (last[0] / first[0]).ln();
+            println!("       exponents: assembly {:.2}, factorisation {:.2}\n", slope(1), slope(2));
+        }
+    }
+    Ok(())
 }

@@ -1,4 +1,5 @@
-//! Finite elements for McKibben muscles: the axisymmetric muscle in real time.
+//! Finite elements for McKibben muscles: the axisymmetric muscle in real time, and the three-dimensional one as its
+//! reference.
 //!
 //! With a balanced braid there is no torsion, so the whole state is (r, z)(R, Z), and one potential rules:
 //!
@@ -6,10 +7,12 @@
 //!
 //! | part | what it does |
 //! |---|---|
-//! | [`element`] | Q2/P−1 rubber of any law, two strand families on a line |
+//! | [`element`] | Q2/P−1 rubber of any law, two strand families on a line; bricks and single strands |
 //! | [`load`] | the cavity's volume with its derivatives |
-//! | [`solver`] | dense and chained LDLᵀ, Newton's method; free of mechanics, for 3D as well |
+//! | [`solver`] | dense, chained and sparse factorisations, Newton's method; free of mechanics |
 //! | [`axisymmetric`] | mesh, assembly, equilibrium, paths, the muscle as a [`ForceModel`](mckibben::model::ForceModel), curves, results, sensitivities |
+//! | [`three_dimensional`] | the same muscle in bricks with single strands |
+//! | [`simulation`] | what both have in common |
 //! | [`verification`] | cases with exact values |
 //!
 //! ```

@@ -52,3 +52,38 @@ fn i_independent_prototype_and_felupe() {
 fn j_numerical_conduct() {
     holds(verification::numerics());
 }
+
+#[test]
+fn a_treloar_homogeneous_states_and_the_patch_test_in_bricks() {
+    holds(verification::bricks::homogeneous());
+}
+
+#[test]
+fn b_haughton_ogden_1979_thick_tube_in_bricks_and_its_order_of_convergence() {
+    holds(verification::bricks::thick_tube());
+}
+
+#[test]
+fn d_rivlin_1949_torsion_in_bricks() {
+    holds(verification::bricks::torsion());
+}
+
+#[test]
+fn e_maxwell_relation_and_energy_balance_in_bricks() {
+    holds(verification::bricks::follower_pressure());
+}
+
+#[test]
+fn h_cook_membrane_mesh_by_mesh() {
+    holds(verification::bricks::cook());
+}
+
+#[test]
+fn j_numerical_conduct_in_bricks() {
+    holds(verification::bricks::numerics());
+}
+
+#[test]
+fn felupe_on_the_same_mesh_and_the_axisymmetric_limit() {
+    holds(verification::bricks::muscle());
+}

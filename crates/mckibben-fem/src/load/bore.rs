@@ -5,6 +5,9 @@
 //! the nodes, which Gauss points integrate exactly: forces and tangent are its exact derivatives, and the tangent is
 //! symmetric because the cavity is closed (Schweizerhof & Ramm 1984).
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use crate::element::q2::{GAUSS2, GAUSS3};
 
 /// Values of the shape functions of a face with N nodes at its points: (N, ∂N/∂ξ, ∂N/∂η, weight).
@@ -46,7 +49,7 @@ pub struct Volume<const N: usize> {
     pub value: f64,
     /// ∂V/∂x in mm².
     pub first: [[f64; 3]; N],
-    /// ∂²V/∂x_a∂x_b = skew matrix of this vector, in mm: ∂²V/∂x_ai∂x_bk = Σ_j ε_ijk s_j, with ε_ikj sign.
+    /// ∂²V/∂x_a∂x_b is the skew matrix of this vector in mm: δa·(w × δb). See [`skew`].
     pub second: [[[f64; 3]; N]; N],
 }
 

@@ -1,7 +1,11 @@
 //! Residual and tangent of a body, element by element.
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use super::discrete::Discrete;
 use super::mesh::Brick;
+use super::saddle::share;
 use super::state::State;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
@@ -229,7 +233,7 @@ fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: 
             let e = first + lane;
             let j = out.smallest_j.lane(lane);
             totals.smallest_j = totals.smallest_j.min(j);
-            if !(j > 0.0) {
+            if j.is_nan() || j <= 0.0 {
                 return Some((e, j));
             }
             totals.rubber += out.energy.lane(lane);
@@ -277,7 +281,7 @@ fn ties<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work, totals: &
         let (compliance, augment) = d.strand[t];
         // T = q + γ (strain − q/(E A)): of strands stiffer than γ the rest is iterated.
         let pull =
-            Tie { stiffness_n: augment, ..*tie }.pull(delta, (1.0 - augment * compliance) * s.q[t], s.q[t]);
+            Tie { stiffness_n: augment, ..*tie }.pull(delta, share(compliance, augment) * s.q[t], s.q[t]);
         totals.braid += 0.5 * pull.tension * pull.tension * compliance * tie.length_mm;
         work.strands[t] = (pull.direction, pull.strain, pull.carries);
         for i in 0..3 {

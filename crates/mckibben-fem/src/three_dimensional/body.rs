@@ -6,7 +6,7 @@
 
 use super::assembly::{Totals, Work, assemble};
 use super::discrete::Discrete;
-use super::saddle::{Constraints, constraint_residual, dot, gather};
+use super::saddle::{Constraints, constraint_residual, dot, gather, share};
 use super::state::State;
 use crate::axisymmetric::FemError;
 use crate::axisymmetric::equilibrium::Control;
@@ -227,7 +227,7 @@ impl Body {
             }
         };
         // Where the multipliers are iterated, what is left of the constraints counts as well.
-        let left = if 1.0 - d.augment * d.compliance > 0.0 { self.totals.defect } else { 0.0 };
+        let left = if share(d.compliance, d.augment) > 0.0 { self.totals.defect } else { 0.0 };
         (free / scale).max(held).max(left)
     }
 }

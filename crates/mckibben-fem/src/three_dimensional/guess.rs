@@ -3,6 +3,9 @@
 //! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its own
 //! residual; where the guess does not lead to one, [`super::engine`] walks from rest.
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use super::discrete::Discrete;
 use super::state::State;
 use crate::axisymmetric::Section;

@@ -1,4 +1,13 @@
 //! The three-dimensional muscle: one eighth in bricks, strands one by one.
+//!
+//! | type | what it holds |
+//! |---|---|
+//! | [`BrickSpec`], [`BrickMesh`] | how one eighth is divided; nodes, bricks, strands and bore faces at rest |
+//! | [`Parts`] | any body: nodes, bricks, strands, faces under pressure, supports, order of elimination |
+//! | [`Discrete`], [`Body`], [`State`] | unknowns numbered; tangent and Newton's method; displacements, pressures, tensions |
+//! | [`Engine`], [`ThreeDimensional`] | ways to an equilibrium; the muscle as a force model and its tests |
+//!
+//! The deformed place of node n is `mesh.nodes()[n] + state.u[3n..3n + 3]`.
 
 mod assembly;
 pub mod body;

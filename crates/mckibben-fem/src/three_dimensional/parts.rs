@@ -1,5 +1,8 @@
 //! What a body is made of, before unknowns are numbered.
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use super::mesh::{Brick, BrickMesh};
 use crate::element::tie::Tie;
 use crate::solver::dissection::Sheet;

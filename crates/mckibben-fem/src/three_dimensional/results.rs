@@ -1,7 +1,11 @@
 //! What an equilibrium tells, in the words of the axisymmetric model: averages around the circumference.
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use super::body::Body;
 use super::mesh::{Brick, BrickMesh};
+use super::saddle::share;
 use crate::axisymmetric::{Energies, FemError, ProfilePoint, Solution, StrandState, StretchAt};
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
@@ -107,7 +111,7 @@ pub(super) fn pull(body: &Body, t: usize) -> Pull {
     let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let (compliance, augment) = d.strand[t];
     let tie = Tie { stiffness_n: augment, ..*tie };
-    tie.pull(delta, (1.0 - augment * compliance) * body.state.q[t], 0.0)
+    tie.pull(delta, share(compliance, augment) * body.state.q[t], 0.0)
 }
 
 /// Means over both families, row of quads by row.

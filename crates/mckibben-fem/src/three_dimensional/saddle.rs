@@ -7,6 +7,9 @@
 //! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G K⁻¹(…) − d by
 //! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983).
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use super::assembly::Work;
 use super::discrete::Discrete;
 use super::state::State;
@@ -14,6 +17,12 @@ use crate::solver::sparse::SparseCholesky;
 
 /// Most iterations.
 const ITERATIONS: usize = 60;
+
+/// β = 1 − γ/k; what is left by rounding where γ = k is zero.
+pub(super) fn share(compliance: f64, augment: f64) -> f64 {
+    let share = 1.0 - augment * compliance;
+    if share > 1e-12 { share } else { 0.0 }
+}
 
 /// Constraints of a body at its last assembly.
 pub struct Constraints<'a> {
@@ -26,11 +35,8 @@ pub struct Constraints<'a> {
 impl Constraints<'_> {
     /// Whether any constraint is left to conjugate gradients.
     fn iterated(&self) -> bool {
-        self.brick_share() > 0.0 || self.d.strand.iter().any(|&(c, g)| 1.0 - g * c > 0.0)
-    }
-
-    fn brick_share(&self) -> f64 {
-        1.0 - self.d.augment * self.d.compliance
+        share(self.d.compliance, self.d.augment) > 0.0
+            || self.d.strand.iter().any(|&(c, g)| share(c, g) > 0.0)
     }
 
     /// Calls `each` with (number, G's displacements and values, V, 1/k, γ) for every constraint that acts: first the
@@ -72,7 +78,7 @@ impl Constraints<'_> {
     /// out += Σ β G m, in displacements.
     pub fn forces(&self, m: &[f64], out: &mut [f64]) {
         self.each(|number, nodes, g, _, compliance, augment| {
-            let value = (1.0 - augment * compliance) * m[number];
+            let value = share(compliance, augment) * m[number];
             if value != 0.0 {
                 for (node, g) in nodes.iter().zip(g.chunks_exact(3)) {
                     let at = 3 * *node as usize;
@@ -98,24 +104,36 @@ impl Constraints<'_> {
         cholesky.solve(b, 1);
         let mut count = 1;
         spread(d, b, du);
+        let wanted = dm.to_vec();
         let mut r = vec![0.0; dm.len()];
-        self.defects(du, &mut r);
-        for (r, d) in r.iter_mut().zip(dm.iter()) {
-            *r -= d;
-        }
-        if self.iterated() {
-            count += self.conjugate_gradients(cholesky, du, &mut r, dm, tolerance);
-            return count;
-        }
+        let mut left = |du: &[f64]| {
+            self.defects(du, &mut r);
+            r.iter_mut().zip(&wanted).for_each(|(r, d)| *r -= d);
+            r.clone()
+        };
+        let mut shares = vec![0.0; dm.len()];
+        self.each(|m, _, _, _, compliance, augment| shares[m] = share(compliance, augment));
         dm.fill(0.0);
-        self.each(|m, _, _, volume, _, augment| dm[m] = augment / volume * r[m]);
+        if self.iterated() {
+            let mut r = left(du);
+            count += self.conjugate_gradients(cholesky, &shares, du, &mut r, dm, tolerance);
+        }
+        // Those that were condensed follow.
+        let r = left(du);
+        self.each(|m, _, _, volume, _, augment| {
+            if shares[m] == 0.0 {
+                dm[m] = augment / volume * r[m];
+            }
+        });
         count
     }
 
-    /// Right-hand side in `r`; corrects `du` as well. Those with β = 0 are decoupled: S = V/γ is their own row.
+    /// Right-hand side in `r`; corrects `du` as well. The matrix is symmetric in the inner product Σ β x y, in which
+    /// constraints with β = 0 have no part.
     fn conjugate_gradients(
         &self,
         cholesky: &mut SparseCholesky,
+        shares: &[f64],
         du: &mut [f64],
         r: &mut [f64],
         x: &mut [f64],
@@ -123,7 +141,8 @@ impl Constraints<'_> {
     ) -> usize {
         let d = self.d;
         let n = r.len();
-        x.fill(0.0);
+        let inner =
+            |a: &[f64], b: &[f64]| a.iter().zip(b).zip(shares).map(|((x, y), w)| w * x * y).sum::<f64>();
         let (mut z, mut p, mut s) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let (mut full, mut b) = (vec![0.0; du.len()], vec![0.0; d.free]);
         let precondition = |r: &[f64], z: &mut [f64]| {
@@ -132,13 +151,13 @@ impl Constraints<'_> {
         };
         precondition(r, &mut z);
         p.copy_from_slice(&z);
-        let mut rz = dot(r, &z);
+        let mut rz = inner(r, &z);
         let first = rz;
         for iteration in 0..ITERATIONS {
             if rz.is_nan() || rz <= tolerance * tolerance * first || first == 0.0 {
                 return iteration;
             }
-            // w = K⁻¹ β Gᵀ p, s = V/k p + G w (β G K⁻¹ β Gᵀ is made symmetric by scaling: β is the same throughout a class).
+            // w = K⁻¹ β Gᵀ p, s = V/k p + G w
             full.fill(0.0);
             self.forces(&p, &mut full);
             gather(d, &full, &mut b);
@@ -147,8 +166,8 @@ impl Constraints<'_> {
             spread(d, &b, &mut full);
             self.defects(&full, &mut s);
             self.each(|m, _, _, volume, compliance, _| s[m] += volume * compliance * p[m]);
-            let curvature = dot(&p, &s);
-            if !(curvature > 0.0) {
+            let curvature = inner(&p, &s);
+            if curvature.is_nan() || curvature <= 0.0 {
                 return iteration + 1;
             }
             let alpha = rz / curvature;
@@ -160,7 +179,7 @@ impl Constraints<'_> {
                 *u -= alpha * w;
             }
             precondition(r, &mut z);
-            let next = dot(r, &z);
+            let next = inner(r, &z);
             let beta = next / rz;
             rz = next;
             for (p, z) in p.iter_mut().zip(&z) {

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::Row;
-use mckibben_fem::axisymmetric::Axisymmetric;
 
 fn run_plan(text: &str) -> Vec<Row> {
     let dir = folder();
@@ -130,4 +129,20 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
         assert_eq!(count, 77_000);
     }
     assert!(files[0] == files[1]);
+}
+
+/// A plan with the three-dimensional model: rows are that model's own answers.
+#[test]
+fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
+    let text = "[vary]\ntube.outer_diameter = \"30,45\"\n\
+        [test]\nmodel = \"fe3d\"\nmesh = \"1x4x8\"\ncontractions = \"0,0.1\"\npressures = \"0.1,0.2\"\n";
+    let (rows, plan) = (run_plan(text), Plan::parse(text).unwrap());
+    assert_eq!(rows.len(), 8);
+    for row in rows {
+        let muscle = plan.inputs(row.muscle).muscle(plan.base()).unwrap();
+        let model = plan.testing().elements.build(&muscle).unwrap();
+        assert_eq!((model.name(), row.status.as_str()), ("fe3d", "ok"));
+        let force = model.force_n(row.pressure_mpa, row.contraction).unwrap();
+        assert!((row.force_n.unwrap() / force - 1.0).abs() < 1e-8);
+    }
 }

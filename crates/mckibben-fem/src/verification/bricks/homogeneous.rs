@@ -1,5 +1,8 @@
 //! A. Homogeneous states with bricks whose inner nodes are out of place: the patch test at large strains.
 
+// Components and nodes are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
 use super::block::Block;
 use super::{BRICKS, body, push, reaction};
 use crate::three_dimensional::{Body, Brick, Freedom};

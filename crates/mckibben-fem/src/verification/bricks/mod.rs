@@ -9,6 +9,14 @@ mod pressure;
 mod torsion;
 mod tube;
 
+pub use cook::cook;
+pub use homogeneous::homogeneous;
+pub use muscle::muscle;
+pub use numerics::numerics;
+pub use pressure::follower_pressure;
+pub use torsion::torsion;
+pub use tube::thick_tube;
+
 use super::Row;
 use crate::axisymmetric::equilibrium::Control;
 use crate::solver::newton::{self, Effort, NewtonOptions};
@@ -17,17 +25,8 @@ use crate::three_dimensional::{Body, Brick, Discrete, Freedom, Parts};
 const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Quadratic, "27-node brick")];
 
 /// Every case with bricks.
-pub fn bricks() -> Vec<Row> {
-    [
-        homogeneous::homogeneous(),
-        tube::thick_tube(),
-        torsion::torsion(),
-        pressure::follower_pressure(),
-        cook::cook(),
-        numerics::numerics(),
-        muscle::muscle(),
-    ]
-    .concat()
+pub fn cases() -> Vec<Row> {
+    [homogeneous(), thick_tube(), torsion(), follower_pressure(), cook(), numerics(), muscle()].concat()
 }
 
 fn body(parts: Parts) -> Option<Body> {

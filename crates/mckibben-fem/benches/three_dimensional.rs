@@ -1,0 +1,82 @@
+//! The three-dimensional muscle on one thread: the mesh, the steps and the muscle on which FElupe 11.3 takes 3.7–4.7 s
+//! (25 steps of pressure at ε 0) and 6.8–8.2 s (45 steps to ε .10), and one Newton iteration of a mesh of 30 000 unknowns.
+
+#![allow(clippy::unwrap_used)]
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use mckibben::model::ForceModel;
+use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle, Rubber, Strands};
+use mckibben::rubber::{Law, MooneyRivlin};
+use mckibben_fem::axisymmetric::equilibrium::Control;
+use mckibben_fem::solver::newton::{self, Effort, NewtonOptions};
+use mckibben_fem::three_dimensional::{
+    Body, BrickMesh, BrickSpec, Discrete, Match, Parts, Ring, State, ThreeDimensional,
+};
+use std::hint::black_box;
+
+fn peers() -> Muscle {
+    let muscle = Muscle::prototype();
+    let mut tube = muscle.tube().clone();
+    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 });
+    tube.rubber = Rubber { bulk: Bulk::Modulus(300.0), ..Rubber::of(law) };
+    let braid = Braid {
+        stiffness: BraidStiffness::OfStrands,
+        strands: Some(Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None }),
+        compression: true,
+        ..Braid::paper()
+    };
+    muscle.with_tube(tube).unwrap().with_braid(braid).unwrap()
+}
+
+fn body(through: usize, around: usize) -> Body {
+    let spec = BrickSpec {
+        through: Some(through),
+        around: Some(around),
+        keep: Match::Angle,
+        ring: Some(Ring::OnCircle),
+        ..BrickSpec::default()
+    };
+    let mesh = BrickMesh::new(12.0, 15.0, 142.5, 28f64.to_radians(), &spec).unwrap();
+    Body::new(Discrete::new(Parts::of(&peers(), &mesh)).unwrap()).unwrap()
+}
+
+/// The path of the peers, increment by increment, without foresight.
+fn walk(body: &mut Body, targets: &[(f64, f64)]) -> f64 {
+    let options = NewtonOptions { tolerance: 1e-9, ..NewtonOptions::default() };
+    body.state = State::rest(&body.discrete);
+    let half = body.discrete.half;
+    for &(contraction, pressure) in targets {
+        body.state.pressure = pressure;
+        body.control = Control::Length(-contraction * half);
+        newton::solve(body, &options, &mut Effort::default(), |_| ()).unwrap();
+    }
+    body.totals.pull
+}
+
+fn all(c: &mut Criterion) {
+    let mut group = c.benchmark_group("three-dimensional");
+    group.sample_size(10);
+    let mut small = body(2, 12);
+    let up: Vec<(f64, f64)> = (1..=25).map(|i| (0.0, 0.01 * f64::from(i))).collect();
+    group.bench_function("25 steps of pressure at ε 0, 2x12x39", |b| b.iter(|| walk(&mut small, &up)));
+    let mut low: Vec<(f64, f64)> = up[..5].to_vec();
+    low.extend((1..=20).map(|i| (0.005 * f64::from(i), 0.05)));
+    low.extend((6..=25).map(|i| (0.1, 0.01 * f64::from(i))));
+    group.bench_function("45 steps to ε .10, 2x12x39", |b| b.iter(|| walk(&mut small, &low)));
+    let mut large = body(3, 28);
+    group.bench_function("assembly, 30 000 unknowns", |b| b.iter(|| large.assemble().unwrap()));
+    group.bench_function("factorisation, 30 000 unknowns", |b| {
+        b.iter(|| large.factorise_assembled().unwrap());
+    });
+    group.bench_function("one answer afresh, the program's mesh", |b| {
+        let model = ThreeDimensional::new(&Muscle::prototype()).unwrap();
+        b.iter(|| {
+            model.forget();
+            black_box(model.force_n(0.25, 0.10).unwrap())
+        });
+    });
+    group.finish();
+}
+
+criterion_group!(benches, all);
+criterion_main!(benches);
