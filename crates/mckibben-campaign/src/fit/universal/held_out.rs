@@ -26,9 +26,8 @@ fn random(r: &mut Random, law: &dyn Fn(f64, f64) -> Law) -> Option<(Muscle, f64)
     let k = outer_diameter_mm * r.log(4.0, 40.0);
     let rubber = Rubber::of(law(mu, r.unit()));
     let sin = angle_deg.to_radians().sin();
-    let fits = |p: f64| {
-        (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06
-    };
+    let fits =
+        |p: f64| (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06;
     let p = (0..DRAWS).map(|_| r.between(0.05, 0.5)).find(|p| fits(*p))?;
     let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber };
     let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
