@@ -11,7 +11,10 @@ fn main() {
     let samples = held_out_samples(count, seed);
     let mut rows: Vec<HeldOutRow> = held_out(&samples);
     rows.extend(rubber_laws(count / 5, seed + 1));
-    println!("{:<42} {:>7} {:>8} {:>7} {:>7} {:>7} {:>7}", "model", "points", "muscles", "rms", "95 %", "99 %", "worst");
+    println!(
+        "{:<42} {:>7} {:>8} {:>7} {:>7} {:>7} {:>7}",
+        "model", "points", "muscles", "rms", "95 %", "99 %", "worst"
+    );
     for HeldOutRow { model, errors: e } in rows {
         let [rms, p95, p99, max] = [e.rms, e.p95, e.p99, e.max].map(|v| 100.0 * v);
         println!("{model:<42} {:>7} {:>8} {rms:>7.3} {p95:>7.3} {p99:>7.3} {max:>7.2}", e.points, e.muscles);
@@ -28,6 +31,10 @@ fn main() {
         list.sort_by(f64::total_cmp);
         let at = |q: f64| 100.0 * list.get((q * list.len() as f64) as usize).copied().unwrap_or(f64::NAN);
         let rms = 100.0 * (list.iter().map(|v| v * v).sum::<f64>() / list.len().max(1) as f64).sqrt();
-        println!("volume of {kind}, in % of it: rms {rms:.3}, 99 % {:.3}, worst {:.2}", at(0.99), at(1.0 - 1e-9));
+        println!(
+            "volume of {kind}, in % of it: rms {rms:.3}, 99 % {:.3}, worst {:.2}",
+            at(0.99),
+            at(1.0 - 1e-9)
+        );
     }
 }

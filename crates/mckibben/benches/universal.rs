@@ -13,9 +13,8 @@ fn points(c: &mut Criterion) {
         group.bench_function("build", |b| b.iter(|| kind.build(black_box(&muscle)).is_ok()));
         group.bench_function("force", |b| b.iter(|| model.force_n(black_box(0.25), black_box(0.1))));
         group.bench_function("response", |b| b.iter(|| model.response(black_box(0.25), black_box(0.1))));
-        let grid: Vec<(f64, f64)> = (1..=10)
-            .flat_map(|i| (0..10).map(move |j| (0.05 * f64::from(i), 0.03 * f64::from(j))))
-            .collect();
+        let grid: Vec<(f64, f64)> =
+            (1..=10).flat_map(|i| (0..10).map(move |j| (0.05 * f64::from(i), 0.03 * f64::from(j)))).collect();
         group.throughput(Throughput::Elements(grid.len() as u64));
         group.bench_function("force_over_a_grid", |b| {
             b.iter(|| grid.iter().filter_map(|&(p, e)| model.force_n(black_box(p), e).ok()).sum::<f64>());

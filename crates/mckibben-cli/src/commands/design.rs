@@ -61,9 +61,9 @@ pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
     }
     let text = match args.format {
         Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads, &checked)),
-        Format::Csv => {
-            csv::rows(&outcome.candidates.iter().map(|c| present::candidate_json(c, kind)).collect::<Vec<_>>())?
-        }
+        Format::Csv => csv::rows(
+            &outcome.candidates.iter().map(|c| present::candidate_json(c, kind)).collect::<Vec<_>>(),
+        )?,
         Format::Text => {
             let mut text = present::as_text(&spec, kind, &outcome, &spreads, &checked, p);
             if !drawn.is_empty() && !args.no_chart {

@@ -1,8 +1,6 @@
 //! `formula show`: a fitted formula.
 
-use super::fit::{
-    FormulaShowArgs, error_rows, errors_table, made_text, range_text, terms, universal_text,
-};
+use super::fit::{FormulaShowArgs, error_rows, errors_table, made_text, range_text, terms, universal_text};
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::text::{number, pairs, table};

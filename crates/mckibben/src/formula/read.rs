@@ -4,8 +4,8 @@ use super::error::{FormulaError, Problem};
 use super::node::Node;
 use super::universal::UniversalFormula;
 use super::{
-    Body, Document, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms, HeldOut, Made, MadeBraid,
-    Provenance, RegionErrors, Scales, Term,
+    Body, Document, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms, HeldOut, Made,
+    MadeBraid, Provenance, RegionErrors, Scales, Term,
 };
 use crate::model::Coefficients;
 

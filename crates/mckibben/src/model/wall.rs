@@ -173,8 +173,10 @@ mod tests {
             let (chosen, fine) = (Wall::new(&tube), Wall::with_points(ro, ri, 40));
             for law in laws() {
                 for (lambda, bulge) in [(1.0, 1.0), (0.8, 1.6), (0.7, 1.9)] {
-                    let (a, b) =
-                        (chosen.integrated(&law, lambda, bulge * ro), fine.integrated(&law, lambda, bulge * ro));
+                    let (a, b) = (
+                        chosen.integrated(&law, lambda, bulge * ro),
+                        fine.integrated(&law, lambda, bulge * ro),
+                    );
                     let scale = b.w.abs() + b.l.abs() + law.shear_modulus_mpa() * ro * ro * 1e-3;
                     let worst = [a.w - b.w, a.l - b.l, (a.r - b.r) * ro, a.ll - b.ll].map(f64::abs);
                     let worst = worst.into_iter().fold(0.0, f64::max) / scale;

@@ -106,7 +106,8 @@ pub fn universal(samples: &[Sample], request: &UniversalRequest) -> Result<Unive
     let formula = with(solve(&products, equations.iter())?);
     let errors_of = |formula: &Arc<UniversalFormula>, chosen: &(dyn Fn(u64) -> bool + Sync)| {
         let build = |s: &Sample| -> Option<Box<dyn ForceModel>> {
-            chosen(s.number).then(|| Box::new(Universal::new(formula.clone(), &s.muscle)) as Box<dyn ForceModel>)
+            chosen(s.number)
+                .then(|| Box::new(Universal::new(formula.clone(), &s.muscle)) as Box<dyn ForceModel>)
         };
         shares(samples, build, |s, p| inside(s, p, &empty.range, 0.0))
     };
@@ -140,8 +141,7 @@ fn inside(s: &Sample, p: &PullPoint, range: &UniversalRange, margin: f64) -> boo
 fn range(samples: &[Sample]) -> UniversalRange {
     let cut = |(low, high): (f64, f64), of: &dyn Fn(&Sample) -> f64| {
         let values = samples.iter().map(of);
-        let (least, most) =
-            values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
+        let (least, most) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
         (low.max(least), if high.is_finite() { high.min(most) } else { high })
     };
     UniversalRange {
@@ -195,7 +195,11 @@ fn solve<'a>(
     let solved = qr.r().solve_upper_triangular(&turned).filter(|x| x.iter().all(|v| v.is_finite()));
     let x = solved.ok_or_else(|| FitError::Singular("the universal formula".into()))?;
     let rounded = |v: f64| format!("{v:.8e}").parse().unwrap_or(v);
-    Ok(products.iter().zip(x.iter()).map(|(&powers, &v)| UniversalTerm { powers, value: rounded(v) }).collect())
+    Ok(products
+        .iter()
+        .zip(x.iter())
+        .map(|(&powers, &v)| UniversalTerm { powers, value: rounded(v) })
+        .collect())
 }
 
 /// FNV-1a over the bits of all numbers, in their order.

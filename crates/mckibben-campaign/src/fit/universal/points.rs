@@ -35,7 +35,8 @@ pub struct Sample {
 fn muscle(row: &Row) -> Option<Muscle> {
     let constants: Vec<f64> = row.constants.iter().map(|c| c.1).collect();
     let rubber = Rubber::of(Law::named(&row.law, &constants)?.validated().ok()?);
-    let stiffness = row.stiffness_of_braid_n_per_mm.map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
+    let stiffness =
+        row.stiffness_of_braid_n_per_mm.map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
     let tube = Tube {
         outer_diameter_mm: row.outer_diameter_mm,
         wall_mm: row.wall_mm,

@@ -79,7 +79,9 @@ fn as_text(r: &Results) -> String {
         "From nothing to the paper's formula with its errors: {:.3} s; global has {} terms\n",
         r.seconds, r.global_terms
     ));
-    out.push_str("\nRandom muscles of every make, where they pull, in % of the blocked force at the same pressure\n\n");
+    out.push_str(
+        "\nRandom muscles of every make, where they pull, in % of the blocked force at the same pressure\n\n",
+    );
     let header = ["model", "points", "muscles", "rms %", "95 % of them %", "99 % %", "max %"];
     let rows = r.random_muscles.iter().map(|row| errors_row(&row.model, &row.errors));
     out.push_str(&table(&header, rows.collect()));

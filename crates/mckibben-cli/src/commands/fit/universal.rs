@@ -22,7 +22,11 @@ pub fn run(args: &FitArgs, path: &Path, form: Form) -> Result<u8, Failure> {
     ];
     if let Some((flag, _)) = foreign.into_iter().find(|f| f.1) {
         let message = format!("{flag}: the methods universal and universal-small know no such thing");
-        return Err(Failure::input("usage", message, "leave it out; a campaign says everything of its muscles"));
+        return Err(Failure::input(
+            "usage",
+            message,
+            "leave it out; a campaign says everything of its muscles",
+        ));
     }
     free_name(args)?;
     if path.is_file() && path.extension().is_none_or(|e| !e.eq_ignore_ascii_case("parquet")) {

@@ -61,7 +61,8 @@ impl UniversalFormula {
             json!({ "name": self.term_name(t), "powers": powers, "unit": "1", "value": t.value })
         };
         let r = &self.range;
-        let pair = |(low, high): (f64, f64)| json!([low, if high.is_finite() { json!(high) } else { Value::Null }]);
+        let pair =
+            |(low, high): (f64, f64)| json!([low, if high.is_finite() { json!(high) } else { Value::Null }]);
         json!({
             "format": FORMAT,
             "name": self.name,

@@ -101,7 +101,9 @@ impl UniversalFormula {
                  M = mu s/(P Ro + mu s), L = 1 - l"
             }
         };
-        format!("F = F_endless(l, P), contraction = 1 - l - 2 delta/L0; {deficit} (l, r: stretch and outer radius of the middle)")
+        format!(
+            "F = F_endless(l, P), contraction = 1 - l - 2 delta/L0; {deficit} (l, r: stretch and outer radius of the middle)"
+        )
     }
 
     /// The equation with its numbers as LaTeX (amsmath).

@@ -98,7 +98,12 @@ impl ThickWall {
     }
 
     /// The same from a guess of the outer radius.
-    pub(in crate::model) fn state_near(&self, p: f64, l: f64, near: Option<f64>) -> Result<State, ModelError> {
+    pub(in crate::model) fn state_near(
+        &self,
+        p: f64,
+        l: f64,
+        near: Option<f64>,
+    ) -> Result<State, ModelError> {
         let contraction = 1.0 - l;
         let straight = 1.0 / self.cos2.sqrt();
         if !(l > 0.0 && l.is_finite()) || (self.k.is_none() && l >= straight) {
@@ -129,8 +134,7 @@ impl ThickWall {
         let r2 = -(g * self.cos2 + r1 * r1) / r;
         let area = PI * g * (3.0 * l * l * self.cos2 - 1.0);
         let force = p * area + w.l + w.r * r1;
-        let force_l =
-            p * 6.0 * PI * g * self.cos2 * l + w.ll + 2.0 * w.lr * r1 + w.rr * r1 * r1 + w.r * r2;
+        let force_l = p * 6.0 * PI * g * self.cos2 * l + w.ll + 2.0 * w.lr * r1 + w.rr * r1 * r1 + w.r * r2;
         State {
             r,
             r_by: [r1, 0.0],
@@ -253,8 +257,7 @@ impl ThickWall {
         let axial = w.l + b.l;
         let r_by = [-pi_lr / g_r, 2.0 * PI * r * l / g_r];
         let stretch = 1.0 + b.strain;
-        let (strain_l, strain_r) =
-            (self.cos2 * l / stretch, self.sin2 * r / (self.ro * self.ro * stretch));
+        let (strain_l, strain_r) = (self.cos2 * l / stretch, self.sin2 * r / (self.ro * self.ro * stretch));
         Ok(State {
             r,
             r_by,

@@ -100,7 +100,8 @@ impl EndZone {
             let load = kept(axial + pressure * (r.squared() - b.squared()) * PI);
             let near = ((b - r) * (1.0 / self.ro)).squared();
             // 1 − cosφ above its floor
-            let above = (Dual::constant(1.0) - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
+            let above =
+                (Dual::constant(1.0) - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
             let turn = near * LEAST_SLOPE.0 + above;
             let cos = Dual::constant(1.0) - turn;
             let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();

@@ -79,7 +79,12 @@ impl Universal {
         let tube = muscle.tube();
         let (ro, mu) = (tube.outer_radius_mm(), tube.rubber.law.shear_modulus_mpa());
         let wall = tube.wall_mm / ro;
-        let zone = EndZone { wall: ThickWall::new(muscle), ro, scale: 2.0 * PI * ro * tube.wall_mm * mu, half: 0.5 * tube.length_mm };
+        let zone = EndZone {
+            wall: ThickWall::new(muscle),
+            ro,
+            scale: 2.0 * PI * ro * tube.wall_mm * mu,
+            half: 0.5 * tube.length_mm,
+        };
         let angle = 4.0 * muscle.braid().angle_rad().sin().powi(2);
         let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
         let source = format!("endless muscle with computed ends; {}", formula.provenance.method);
@@ -234,7 +239,10 @@ impl ForceModel for Universal {
     fn notes(&self) -> Vec<String> {
         let mut notes = vec![];
         if let Bulk::Modulus(_) = self.muscle.tube().rubber.bulk {
-            notes.push(format!("{} takes the rubber as incompressible; its bulk modulus is not used", self.name()));
+            notes.push(format!(
+                "{} takes the rubber as incompressible; its bulk modulus is not used",
+                self.name()
+            ));
         }
         if self.muscle.terminals().end_factor.is_some() {
             notes.push(format!("{} computes the ends; the end factor is not used", self.name()));
@@ -248,7 +256,7 @@ impl ForceModel for Universal {
         let near = first.state.r + first.state.r_by[0] * step;
         let m = self.tried(p, first.l + step, Some(near))?;
         let slope = self.slope(&m);
-        if !(slope > 0.02) {
+        if slope.is_nan() || slope <= 0.02 {
             return Err(Self::not_converged(p, contraction, step.abs()));
         }
         let s = &m.state;

@@ -77,7 +77,10 @@ fn size_and_modulus_do_not_matter() {
             rubber: Rubber::of(mooney(0.3 * stiff)),
         };
         let k = BraidStiffness::NewtonPerMm(300.0 * size * stiff);
-        let b = a.with_braid(Braid { stiffness: k, ..a.braid().clone() }).and_then(|m| m.with_tube(tube)).unwrap();
+        let b = a
+            .with_braid(Braid { stiffness: k, ..a.braid().clone() })
+            .and_then(|m| m.with_tube(tube))
+            .unwrap();
         for e in [0.0, 0.1, 0.2] {
             let (f, g) = (force(kind, &a, 0.3, e), force(kind, &b, 0.3 * stiff, e));
             assert!((g / (f * size * size * stiff) - 1.0).abs() < 1e-9, "{kind} {e}");
@@ -137,7 +140,10 @@ fn slopes_are_those_of_finite_differences() {
                 let by_pressure = (f(p + h, e) - f(p - h, e)) / (2.0 * h);
                 let (s, q) = (r.stiffness_n_per_mm.unwrap(), r.force_per_pressure_mm2.unwrap());
                 assert!((by_length / s - 1.0).abs() < 1e-6, "{kind} {e}: {by_length} {s}");
-                assert!((by_pressure - q).abs() < 1e-6 * (q.abs() + f(p, 0.0)), "{kind} {e}: {by_pressure} {q}");
+                assert!(
+                    (by_pressure - q).abs() < 1e-6 * (q.abs() + f(p, 0.0)),
+                    "{kind} {e}: {by_pressure} {q}"
+                );
             }
         }
     }
