@@ -4,6 +4,7 @@ mod compare;
 mod curves;
 mod design;
 mod fit;
+mod identify;
 mod simulate;
 mod study;
 
@@ -11,6 +12,7 @@ pub use compare::compare;
 pub use curves::curves;
 pub use design::design;
 pub use fit::{against_points, paper_figures};
+pub use identify::identified;
 pub use simulate::simulate;
 pub use study::study;
 
