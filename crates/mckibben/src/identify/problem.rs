@@ -98,10 +98,8 @@ fn found(m: &dyn ForceModel, point: &DataPoint, offset: f64) -> Result<(f64, f64
     for _ in 0..STEPS {
         let here = local(m, p, e, at.branch)?;
         let rest = here.force - at.force_n;
-        let done = rest.abs() <= 1e-10 * (1.0 + at.force_n.abs());
-        if done {
-            return Ok((p, e, here));
-        }
+        // The last step is taken blindly: it leaves the square of this.
+        let done = rest.abs() <= 1e-6 * (1.0 + at.force_n.abs());
         if point.measured == Quantity::Contraction {
             // A muscle pulls less the shorter it is.
             let slope = here.by_contraction.min(-1e-6);
@@ -111,6 +109,9 @@ fn found(m: &dyn ForceModel, point: &DataPoint, offset: f64) -> Result<(f64, f64
             let slope = here.by_pressure.max(1e-6);
             let largest = 0.5 * p + 0.02;
             p = (p - (rest / slope).clamp(-largest, largest)).max(0.0);
+        }
+        if done {
+            return Ok((p, e, here));
         }
     }
     let residual = f64::NAN;

@@ -260,9 +260,10 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
     let j = DMatrix::from_fn(weights.len(), inside.len(), |r, c| {
         columns[inside[c]][r] * weights[r].sqrt() * unknowns[inside[c]].scale
     });
-    let svd = j.svd(false, true);
-    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
     let m = inside.len();
+    // Every unknown may lie on a bound; an empty matrix has no decomposition.
+    let svd = if m > 0 { j.svd(false, true) } else { DMatrix::zeros(1, 1).svd(false, false) };
+    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
     let mut covariance = DMatrix::<f64>::zeros(m, m);
     let mut lost = vec![false; m];
     if let Some(v) = &svd.v_t {
