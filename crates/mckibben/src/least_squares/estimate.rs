@@ -201,7 +201,14 @@ pub fn estimate(
         // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         if !(settled || report.termination.was_successful()) {
-            return Err(EstimateError::NoMinimum { reason: format!("{:?}", report.termination) });
+            let reason = match report.termination {
+                TerminationReason::User(_) => {
+                    "the model has no answer next to where the search stands".into()
+                }
+                TerminationReason::LostPatience => "the search goes on and on".into(),
+                other => format!("{other:?}"),
+            };
+            return Err(EstimateError::NoMinimum { reason });
         }
         u = inner.u.clone();
         let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;
