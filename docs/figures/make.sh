@@ -5,3 +5,8 @@ mckibben=${MCKIBBEN:-target/release/mckibben}
 "$mckibben" design --force 700N --contraction 15% --max-pressure 2.5bar --plot docs/figures/design.svg >/dev/null
 "$mckibben" compare --models fe,paper,thick-wall,ideal --plot docs/figures/models.svg >/dev/null
 "$mckibben" simulate examples/prototype.toml -e 0,10,20% -p 0.1,0.25 --plot docs/figures/simulate.svg >/dev/null
+"$mckibben" identify examples/bench.toml --data examples/bench.csv --plot docs/figures/identify_bench.svg >/dev/null
+"$mckibben" identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv \
+    --plot docs/figures/identify_tondu2012.svg >/dev/null
+"$mckibben" identify examples/festo-dmsp-20.toml --data data/martens_boblan_2017/DMSP-20-300.csv \
+    --free mu,braid.angle --plot docs/figures/identify_festo.svg >/dev/null

@@ -225,6 +225,11 @@ fn not_told(found: &Identification) -> Vec<String> {
             format!("{}: no point changes with it, with this model: fix it", p.name)
         } else if p.at_bound {
             format!("{} lies on its bound: the data pull it further; widen the bound, or fix it", p.name)
+        } else if p.target == Target::Stiffness && p.value > 30.0 * p.start {
+            format!(
+                "{} runs away ({:.1e} N/mm): strands that do not stretch explain these data as well; make it \"inextensible\"",
+                p.name, p.value
+            )
         } else if !p.half_width.is_finite() {
             format!("{} is not told by these data: it acts like another parameter; fix one of them", p.name)
         } else {

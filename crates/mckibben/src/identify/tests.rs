@@ -229,6 +229,7 @@ fn what_the_data_cannot_tell_is_flagged() {
     let f = found(&stiff, &["mu", "braid.stiffness"], &noisy(&bench(&rigid, 0.0), 4.0, 5), Loss::Squares)
         .unwrap();
     assert!(!f.parameters[1].identifiable && f.parameters[0].identifiable, "{:#?}", f.parameters);
+    assert!(f.notes.iter().any(|n| n.contains("strands that do not stretch")), "{:?}", f.notes);
     // One constant under two names.
     let f =
         found(&stiff, &["mu=0.4", "modulus"], &noisy(&bench(&stiff, 0.0), 4.0, 5), Loss::Squares).unwrap();
