@@ -10,3 +10,5 @@ mckibben=${MCKIBBEN:-target/release/mckibben}
     --plot docs/figures/identify_tondu2012.svg >/dev/null
 "$mckibben" identify examples/festo-dmsp-20.toml --data data/martens_boblan_2017/DMSP-20-300.csv \
     --free mu,braid.angle --plot docs/figures/identify_festo.svg >/dev/null
+"$mckibben" identify -D 50 --data data/paper/table1.csv --data data/paper/formula11.csv \
+    --free c10=0.1,braid.stiffness=600,braid.stiffness_exponent=1 --plot docs/figures/identify_paper.svg >/dev/null
