@@ -262,9 +262,9 @@ impl Parameter {
         let form = || ParameterError::Form { given: format!("{} (bounds are name=low:high)", text.trim()) };
         let (name, values) = text.split_once('=').ok_or_else(form)?;
         let target = Target::parse(name, muscle)?;
-        match numbers(target, values, muscle)?.as_slice() {
-            &[low, high] if low < high => Ok((target, (low, high))),
-            &[low, high] => Err(ParameterError::Bounds { name: target.name(muscle), start: low, low, high }),
+        match *numbers(target, values, muscle)?.as_slice() {
+            [low, high] if low < high => Ok((target, (low, high))),
+            [low, high] => Err(ParameterError::Bounds { name: target.name(muscle), start: low, low, high }),
             _ => Err(form()),
         }
     }
