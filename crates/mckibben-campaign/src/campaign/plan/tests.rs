@@ -144,7 +144,7 @@ fn levels_of_a_list_get_equal_shares_and_ratios_follow_the_diameter() {
         assert_eq!((these[0].tube.length_mm, these[0].tube.wall_mm), (10.0 * d, 0.1 * d));
         assert_eq!(these[0].family_stiffness_n_per_mm(), Some(5.0 * d));
     }
-    assert_eq!(constants(&plan.inputs(3).tube.rubber.law)[0], ("c10_mpa".into(), 0.24));
+    assert_eq!(constants(&plan.inputs(3).tube.rubber.law)[0], ("c10_mpa".into(), 0.224));
 }
 
 #[test]
