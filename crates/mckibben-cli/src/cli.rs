@@ -1,8 +1,11 @@
 //! The commands and their flags. One table: help, completions and parsing come from here.
 
 mod campaign;
+mod identify;
 
 pub use campaign::{CampaignArgs, CampaignCommand, CampaignMergeArgs, CampaignRunArgs, CampaignShowArgs};
+
+pub use identify::{BranchesWord, IdentifyArgs, LossWord};
 
 use crate::commands::fit::{FitArgs, FormulaShowArgs};
 use crate::commands::rubber_fit::RubberFitArgs;
@@ -54,6 +57,9 @@ pub enum Command {
     /// Several models, and measured points, on one figure with their errors
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(Box<CompareArgs>),
+    /// Constants of rubber, braid and friction from measured or published curves, with their uncertainty
+    #[command(after_help = identify::IDENTIFY_EXAMPLES)]
+    Identify(Box<IdentifyArgs>),
     /// From a table of finite-element points to a formula, with its errors and where it holds
     #[command(after_help = FIT_EXAMPLES)]
     Fit(Box<FitArgs>),

@@ -4,6 +4,8 @@ use mckibben::analysis::AnalysisError;
 use mckibben::compare::{FitError, MeasuredError};
 use mckibben::design::{SpecError, SpreadError};
 use mckibben::formula::FormulaError;
+use mckibben::identify::{IdentifyError, ParameterError};
+use mckibben::least_squares::EstimateError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
@@ -220,6 +222,32 @@ impl From<FitError> for Failure {
             FitError::NotConverged { .. } => Self::new(NOT_CONVERGED, "not_converged", error.to_string(), ""),
             FitError::Start(model) => model.into(),
             _ => Self::input("fit", error.to_string(), ""),
+        }
+    }
+}
+
+impl From<ParameterError> for Failure {
+    fn from(error: ParameterError) -> Self {
+        Self::input("parameter", error.to_string(), "`mckibben identify --help` shows the forms")
+    }
+}
+
+impl From<IdentifyError> for Failure {
+    fn from(error: IdentifyError) -> Self {
+        let message = error.to_string();
+        match error {
+            IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start)
+            | IdentifyError::Start { .. } => Self::new(NOT_CONVERGED, "not_converged", message, ""),
+            IdentifyError::Model(model) => model.into(),
+            IdentifyError::Implausible(_) => Self::input(
+                "data",
+                message,
+                "if they are right, free what may be wrong: --free ...,braid.angle",
+            ),
+            IdentifyError::TooFew { .. } | IdentifyError::ErrorsOfSome { .. } => {
+                Self::input("data", message, "")
+            }
+            _ => Self::input("parameter", message, ""),
         }
     }
 }

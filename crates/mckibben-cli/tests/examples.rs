@@ -138,10 +138,12 @@ fn the_commands_in_the_pages_run() {
     } else {
         eprintln!("skipped: there is no README.md");
     }
-    for entry in std::fs::read_dir(root().join("docs")).into_iter().flatten() {
-        let path = entry.unwrap().path();
-        if path.extension().is_some_and(|e| e == "md") {
-            pages.push(path);
+    for folder in ["docs", "docs/identify"] {
+        for entry in std::fs::read_dir(root().join(folder)).into_iter().flatten() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|e| e == "md") {
+                pages.push(path);
+            }
         }
     }
     pages.sort();

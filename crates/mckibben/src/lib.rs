@@ -29,6 +29,7 @@ pub mod compare;
 pub mod curve;
 pub mod design;
 pub mod formula;
+pub mod identify;
 pub mod least_squares;
 pub mod model;
 pub mod muscle;

@@ -1,16 +1,22 @@
 //! The constants of the paper's finite elements, from what they left behind: its Table 1 and its formula (11).
 //!
-//! Unknown are C10 (C01 cannot be told from these data: it is 0) and the stiffness k = k₄₀ (D0/40 mm)ⁿ of a strand
-//! family. Table 1 is finite elements itself, (11) misses its own by some per cent; so C10 and k at D0 50 come from Table 1
-//! alone, and n from (11) on the campaign's points. What is stated of Table 1 is the largest error, so that the sixth power
-//! of the errors is minimised there; for (11) the square.
+//! Unknown are C10 (C01 comes out as 0) and the stiffness k = k₅₀ (D0/50 mm)ⁿ of a strand family. [`mckibben::identify`] does
+//! it in three steps; errors count as shares of the blocked force of each muscle.
+//!
+//! 1. Both sets together by least squares: C10. Walls of 1 to 5 mm tell it, Table 1 with its one thin wall hardly does.
+//! 2. C10 held, Table 1 alone: k₅₀. It is finite elements itself, where (11) misses its own by some per cent; what is stated of
+//!    it is the largest error, so that the sixth power is minimised.
+//! 3. Both held, (11): n.
 
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, PRESSURES, WALLS, compute_with, same};
 use super::error::FitError;
-use mckibben::least_squares::{Settings, minimise};
-use mckibben::model::Coefficients;
+use mckibben::compare::MeasuredPoint;
+use mckibben::identify::{DataPoint, Parameter, Request, Section, Target, identify};
+use mckibben::least_squares::Loss;
+use mckibben::model::{Coefficients, ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber};
-use mckibben::rubber::{Law, MooneyRivlin};
+use mckibben::rubber::{Law, MooneyRivlin, RubberLaw};
+use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.
 pub const TABLE_1: [[f64; 4]; 5] = [
@@ -43,8 +49,11 @@ pub struct Constants {
 
 impl Constants {
     /// Those of the rubber and braid `paper`.
-    pub const PROVISIONAL: Constants =
-        Constants { c10_mpa: 0.12, stiffness_at_40_n_per_mm: 467.0, exponent: 1.3 };
+    pub fn shipped() -> Self {
+        let c10_mpa = Rubber::paper().law.constants().first().map_or(0.0, |c| c.1);
+        let (stiffness_at_40_n_per_mm, exponent) = (Braid::PAPER_AT_40_N_PER_MM, Braid::PAPER_EXPONENT);
+        Self { c10_mpa, stiffness_at_40_n_per_mm, exponent }
+    }
 
     /// The paper's muscle with these constants; `None` where they make none.
     pub fn muscle(&self, outer_diameter_mm: f64, wall_mm: f64) -> Option<Muscle> {
@@ -67,53 +76,78 @@ impl Constants {
     }
 }
 
-/// (F_FE − F)/F_blocked over Table 1.
-fn table_residuals(constants: &Constants) -> Option<Vec<f64>> {
-    let (d, s) = TABLE_1_SECTION;
-    let points = compute_with(|d, s| constants.muscle(d, s), &[d], &[s], &CONTRACTIONS, &PRESSURES);
-    let blocked = table_1(FULL_PRESSURE, 0.0)?;
-    let one = |p: &FitPoint| Some((p.force_n - table_1(p.pressure_mpa, p.contraction)?) / blocked);
-    points.iter().map(one).collect::<Option<Vec<f64>>>().filter(|r| r.len() == 25)
+/// A point of data, its error in units of the blocked force.
+fn point(outer_diameter_mm: f64, wall_mm: f64, at: MeasuredPoint, blocked: f64) -> DataPoint {
+    let (d, s) = (Some(outer_diameter_mm), Some(wall_mm));
+    let section = Section { outer_diameter_mm: d, wall_mm: s, ..Section::default() };
+    DataPoint { section, error: Some(blocked), ..DataPoint::of(at) }
 }
 
-/// (F_FE − F)/F_blocked over the points of the campaign where (11) pulls, which do not depend on the constants.
-fn formula_residuals(constants: &Constants) -> Option<Vec<f64>> {
-    let points = constants.campaign();
-    let one = |p: &FitPoint| {
-        let section = Coefficients::published().section(p.outer_diameter_mm, p.wall_mm);
-        let formula = section.force_n(p.pressure_mpa, p.contraction);
-        if formula > 0.0 { (p.force_n - formula) / section.force_n(FULL_PRESSURE, 0.0) } else { 0.0 }
+/// F of a pressure and contraction as points.
+fn points(d: f64, s: f64, force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPoint> {
+    let blocked = force(FULL_PRESSURE, 0.0).unwrap_or(1.0);
+    let one = |contraction: f64, pressure_mpa: f64| {
+        let force_n = force(pressure_mpa, contraction)?;
+        Some(point(d, s, MeasuredPoint { pressure_mpa, contraction, force_n, branch: None }, blocked))
     };
-    (points.len() == 500).then(|| points.iter().map(one).collect())
+    CONTRACTIONS.iter().flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p))).collect()
 }
 
-/// The unknowns of a least-squares fit that starts from zero.
-fn solved(unknowns: usize, residuals: impl Fn(&[f64]) -> Option<Vec<f64>>) -> Result<Vec<f64>, FitError> {
-    let settings = Settings { step: 1e-4, tolerances: Some((1e-9, 1e-7)) };
-    let found = minimise(unknowns, settings, residuals);
-    found.map(|m| m.x).map_err(|e| FitError::Singular(format!("the constants of the paper ({e})")))
+/// The 25 points of Table 1.
+fn points_of_table() -> Vec<DataPoint> {
+    let (d, s) = TABLE_1_SECTION;
+    points(d, s, table_1)
 }
 
-/// The constants with which our finite elements come nearest to Table 1, and then to (11).
+/// (11) on the campaign's points.
+fn points_of_formula() -> Vec<DataPoint> {
+    let sections = DIAMETERS.iter().flat_map(|&d| WALLS.iter().map(move |&s| (d, s)));
+    let of = |(d, s): (f64, f64)| {
+        let section = Coefficients::published().section(d, s);
+        points(d, s, |p, e| Some(section.force_n(p, e)))
+    };
+    sections.flat_map(of).collect()
+}
+
+fn elements(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    Ok(Box::new(Axisymmetric::new(m).map_err(|e| e.into_model(0.0, 0.0))?))
+}
+
+/// Values of the free targets.
+fn values(
+    free: &[(Target, f64)],
+    fixed: &[(Target, f64)],
+    points: &[DataPoint],
+    loss: Loss,
+) -> Result<Vec<f64>, FitError> {
+    let failed = |e: &dyn std::fmt::Display| FitError::Singular(format!("the constants of the paper ({e})"));
+    let (d, s) = TABLE_1_SECTION;
+    let muscle = Muscle::prototype().with_section(d, s).map_err(|e| failed(&e))?;
+    let parameter =
+        |&(target, start): &(Target, f64)| Parameter { start: Some(start), ..Parameter::free(target) };
+    let free: Vec<Parameter> = free.iter().map(parameter).collect();
+    let request = Request { muscle: &muscle, free: &free, fixed, points, loss, two_sided: false };
+    let found = identify(&request, elements).map_err(|e| failed(&e))?;
+    Ok(found.parameters.iter().map(|p| p.value).collect())
+}
+
+/// The constants with which our finite elements come nearest to Table 1 and (11).
 ///
 /// # Errors
-/// [`FitError::Singular`] where the iteration ends without an answer.
+/// [`FitError::Singular`] where an iteration ends without an answer.
 pub fn fit_constants() -> Result<Constants, FitError> {
-    let start = Constants::PROVISIONAL;
-    let first = |x: &[f64]| Constants {
-        c10_mpa: start.c10_mpa * x[0].exp(),
-        stiffness_at_40_n_per_mm: start.stiffness_at_40_n_per_mm * x[1].exp(),
-        ..start
+    let (c10, k, n) = (Target::Law(0), Target::Stiffness, Target::StiffnessExponent);
+    let (table, formula) = (points_of_table(), points_of_formula());
+    let both = [table.clone(), formula.clone()].concat();
+    let all = values(&[(c10, 0.1), (k, 600.0), (n, 1.0)], &[], &both, Loss::Squares)?;
+    let [first, ..] = all.as_slice() else {
+        return Err(FitError::Singular("the constants of the paper".into()));
     };
-    // Cubes of the residuals in per cent: least squares of them is the sum of sixth powers.
-    let cubes = |r: Vec<f64>| r.into_iter().map(|r| (100.0 * r).powi(3)).collect();
-    let near = first(&solved(2, |x| table_residuals(&first(x)).map(cubes))?);
-    // The exponent turns about D0 50, where Table 1 has settled k.
-    let ratio: f64 = TABLE_1_SECTION.0 / 40.0;
-    let turned = |x: &[f64]| Constants {
-        exponent: near.exponent + x[0],
-        stiffness_at_40_n_per_mm: near.stiffness_at_40_n_per_mm * ratio.powf(-x[0]),
-        ..near
-    };
-    Ok(turned(&solved(1, |x| formula_residuals(&turned(x)))?))
+    let c10_value = *first;
+    let stiffness: f64 = values(&[(k, 600.0)], &[(c10, c10_value)], &table, Loss::Largest)?.iter().sum();
+    let held = [(c10, c10_value), (k, stiffness)];
+    let exponent: f64 = values(&[(n, 1.0)], &held, &formula, Loss::Squares)?.iter().sum();
+    let ratio: f64 = 40.0 / TABLE_1_SECTION.0;
+    let stiffness_at_40_n_per_mm = stiffness * ratio.powf(exponent);
+    Ok(Constants { c10_mpa: c10_value, stiffness_at_40_n_per_mm, exponent })
 }

@@ -212,7 +212,7 @@ fn the_make_of_a_table_is_found_or_refused() {
     };
     let paper = |d: f64| Made::of(&Muscle::prototype()).stiffness_n_per_mm(d);
     let braid = |rows: &[Row]| made_for(rows).map(|m| m.braid);
-    let found = made_for(&[with(30.0, paper(30.0), 0.12), with(50.0, paper(50.0), 0.12)]).unwrap();
+    let found = made_for(&[with(30.0, paper(30.0), 0.112), with(50.0, paper(50.0), 0.112)]).unwrap();
     assert_eq!(found, Made::of(&Muscle::prototype()));
     assert_eq!(braid(&[with(30.0, None, 0.1), with(50.0, None, 0.1)]), Ok(MadeBraid::Inextensible));
     assert_eq!(

@@ -6,6 +6,7 @@ mod curve;
 mod design;
 pub mod fit;
 mod formula;
+mod identify;
 mod models;
 mod muscle;
 mod rubber;
@@ -33,6 +34,7 @@ pub fn run(command: Command) -> Result<u8, Failure> {
         Command::Campaign(args) => campaign::run(&args),
         Command::Validate(args) => validate::run(&args),
         Command::Compare(args) => compare::run(&args),
+        Command::Identify(args) => identify::run(&args),
         Command::Fit(args) => fit::run(&args),
         Command::Formula(FormulaCommand::Show(args)) => formula::show(&args),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args),

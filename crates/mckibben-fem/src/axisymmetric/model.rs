@@ -5,6 +5,7 @@ use super::equilibrium::Control;
 use super::error::FemError;
 use super::mesh::MeshSpec;
 use super::results::Solution;
+use super::sensitivity;
 use crate::solver::newton::{Effort, Stopped};
 use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
 use mckibben::muscle::Muscle;
@@ -177,6 +178,26 @@ impl ForceModel for Axisymmetric {
     fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         self.engine(|e| e.reach(pressure_mpa, contraction).map(|()| e.walker.body.totals.pull))
             .map_err(|e| e.into_model(pressure_mpa, contraction))
+    }
+
+    fn force_by(
+        &self,
+        pressure_mpa: f64,
+        contraction: f64,
+        names: &[String],
+    ) -> Option<Result<Vec<f64>, ModelError>> {
+        let known = self.engine(|e| {
+            e.reach(pressure_mpa, contraction)?;
+            // The tangent of this very state, factorised.
+            e.tangent_stiffness()?;
+            sensitivity::of(&mut e.walker.body, &self.muscle, |name| names.iter().any(|n| n == name))
+        });
+        let known = match known {
+            Ok(known) => known,
+            Err(error) => return Some(Err(error.into_model(pressure_mpa, contraction))),
+        };
+        let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
+        names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
     }
 
     fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {

@@ -71,6 +71,18 @@ const STEP: f64 = 1e-3;
 /// # Errors
 /// [`FemError`] where a neighbouring muscle cannot be assembled.
 pub fn all(body: &mut Body, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+    of(body, muscle, |_| true)
+}
+
+/// Those whose name is wanted.
+///
+/// # Errors
+/// As [`all`].
+pub fn of(
+    body: &mut Body,
+    muscle: &Muscle,
+    wanted: impl Fn(&str) -> bool,
+) -> Result<Vec<Sensitivity>, FemError> {
     let d = body.discrete.clone();
     let state = body.state.clone();
     let law = d.make.law.clone();
@@ -83,6 +95,9 @@ pub fn all(body: &mut Body, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemErro
     };
     let mut out = Vec::new();
     let mut add = |name: String, value: f64, unit: &'static str, make: &dyn Fn(f64) -> (Law, Measures)| {
+        if !wanted(&name) {
+            return Ok(());
+        }
         let step = STEP * if value == 0.0 { d.shear } else { value.abs() };
         let mut change = vec![0.0; state.x.len()];
         for (k, weight) in STENCIL {

@@ -1,12 +1,13 @@
-//! A small fit: up to three constants of a muscle from measured points, by Levenberg–Marquardt.
+//! A small fit: up to three constants of a muscle from measured points, as [`crate::identify`] does it.
 
 use super::measured::MeasuredPoint;
-use crate::least_squares::{Settings, minimise};
-use crate::model::{ForceModel, ModelError};
-use crate::muscle::{BraidStiffness, EndFactor, Muscle, MuscleError};
+use crate::identify::{Build, DataPoint, IdentifyError, Parameter, Request, Target, identify, own_value};
+use crate::least_squares::Loss;
+use crate::model::ModelError;
+use crate::muscle::{Muscle, MuscleError};
 use thiserror::Error;
 
-/// What can be fitted. All are positive and fitted by their logarithm.
+/// What can be fitted. All are positive.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FitParameter {
     /// One factor on all moduli of the rubber law.
@@ -27,35 +28,17 @@ impl FitParameter {
         Self::NAMES.iter().find(|n| n.1 == self).map_or("", |n| n.0)
     }
 
-    fn value(self, muscle: &Muscle) -> f64 {
+    fn target(self) -> Target {
         match self {
-            Self::Modulus => 1.0,
-            Self::EndFactor => muscle.terminals().end_factor.map_or(1.0, |k| k.at(0.0)),
-            Self::Stiffness => muscle.family_stiffness_n_per_mm().unwrap_or(1e5),
-        }
-    }
-
-    fn apply(self, muscle: &Muscle, value: f64) -> Result<Muscle, MuscleError> {
-        match self {
-            Self::Modulus => {
-                let mut tube = muscle.tube().clone();
-                tube.rubber.law = tube.rubber.law.scaled(value);
-                tube.rubber.name = None;
-                muscle.with_tube(tube)
-            }
-            Self::EndFactor => {
-                let mut terminals = muscle.terminals().clone();
-                terminals.end_factor = Some(EndFactor::Constant(value));
-                muscle.with_terminals(terminals)
-            }
-            Self::Stiffness => {
-                let mut braid = muscle.braid().clone();
-                braid.stiffness = BraidStiffness::NewtonPerMm(value);
-                muscle.with_braid(braid)
-            }
+            Self::Modulus => Target::Modulus,
+            Self::EndFactor => Target::EndFactor,
+            Self::Stiffness => Target::Stiffness,
         }
     }
 }
+
+/// k in N/mm from which the search begins where the strands do not stretch.
+const STIFF: f64 = 1e5;
 
 /// The outcome of a fit.
 #[derive(Debug, Clone)]
@@ -79,6 +62,9 @@ pub enum FitError {
         /// Constants asked for.
         unknowns: usize,
     },
+    /// Points that no muscle of this size gives.
+    #[error("{0}")]
+    Data(String),
     /// The model fails at the starting values.
     #[error("the model has no answer at the starting values: {0}")]
     Start(ModelError),
@@ -97,48 +83,32 @@ pub enum FitError {
 ///
 /// # Errors
 /// [`FitError`].
-pub fn fit<B>(
+pub fn fit<B: Build>(
     muscle: &Muscle,
     parameters: &[FitParameter],
     points: &[MeasuredPoint],
     build: B,
-) -> Result<Fit, FitError>
-where
-    B: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
-{
+) -> Result<Fit, FitError> {
     let unknowns = parameters.len();
     if points.len() < 2 * unknowns + 1 {
         return Err(FitError::TooFew { points: points.len(), unknowns });
     }
-    let start: Vec<f64> = parameters.iter().map(|p| p.value(muscle)).collect();
-    // Logarithms of the values over their starts.
-    let values_at = |x: &[f64]| -> Vec<(FitParameter, f64)> {
-        parameters
-            .iter()
-            .zip(&start)
-            .zip(x)
-            .map(|((&parameter, start), x)| (parameter, start * x.exp()))
-            .collect()
+    let parameter = |p: &FitParameter| Parameter {
+        start: Some(own_value(muscle, p.target()).unwrap_or(STIFF)),
+        ..Parameter::free(p.target())
     };
-    let muscle_at = |x: &[f64]| -> Result<Muscle, MuscleError> {
-        values_at(x)
-            .into_iter()
-            .try_fold(muscle.clone(), |muscle, (parameter, value)| parameter.apply(&muscle, value))
-    };
-    // Say why, if the start already fails.
-    let first = build(&muscle_at(&vec![0.0; unknowns])?).map_err(FitError::Start)?;
-    for p in points {
-        first.force_n(p.pressure_mpa, p.contraction).map_err(FitError::Start)?;
-    }
-    let residuals = |x: &[f64]| -> Option<Vec<f64>> {
-        let model = build(&muscle_at(x).ok()?).ok()?;
-        points
-            .iter()
-            .map(|p| model.force_n(p.pressure_mpa, p.contraction).ok().map(|f| f - p.force_n))
-            .collect()
-    };
-    let found = minimise(unknowns, Settings { step: 1e-6, tolerances: None }, residuals)
-        .map_err(|error| FitError::NotConverged { reason: error.reason })?;
-    let rms_n = (found.sum_of_squares / points.len() as f64).sqrt();
-    Ok(Fit { muscle: muscle_at(&found.x)?, values: values_at(&found.x), rms_n })
+    let free: Vec<Parameter> = parameters.iter().map(parameter).collect();
+    // The model knows its branch; all points count, zeros among them.
+    let points: Vec<DataPoint> =
+        points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: None, ..*p })).collect();
+    let request =
+        Request { muscle, free: &free, fixed: &[], points: &points, loss: Loss::Squares, two_sided: true };
+    let found = identify(&request, build).map_err(|error| match error {
+        IdentifyError::Start { error, .. } | IdentifyError::Model(error) => FitError::Start(error),
+        IdentifyError::Implausible(sentence) => FitError::Data(sentence),
+        IdentifyError::Muscle(error) => FitError::Muscle(error),
+        other => FitError::NotConverged { reason: other.to_string() },
+    })?;
+    let values = parameters.iter().copied().zip(found.parameters.iter().map(|p| p.value)).collect();
+    Ok(Fit { muscle: found.muscle, values, rms_n: found.rms_n })
 }

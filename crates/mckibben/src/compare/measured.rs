@@ -1,5 +1,6 @@
 //! Measured points from CSV.
 
+use crate::identify::read_data;
 use std::io::Read;
 use thiserror::Error;
 
@@ -68,6 +69,14 @@ pub enum MeasuredError {
         /// The word.
         text: String,
     },
+    /// A word in the column `measured` that is not known.
+    #[error("line {line}: measured \"{text}\" is neither \"force\", \"contraction\" nor \"pressure\"")]
+    Quantity {
+        /// Line in the file.
+        line: u64,
+        /// The word.
+        text: String,
+    },
     /// No points at all.
     #[error("no points: the file ends after its header")]
     Empty,
@@ -76,65 +85,12 @@ pub enum MeasuredError {
     Csv(#[from] csv::Error),
 }
 
-/// Reads measured points from CSV with a header line. Lines that start with `#` are comments; lines whose `status` is
-/// not `ok` (points without answer, as `curve` writes them) are left out.
+/// Reads measured points from CSV with a header line; see [`read_data`] for its columns.
 ///
 /// # Errors
 /// [`MeasuredError`] names line and column.
 pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, MeasuredError> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(input);
-    let header = reader.headers()?.clone();
-    let find = |names: &[(&str, f64)]| {
-        names.iter().find_map(|&(name, den)| {
-            let strip = |h: &str| h.trim_start_matches('\u{feff}').eq_ignore_ascii_case(name);
-            header.iter().position(strip).map(|i| (i, den))
-        })
-    };
-    let missing =
-        |wanted| MeasuredError::MissingColumn { wanted, found: header.iter().collect::<Vec<_>>().join(", ") };
-    let pressure = find(&[("pressure_mpa", 1.0), ("pressure_kpa", 1e3), ("pressure_bar", 10.0)])
-        .ok_or_else(|| missing("pressure_mpa"))?;
-    let contraction = find(&[("contraction", 1.0)]).ok_or_else(|| missing("contraction"))?;
-    let force = find(&[("force_n", 1.0)]).ok_or_else(|| missing("force_n"))?;
-    let branch = find(&[("branch", 1.0)]);
-    let status = find(&[("status", 1.0)]);
-    let mut points = Vec::new();
-    for record in reader.records() {
-        let record = record?;
-        let line = record.position().map_or(0, csv::Position::line);
-        // A point of `curve --format csv` that has no answer.
-        if status.and_then(|(i, _)| record.get(i)).is_some_and(|s| !s.is_empty() && s != "ok") {
-            continue;
-        }
-        let number = |(i, den): (usize, f64)| -> Result<f64, MeasuredError> {
-            let text = record.get(i).unwrap_or("");
-            match text.parse::<f64>() {
-                Ok(v) if v.is_finite() => Ok(v / den),
-                _ => Err(MeasuredError::NotANumber { line, column: header[i].into(), text: text.into() }),
-            }
-        };
-        let (p, e, f) = (number(pressure)?, number(contraction)?, number(force)?);
-        let impossible = |(i, _): (usize, f64), value, expected| MeasuredError::Impossible {
-            line,
-            column: header[i].into(),
-            value,
-            expected,
-        };
-        if p < 0.0 {
-            return Err(impossible(pressure, p, "MPa is below zero; gauge pressure starts at 0"));
-        }
-        if !(-0.9..0.95).contains(&e) {
-            return Err(impossible(contraction, e, "is no contraction ratio ΔL/L0; write 0.15 for 15 %"));
-        }
-        let branch = match branch.and_then(|(i, _)| record.get(i)) {
-            None | Some("") => None,
-            Some("contraction") => Some(Branch::Contraction),
-            Some("elongation") => Some(Branch::Elongation),
-            Some(text) => return Err(MeasuredError::Branch { line, text: text.into() }),
-        };
-        points.push(MeasuredPoint { pressure_mpa: p, contraction: e, force_n: f, branch });
-    }
-    if points.is_empty() { Err(MeasuredError::Empty) } else { Ok(points) }
+    Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
 }
 
 /// The mean of the two hysteresis branches: at every contraction of the lower branch, half the sum with the upper branch

@@ -7,7 +7,7 @@ use crate::rubber::RubberLaw;
 /// Stiffness k of one strand family of the muscles of a formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MadeBraid {
-    /// The braid `paper`: k = 467 N/mm · (D0/40 mm)^1.3.
+    /// The braid `paper`: k = 452 N/mm · (D0/40 mm)^1.2.
     Paper,
     /// Strands that do not stretch.
     Inextensible,

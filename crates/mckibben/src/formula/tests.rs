@@ -119,7 +119,7 @@ fn what_it_was_not_made_for_is_refused() {
     tube.rubber.law = crate::rubber::Law::NeoHookean(crate::rubber::NeoHookean { mu_mpa: 0.2 });
     tube.rubber.name = None;
     let text = check(&proto.with_tube(tube).unwrap(), 0.2, 0.0).unwrap_err().to_string();
-    assert!(text.contains("neo-hookean") && text.contains("c10_mpa 0.12"), "{text}");
+    assert!(text.contains("neo-hookean") && text.contains("c10_mpa 0.112"), "{text}");
     assert!(FormulaModel::new(f.clone(), &proto).force_n(f64::NAN, 0.1).is_err());
     let accuracy = FormulaModel::new(f, &proto).accuracy();
     assert_eq!(accuracy.share_of_blocked, Some(0.025));

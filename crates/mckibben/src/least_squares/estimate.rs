@@ -9,7 +9,7 @@
 
 use super::bounds::Unknown;
 use super::student::t95;
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use thiserror::Error;
 
@@ -36,6 +36,8 @@ pub enum Loss {
     /// By its square.
     #[default]
     Squares,
+    /// By its sixth power: what counts is the largest. Standard errors then say little.
+    Largest,
     /// By its square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964).
     Huber,
 }
@@ -98,6 +100,8 @@ struct Inner<'a, R> {
     unknowns: &'a [Unknown],
     roots: DVector<f64>,
     u: DVector<f64>,
+    /// Taken for every residual where there are none.
+    wall: Option<f64>,
 }
 
 impl<R: Residuals> Inner<'_, R> {
@@ -138,8 +142,11 @@ impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        let r = DVector::from_vec(self.residuals.at(&self.x(&self.u))?);
-        Some(r.component_mul(&self.roots))
+        match self.residuals.at(&self.x(&self.u)) {
+            Some(r) => Some(DVector::from_vec(r).component_mul(&self.roots)),
+            // A step to where the model has no answer is a bad step: the next one is shorter.
+            None => self.wall.map(|wall| DVector::from_element(self.roots.len(), wall)),
+        }
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
@@ -156,7 +163,7 @@ impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
 }
 
 /// Turns of the robust loss at most; the weights settle long before.
-const TURNS: usize = 30;
+const TURNS: usize = 60;
 /// Huber's constant: 95 % of the efficiency of squares where the errors are normal.
 const HUBER: f64 = 1.345;
 
@@ -182,24 +189,33 @@ pub fn estimate(
     for _ in 0..TURNS {
         let roots = weights.iter().zip(&factors).map(|(w, f)| (w * f).sqrt());
         let roots = DVector::from_iterator(weights.len(), roots);
-        let inner = Inner { residuals, unknowns, roots, u: u.clone() };
-        if inner.residuals().is_none() {
-            return Err(EstimateError::Start);
-        }
+        let mut inner = Inner { residuals, unknowns, roots, u: u.clone(), wall: None };
+        let start = inner.residuals().ok_or(EstimateError::Start)?;
+        inner.wall = Some(1e3 * (1.0 + start.amax()));
         let (inner, report) = LevenbergMarquardt::new()
             .with_ftol(1e-13)
             .with_xtol(1e-11)
             .with_gtol(1e-13)
             .with_patience(100)
             .minimize(inner);
-        if !report.termination.was_successful() {
-            return Err(EstimateError::NoMinimum { reason: format!("{:?}", report.termination) });
+        // No step makes it smaller: as near to the minimum as the model's own rounding lets one come.
+        let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
+        if !(settled || report.termination.was_successful()) {
+            let reason = match report.termination {
+                TerminationReason::User(_) => {
+                    "the model has no answer next to where the search stands".into()
+                }
+                TerminationReason::LostPatience => "the search goes on and on".into(),
+                other => format!("{other:?}"),
+            };
+            return Err(EstimateError::NoMinimum { reason });
         }
         u = inner.u.clone();
         let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;
         let next = match loss {
             Loss::Squares => factors.clone(),
             Loss::Huber => huber(&r, weights),
+            Loss::Largest => sixth_power(&r, weights, &factors),
         };
         let moved = next.iter().zip(&factors).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         factors = next;
@@ -208,7 +224,7 @@ pub fn estimate(
         }
     }
     let all = weights.iter().zip(&factors).map(|(w, f)| w * f).collect::<Vec<f64>>();
-    statistics(&Inner { residuals, unknowns, roots: DVector::zeros(0), u }, all)
+    statistics(&Inner { residuals, unknowns, roots: DVector::zeros(0), u, wall: None }, all)
 }
 
 /// Huber's factors on the weights.
@@ -219,6 +235,21 @@ fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
     let median = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
     let limit = HUBER * 1.4826 * median;
     scaled.iter().map(|&s| if s <= limit || s == 0.0 { 1.0 } else { limit / s }).collect()
+}
+
+/// Factors that turn squares into sixth powers, r⁴ over the largest, approached by halves in the logarithm: the whole
+/// step overshoots for powers above three (Kahng 1972).
+fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
+    let size: Vec<f64> = r.iter().zip(weights).map(|(r, w)| w * r * r).collect();
+    let largest = size.iter().copied().fold(0.0, f64::max);
+    if largest == 0.0 {
+        return before.to_vec();
+    }
+    let next = size.iter().zip(before).map(|(s, f)| {
+        let wanted = (s / largest).powi(2).max(1e-12);
+        wanted.powf(0.25) * f.powf(0.75)
+    });
+    next.collect()
 }
 
 fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<Estimate, EstimateError> {
@@ -236,9 +267,10 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
     let j = DMatrix::from_fn(weights.len(), inside.len(), |r, c| {
         columns[inside[c]][r] * weights[r].sqrt() * unknowns[inside[c]].scale
     });
-    let svd = j.svd(false, true);
-    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
     let m = inside.len();
+    // Every unknown may lie on a bound; an empty matrix has no decomposition.
+    let svd = if m > 0 { j.svd(false, true) } else { DMatrix::zeros(1, 1).svd(false, false) };
+    let largest = svd.singular_values.iter().copied().fold(0.0, f64::max);
     let mut covariance = DMatrix::<f64>::zeros(m, m);
     let mut lost = vec![false; m];
     if let Some(v) = &svd.v_t {

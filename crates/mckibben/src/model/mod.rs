@@ -105,6 +105,18 @@ pub trait ForceModel: Send {
         Ok(self.response(pressure_mpa, contraction)?.force_n)
     }
 
+    /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in the muscle file
+    /// (`tube.material.c10`, `braid.stiffness`, `tube.outer_diameter`), all others held. `None` where the model does not
+    /// know one of them; whoever needs it then takes differences.
+    fn force_by(
+        &self,
+        _pressure_mpa: f64,
+        _contraction: f64,
+        _names: &[String],
+    ) -> Option<Result<Vec<f64>, ModelError>> {
+        None
+    }
+
     /// The pressure in MPa at which the pull is `force_n`, where the model has a shorter way to it than a general
     /// root finder; `None` where it has not.
     fn pressure_in_closed_form(&self, _force_n: f64, _contraction: f64) -> Option<Result<f64, ModelError>> {

@@ -7,7 +7,8 @@ use super::tube::Tube;
 /// How stiff a strand family is, as a force per length of a cut across the strands: k = E·A/spacing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BraidStiffness {
-    /// The paper's braid: k = 467 N/mm · (D0/40 mm)^1.3, provisional (fitted together with the rubber `paper`).
+    /// The paper's braid: k = 452 N/mm · (D0/40 mm)^1.2, identified together with the rubber `paper`
+    /// (`docs/identify/paper.md`).
     Paper,
     /// k of one family in N/mm.
     NewtonPerMm(f64),
@@ -53,6 +54,11 @@ pub struct Braid {
 }
 
 impl Braid {
+    /// k of the braid `paper` at D0 40 mm, in N/mm.
+    pub const PAPER_AT_40_N_PER_MM: f64 = 452.0;
+    /// Its k grows like this power of D0.
+    pub const PAPER_EXPONENT: f64 = 1.2;
+
     /// The paper's braid: 28°, stiffness `paper`.
     pub fn paper() -> Self {
         Self {
@@ -107,7 +113,10 @@ impl Braid {
     /// k of one family on this tube in N/mm; `None` for inextensible strands.
     pub fn family_stiffness_n_per_mm(&self, tube: &Tube) -> Option<f64> {
         match self.stiffness {
-            BraidStiffness::Paper => Some(467.0 * (tube.outer_diameter_mm / 40.0).powf(1.3)),
+            BraidStiffness::Paper => {
+                let ratio = tube.outer_diameter_mm / 40.0;
+                Some(Self::PAPER_AT_40_N_PER_MM * ratio.powf(Self::PAPER_EXPONENT))
+            }
             BraidStiffness::NewtonPerMm(k) => Some(k),
             BraidStiffness::Inextensible => None,
             BraidStiffness::OfStrands => self.strands.and_then(|s| {

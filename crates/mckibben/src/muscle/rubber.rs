@@ -26,12 +26,12 @@ pub struct Rubber {
 }
 
 impl Rubber {
-    /// The provisional rubber `paper`: Mooney–Rivlin C10 0.12 MPa, C01 0, incompressible. It was found by fitting an
-    /// axisymmetric finite-element model to the paper's published formula; C01 cannot be told from those data.
+    /// The rubber `paper`: Mooney–Rivlin C10 0.112 MPa, C01 0, incompressible. Identified with axisymmetric finite elements from
+    /// the paper's Table 1 and formula (11) (`docs/identify/paper.md`).
     pub fn paper() -> Self {
         Self {
             name: Some("paper".into()),
-            law: Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.0 }),
+            law: Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.112, c01_mpa: 0.0 }),
             bulk: Bulk::Incompressible,
             fitted_to_stretch: None,
         }

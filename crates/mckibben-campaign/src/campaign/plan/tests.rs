@@ -47,11 +47,12 @@ fn every_muscle_of_the_universal_plan_is_one_and_spans_the_design_space() {
         assert!(low <= least && least < low * 1.01 && high * 0.99 < most && most <= high, "{least} {most}");
     };
     spans(|m| m.outer_diameter_mm(), 10.0, 60.0);
-    spans(|m| m.wall_mm() / m.outer_diameter_mm(), 0.03, 0.15000001);
-    spans(|m| m.length_mm() / m.outer_diameter_mm(), 5.0, 20.000001);
-    spans(|m| m.braid().angle_deg, 20.0, 35.0);
-    spans(|m| m.family_stiffness_n_per_mm().unwrap() / m.outer_diameter_mm(), 4.0, 40.000001);
-    spans(|m| m.tube().rubber.law.shear_modulus_mpa(), 0.08, 0.8);
+    spans(|m| m.wall_mm() / m.outer_diameter_mm(), 0.017, 0.18500001);
+    spans(|m| m.length_mm() / m.outer_diameter_mm(), 4.4, 22.000001);
+    spans(|m| m.braid().angle_deg, 16.5, 39.0);
+    spans(|m| m.family_stiffness_n_per_mm().unwrap() / m.outer_diameter_mm(), 3.0, 300.00001);
+    spans(|m| m.tube().rubber.law.constants()[0].1, 0.03, 0.5);
+    spans(|m| 1.0 + m.tube().rubber.law.constants()[1].1 / m.tube().rubber.law.constants()[0].1, 1.0, 1.43);
 }
 
 #[test]
@@ -143,7 +144,7 @@ fn levels_of_a_list_get_equal_shares_and_ratios_follow_the_diameter() {
         assert_eq!((these[0].tube.length_mm, these[0].tube.wall_mm), (10.0 * d, 0.1 * d));
         assert_eq!(these[0].family_stiffness_n_per_mm(), Some(5.0 * d));
     }
-    assert_eq!(constants(&plan.inputs(3).tube.rubber.law)[0], ("c10_mpa".into(), 0.24));
+    assert_eq!(constants(&plan.inputs(3).tube.rubber.law)[0], ("c10_mpa".into(), 0.224));
 }
 
 #[test]

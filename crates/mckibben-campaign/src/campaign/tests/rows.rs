@@ -38,7 +38,7 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
         assert_eq!((here.status.as_str(), here.cause.as_str()), ("ok", ""));
         assert_eq!(
             (here.law.as_str(), here.constants[0].clone()),
-            ("mooney-rivlin", ("c10_mpa".into(), 0.12))
+            ("mooney-rivlin", ("c10_mpa".into(), 0.112))
         );
     }
 }

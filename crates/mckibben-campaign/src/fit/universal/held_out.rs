@@ -17,7 +17,7 @@ const DRAWS: usize = 100;
 
 /// A random muscle and pressure: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°, shear modulus .08–.8 MPa, k/D0 4–40 MPa, P .05–.5 MPa with
 /// P/μ .1–5 and a strand strain P D0/(4 sin²θ0 k) up to 6 %. `law` makes the rubber from its modulus and a number below one.
-fn random(r: &mut Random, law: &dyn Fn(f64, f64) -> Law) -> Option<(Muscle, f64)> {
+fn random(r: &mut Random, law: MakeLaw<'_>) -> Option<(Muscle, f64)> {
     let outer_diameter_mm = r.between(10.0, 60.0);
     let (wall_mm, length_mm) =
         (outer_diameter_mm * r.between(0.03, 0.15), outer_diameter_mm * r.between(5.0, 20.0));
@@ -45,7 +45,7 @@ pub fn held_out_samples(count: usize, seed: u64) -> Vec<Sample> {
     drawn(count, seed, &mooney)
 }
 
-fn drawn(count: usize, seed: u64, law: &dyn Fn(f64, f64) -> Law) -> Vec<Sample> {
+fn drawn(count: usize, seed: u64, law: MakeLaw<'_>) -> Vec<Sample> {
     let mut r = Random(seed);
     let mut muscles = vec![];
     for _ in 0..20 * count {
@@ -79,6 +79,8 @@ pub struct HeldOutRow {
     pub errors: UniversalSummary,
 }
 
+/// A law from its modulus and a number below one.
+type MakeLaw<'a> = &'a dyn Fn(f64, f64) -> Law;
 type Build<'a> = &'a (dyn Fn(&Muscle) -> Option<Box<dyn ForceModel>> + Sync);
 
 /// The models on random muscles: ideal, thick-wall with strands that do not stretch, thick-wall, both universal forms.
@@ -112,13 +114,13 @@ pub fn rubber_laws(count: usize, seed: u64) -> Vec<HeldOutRow> {
         let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
         Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * mu / 0.414_319, a)).collect() })
     };
-    let laws: [(&str, &dyn Fn(f64, f64) -> Law); 4] = [
+    let laws: [(&str, MakeLaw<'_>); 4] = [
         ("neo-hookean", &|mu, _| Law::NeoHookean(NeoHookean { mu_mpa: mu })),
         ("yeoh", &yeoh),
         ("ogden (Treloar's rubber)", &ogden),
         ("gent (jm 30 to 80)", &|mu, u| Law::Gent(Gent { mu_mpa: mu, jm: 30.0 + 50.0 * u })),
     ];
-    let row = |(name, law): (&str, &dyn Fn(f64, f64) -> Law)| {
+    let row = |(name, law): (&str, MakeLaw<'_>)| {
         let samples = drawn(count, seed, law);
         let list = shares(&samples, |s| ModelKind::Universal.build(&s.muscle).ok(), |_, _| true);
         HeldOutRow { model: format!("universal, {name}"), errors: summary(&list) }

@@ -5,6 +5,7 @@ use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
 use crate::output::text::{number, table};
 use crate::output::{csv, emit, json};
+use mckibben_campaign::fit::constants::Constants;
 use mckibben_campaign::fit::results::{Finding, Results, results};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -70,10 +71,15 @@ fn as_text(r: &Results) -> String {
         "In % of the finite elements' blocked force of the same muscle at 0.25 MPa, over points where they pull\n\n",
     );
     out.push_str(&table(&header, rows.collect()));
-    let c = &r.constants;
+    let (c, shipped) = (&r.constants, Constants::shipped());
     out.push_str(&format!(
-        "\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm at D0 40, growing like D0^{:.2} (shipped: 0.12, 467, 1.3)\n",
-        c.c10_mpa, c.stiffness_at_40_n_per_mm, c.exponent
+        "\nFitted constants: C10 {:.4} MPa, k {:.0} N/mm at D0 40, growing like D0^{:.2} (shipped: {}, {}, {})\n",
+        c.c10_mpa,
+        c.stiffness_at_40_n_per_mm,
+        c.exponent,
+        shipped.c10_mpa,
+        shipped.stiffness_at_40_n_per_mm,
+        shipped.exponent
     ));
     out.push_str(&format!(
         "From nothing to the paper's formula with its errors: {:.3} s; global has {} terms\n",

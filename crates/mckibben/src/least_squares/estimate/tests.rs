@@ -73,6 +73,13 @@ fn bounds_hold_and_are_told() {
     let e = estimate(&of_line(&data), &unknowns, &[1.0; 12], Loss::Squares).unwrap();
     assert!(e.x[0] <= 1.5 && e.at_bound[0] && !e.identifiable[0], "{e:?}");
     assert!(!e.at_bound[1] && e.x[1] > 3.0);
+    // All of them on bounds.
+    let unknowns = [
+        Unknown { start: 1.0, low: 0.0, high: 1.5, scale: 1.0 },
+        Unknown { start: 1.0, low: 0.0, high: 2.0, scale: 1.0 },
+    ];
+    let e = estimate(&of_line(&data), &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    assert!(e.at_bound == [true, true] && e.standard_errors == [0.0, 0.0], "{e:?}");
 }
 
 #[test]
@@ -93,4 +100,23 @@ fn too_few_points_and_a_failing_model_are_errors() {
     assert_eq!(few, Err(EstimateError::TooFew { points: 2, unknowns: 2 }));
     let none = |_: &[f64]| -> Option<Vec<f64>> { None };
     assert_eq!(estimate(&none, &unknowns, &[1.0; 5], Loss::Squares), Err(EstimateError::Start));
+}
+
+/// The number nearest to 0, 0 and 10 in the sixth power: 2 c⁵ = (10 − c)⁵, c = 10/(1 + 2^(1/5)).
+#[test]
+fn the_sixth_power_is_the_sixth_power() {
+    let level = |x: &[f64]| Some(vec![x[0], x[0], x[0] - 10.0]);
+    let e = estimate(&level, &[Unknown::free(1.0, 1.0)], &[1.0; 3], Loss::Largest).unwrap();
+    assert!((e.x[0] - 10.0 / (1.0 + 2f64.powf(0.2))).abs() < 1e-4, "{}", e.x[0]);
+}
+
+/// Steps past the edge of the model are taken back.
+#[test]
+fn a_model_that_ends_somewhere_is_followed_up_to_there() {
+    let data = line(12, 0.0, 5);
+    let edge =
+        |x: &[f64]| (x[0] > 1.9).then(|| data.iter().map(|&(t, y)| x[0].ln() + x[1] * t - y).collect());
+    let unknowns = [Unknown::free(40.0, 1.0), Unknown::free(0.0, 1.0)];
+    let e = estimate(&edge, &unknowns, &[1.0; 12], Loss::Squares).unwrap();
+    assert!((e.x[0] - 2f64.exp()).abs() < 1e-5 && (e.x[1] - 3.0).abs() < 1e-6, "{:?}", e.x);
 }

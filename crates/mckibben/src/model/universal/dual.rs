@@ -71,6 +71,7 @@ impl Neg for Dual {
     }
 }
 
+#[allow(clippy::suspicious_arithmetic_impl)] // the product rule
 impl Mul for Dual {
     type Output = Self;
     fn mul(self, o: Self) -> Self {

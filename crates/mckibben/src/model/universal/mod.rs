@@ -256,7 +256,7 @@ impl ForceModel for Universal {
         let near = first.state.r + first.state.r_by[0] * step;
         let m = self.tried(p, first.l + step, Some(near))?;
         let slope = self.slope(&m);
-        if !(slope > 0.02) {
+        if slope.is_nan() || slope <= 0.02 {
             return Err(Self::not_converged(p, contraction, step.abs()));
         }
         let s = &m.state;

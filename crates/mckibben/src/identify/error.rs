@@ -1,0 +1,97 @@
+//! Why nothing was identified.
+
+use crate::least_squares::EstimateError;
+use crate::model::ModelError;
+use crate::muscle::MuscleError;
+use thiserror::Error;
+
+/// Why nothing was identified. Lines are those of the data file.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum IdentifyError {
+    /// Nothing is free.
+    #[error("nothing is free: name at least one parameter to identify")]
+    NothingFree,
+    /// A parameter twice.
+    #[error("{name} is named twice, free or fixed: name it once")]
+    Twice {
+        /// Which.
+        name: String,
+    },
+    /// A parameter without a value to begin with.
+    #[error("{name} has no value to begin with in this muscle: write {name}=START")]
+    NoStart {
+        /// Which.
+        name: String,
+    },
+    /// A start outside of its bounds.
+    #[error(
+        "{name}: the start {start} lies outside of the bounds {low} to {high}: write {name}=START:LOW:HIGH"
+    )]
+    OutOfBounds {
+        /// Which.
+        name: String,
+        /// Start.
+        start: f64,
+        /// Lower bound.
+        low: f64,
+        /// Upper bound.
+        high: f64,
+    },
+    /// Not more points than parameters.
+    #[error(
+        "{points} points that pull{} do not tell {parameters} parameters: at least {} are needed, and three for each parameter for an error bar worth the name; measure more, or free fewer",
+        left_out(.dropped), .parameters + 1
+    )]
+    TooFew {
+        /// Points that count.
+        points: usize,
+        /// Points left out because the muscle was slack.
+        dropped: usize,
+        /// Parameters that are free.
+        parameters: usize,
+    },
+    /// Data that no muscle of this size gives.
+    #[error("{0}")]
+    Implausible(String),
+    /// Errors stated for some rows only.
+    #[error(
+        "{stated} of {points} points state their error (first without: line {line}): state all, so that they can be weighed against each other, or none"
+    )]
+    ErrorsOfSome {
+        /// Rows with an error.
+        stated: usize,
+        /// Rows.
+        points: usize,
+        /// A row without.
+        line: u64,
+    },
+    /// The model fails at the start.
+    #[error(
+        "the model has no answer for {failed} of {points} points at the starting values (first: line {line}): {error}"
+    )]
+    Start {
+        /// Points without an answer.
+        failed: usize,
+        /// All points.
+        points: usize,
+        /// The first of them.
+        line: u64,
+        /// Why.
+        error: ModelError,
+    },
+    /// Starting values that make no muscle.
+    #[error("the starting values make no muscle: {0}")]
+    Muscle(#[from] MuscleError),
+    /// The starting values make no model.
+    #[error("the starting values make no model: {0}")]
+    Model(ModelError),
+    /// No minimum.
+    #[error(
+        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the data cannot tell"
+    )]
+    Estimate(EstimateError),
+}
+
+fn left_out(n: &usize) -> String {
+    if *n == 0 { String::new() } else { format!(" ({n} more read no force and were left out)") }
+}

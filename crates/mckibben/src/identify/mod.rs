@@ -1,0 +1,29 @@
+//! Constants of a muscle from measured or published points, with what the points say of them.
+//!
+//! Least squares of the residuals (`problem.rs`) by Levenberg–Marquardt ([`crate::least_squares`]), on any mix of isometric,
+//! isobaric and isotonic points; any parameter of [`Target`] free or fixed. Standard errors are those of linearised least
+//! squares (Seber & Wild 2003, ch. 2). A parameter is told by the data where the half-width of its 95 % interval is below
+//! its limit ([`Target`]: half of the shear modulus for constants of the law, half of its value for most others) and it
+//! lies on no bound.
+
+mod advice;
+mod candidate;
+mod data;
+mod error;
+mod parameter;
+mod problem;
+mod result;
+mod run;
+mod unasked;
+
+pub use candidate::{Candidate, own_value};
+pub use data::{DataPoint, Quantity, Section, mean_of_branches, read_data};
+pub use error::IdentifyError;
+pub use parameter::{Parameter, ParameterError, Target};
+pub use problem::Build;
+pub use result::{Fitted, Identification, Identified, Spread};
+pub use run::{Request, identify};
+pub use unasked::{default_targets, identify_default};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,382 @@
+//! Residuals of the points and their derivatives by the parameters.
+//!
+//! With the pull F(P, ε; θ) of the model, friction included, and x what the bench read:
+//!
+//!   force        r = F(P, ε; θ) − F,           ∂r/∂θ = ∂F/∂θ
+//!   contraction  r = g (ε(P, F; θ) − ε),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂ε)
+//!   pressure     r = g (P(F, ε; θ) − P),       ∂r/∂θ = −g ∂F/∂θ / (∂F/∂P)
+//!
+//! g: N per unit of what was read, the mean slope at the start, so that all residuals are in N. ∂F/∂θ is the model's own
+//! ([`ForceModel::force_by`]) where it has one.
+
+use super::candidate::Candidate;
+use super::data::{DataPoint, Quantity, Section};
+use super::parameter::Target;
+use crate::compare::Branch;
+use crate::least_squares::Residuals;
+use crate::model::{ForceModel, ModelError};
+use crate::muscle::{BraidStiffness, Friction, Motion, Muscle};
+use crate::rubber::RubberLaw;
+use rayon::prelude::*;
+
+/// Makes the model of a muscle.
+pub trait Build: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync {}
+impl<F: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync> Build for F {}
+
+/// Rows of one muscle that one model answers, in an order that suits a model with a memory.
+struct Chunk {
+    section: Section,
+    rows: Vec<usize>,
+}
+
+/// Parts of the rows of one muscle: fixed, so that answers do not depend on the number of threads.
+const PARTS: usize = 4;
+const LEAST: usize = 24;
+
+/// What is to be made small.
+pub struct Problem<'a, B> {
+    base: &'a Muscle,
+    free: &'a [Target],
+    fixed: &'a [(Target, f64)],
+    points: &'a [DataPoint],
+    build: &'a B,
+    chunks: Vec<Chunk>,
+    /// N per unit of contraction and per MPa.
+    scales: (f64, f64),
+    /// Whether the model knows all derivatives.
+    analytic: bool,
+}
+
+/// F, ∂F/∂ε and ∂F/∂P.
+struct Local {
+    force: f64,
+    by_contraction: f64,
+    by_pressure: f64,
+}
+
+fn motion(branch: Option<Branch>) -> Motion {
+    match branch {
+        None => Motion::Mean,
+        Some(Branch::Contraction) => Motion::Shortening,
+        Some(Branch::Elongation) => Motion::Lengthening,
+    }
+}
+
+fn friction_force(friction: Option<&Friction>, p: f64, branch: Option<Branch>) -> f64 {
+    friction.map_or(0.0, |f| f.force_n(p, motion(branch)))
+}
+
+/// Pull on a branch.
+fn force(m: &dyn ForceModel, p: f64, e: f64, branch: Option<Branch>) -> Result<f64, ModelError> {
+    Ok(m.force_n(p, e)? + friction_force(m.muscle().friction(), p, branch))
+}
+
+fn local(m: &dyn ForceModel, p: f64, e: f64, branch: Option<Branch>) -> Result<Local, ModelError> {
+    let r = m.response(p, e)?;
+    let difference = |up: (f64, f64), down: (f64, f64), width: f64| -> Result<f64, ModelError> {
+        Ok((m.force_n(up.0, up.1)? - m.force_n(down.0, down.1)?) / width)
+    };
+    const H: f64 = 1e-5;
+    let by_contraction = match r.stiffness_n_per_mm {
+        Some(k) => -k * m.muscle().length_mm(),
+        None => difference((p, e + H), (p, e - H), 2.0 * H)?,
+    };
+    let by_pressure = match r.force_per_pressure_mm2 {
+        Some(slope) => slope,
+        None => difference((p + H, e), ((p - H).max(0.0), e), H + H.min(p))?,
+    };
+    let slope = m.muscle().friction().map_or(0.0, |f| f.slope(p, motion(branch)));
+    let force = r.force_n + friction_force(m.muscle().friction(), p, branch);
+    Ok(Local { force, by_contraction, by_pressure: by_pressure + slope })
+}
+
+/// Newton's method for what was read, from where it was read.
+fn found(m: &dyn ForceModel, point: &DataPoint, offset: f64) -> Result<(f64, f64, Local), ModelError> {
+    let at = &point.at;
+    let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
+    const STEPS: usize = 30;
+    for _ in 0..STEPS {
+        let here = local(m, p, e, at.branch)?;
+        let rest = here.force - at.force_n;
+        // The last step is taken blindly: it leaves the square of this.
+        let done = rest.abs() <= 1e-6 * (1.0 + at.force_n.abs());
+        if point.measured == Quantity::Contraction {
+            // A muscle pulls less the shorter it is.
+            let slope = here.by_contraction.min(-1e-6);
+            e -= (rest / slope).clamp(-0.05, 0.05);
+            e = e.clamp(-0.9, 0.94);
+        } else {
+            let slope = here.by_pressure.max(1e-6);
+            let largest = 0.5 * p + 0.02;
+            p = (p - (rest / slope).clamp(-largest, largest)).max(0.0);
+        }
+        if done {
+            return Ok((p, e, here));
+        }
+    }
+    let residual = f64::NAN;
+    Err(ModelError::NotConverged { pressure_mpa: p, contraction: e, iterations: STEPS, residual })
+}
+
+impl<'a, B: Build> Problem<'a, B> {
+    /// A problem; `start`: values of the free targets.
+    pub fn new(
+        base: &'a Muscle,
+        free: &'a [Target],
+        fixed: &'a [(Target, f64)],
+        points: &'a [DataPoint],
+        build: &'a B,
+        start: &[f64],
+    ) -> Self {
+        let mut out = Self {
+            base,
+            free,
+            fixed,
+            points,
+            build,
+            chunks: chunks(points),
+            scales: (1.0, 1.0),
+            analytic: false,
+        };
+        out.scales = out.mean_slopes(start).unwrap_or((1.0, 1.0));
+        out.analytic = out.knows_derivatives(start);
+        out
+    }
+
+    /// N per unit of what a point's bench read.
+    pub fn scale(&self, quantity: Quantity) -> f64 {
+        match quantity {
+            Quantity::Force => 1.0,
+            Quantity::Contraction => self.scales.0,
+            Quantity::Pressure => self.scales.1,
+        }
+    }
+
+    /// The muscle at values of the free targets.
+    pub fn candidate(&self, x: &[f64]) -> Option<Candidate> {
+        let values = self.fixed.iter().copied().chain(self.free.iter().copied().zip(x.iter().copied()));
+        Candidate::new(self.base, &values.collect::<Vec<_>>()).ok()
+    }
+
+    /// Residual of every point in N, or why it has none.
+    pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
+        let candidate = self.candidate(x)?;
+        self.over_rows(&candidate, |m, point| {
+            let at = &point.at;
+            match point.measured {
+                Quantity::Force => {
+                    let e = at.contraction + candidate.contraction_offset;
+                    Ok(force(m, at.pressure_mpa, e, at.branch)? - at.force_n)
+                }
+                Quantity::Contraction => {
+                    let (_, e, _) = found(m, point, candidate.contraction_offset)?;
+                    Ok(self.scales.0 * (e - candidate.contraction_offset - at.contraction))
+                }
+                Quantity::Pressure => {
+                    let (p, _, _) = found(m, point, candidate.contraction_offset)?;
+                    Ok(self.scales.1 * (p - at.pressure_mpa))
+                }
+            }
+        })
+    }
+
+    /// Something of every row, by the model of its muscle.
+    fn over_rows<T: Send>(
+        &self,
+        candidate: &Candidate,
+        one: impl Fn(&dyn ForceModel, &DataPoint) -> Result<T, ModelError> + Sync,
+    ) -> Option<Vec<Result<T, ModelError>>> {
+        let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
+            let muscle = candidate.of_section(&chunk.section).ok()?;
+            let model = (self.build)(&muscle).ok()?;
+            Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &self.points[i])).collect())
+        };
+        let lists: Vec<Option<Vec<_>>> = self.chunks.par_iter().map(of_chunk).collect();
+        let mut out: Vec<Option<Result<T, ModelError>>> = self.points.iter().map(|_| None).collect();
+        for (chunk, list) in self.chunks.iter().zip(lists) {
+            for (&i, value) in chunk.rows.iter().zip(list?) {
+                out[i] = Some(value);
+            }
+        }
+        out.into_iter().collect()
+    }
+
+    fn mean_slopes(&self, start: &[f64]) -> Option<(f64, f64)> {
+        if self.points.iter().all(|p| p.measured == Quantity::Force) {
+            return None;
+        }
+        let candidate = self.candidate(start)?;
+        let list = self.over_rows(&candidate, |m, point| {
+            let at = &point.at;
+            local(m, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.branch)
+        })?;
+        let mean = |quantity: Quantity, of: fn(&Local) -> f64| {
+            let rows = list.iter().zip(self.points).filter(|r| r.1.measured == quantity);
+            let slopes: Vec<f64> = rows.filter_map(|r| r.0.as_ref().ok().map(of)).map(f64::abs).collect();
+            let mean = slopes.iter().sum::<f64>() / slopes.len().max(1) as f64;
+            if mean > 0.0 { mean } else { 1.0 }
+        };
+        Some((mean(Quantity::Contraction, |l| l.by_contraction), mean(Quantity::Pressure, |l| l.by_pressure)))
+    }
+
+    /// Whether the model has all of ∂F/∂θ.
+    fn knows_derivatives(&self, start: &[f64]) -> bool {
+        let Some(candidate) = self.candidate(start) else { return false };
+        // A braid that follows from the measures of the muscle has another derivative by these.
+        let follows =
+            matches!(candidate.muscle().braid().stiffness, BraidStiffness::Paper | BraidStiffness::OfStrands);
+        if follows && self.free.iter().any(|t| t.is_geometry()) {
+            return false;
+        }
+        let names = self.names(&candidate);
+        let probe = || {
+            let point = self.points.first()?;
+            let model = (self.build)(&candidate.of_section(&point.section).ok()?).ok()?;
+            let e = point.at.contraction + candidate.contraction_offset;
+            model.force_by(point.at.pressure_mpa, e, &names)?.ok()
+        };
+        probe().is_some()
+    }
+
+    /// Names whose ∂F is needed.
+    fn names(&self, candidate: &Candidate) -> Vec<String> {
+        let muscle = candidate.muscle();
+        let mut names: Vec<String> = vec![];
+        let mut add = |name: String| {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        };
+        for target in self.free {
+            match target {
+                Target::Modulus => {
+                    let constants = muscle.tube().rubber.law.constants();
+                    constants
+                        .iter()
+                        .filter(|c| c.2 == "MPa")
+                        .for_each(|c| add(format!("tube.material.{}", c.0)));
+                }
+                Target::StiffnessExponent => add("braid.stiffness".into()),
+                Target::OuterDiameter => {
+                    add("tube.outer_diameter".into());
+                    if candidate.family().is_some() {
+                        add("braid.stiffness".into());
+                    }
+                }
+                Target::FrictionCoefficient | Target::FrictionExponent | Target::ContractionOffset => {}
+                other => add(other.name(muscle)),
+            }
+        }
+        names
+    }
+
+    /// ∂F/∂θ of one point for every free target.
+    fn slopes(
+        &self,
+        m: &dyn ForceModel,
+        point: &DataPoint,
+        candidate: &Candidate,
+        x: &[f64],
+        names: &[String],
+        (p, e, here): (f64, f64, &Local),
+    ) -> Result<Vec<f64>, ModelError> {
+        let not_known = || ModelError::NotFinite { model: m.name().into(), pressure_mpa: p, contraction: e };
+        let by = m.force_by(p, e, names).ok_or_else(not_known)??;
+        let of =
+            |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
+        let muscle = m.muscle();
+        let friction = muscle.friction().copied();
+        let sign = match point.at.branch {
+            None => 0.0,
+            Some(Branch::Contraction) => -1.0,
+            Some(Branch::Elongation) => 1.0,
+        };
+        let (d, s) = (muscle.outer_diameter_mm(), &point.section);
+        let one = |(&target, &v): (&Target, &f64)| match target {
+            Target::Modulus => {
+                let constants = muscle.tube().rubber.law.constants();
+                let moduli = constants.iter().filter(|c| c.2 == "MPa");
+                moduli.map(|c| c.1 / v * of(&format!("tube.material.{}", c.0))).sum()
+            }
+            Target::Stiffness => {
+                let at = candidate.family().map_or(1.0, |f| f.ratio(d).powf(f.exponent));
+                of("braid.stiffness") * at
+            }
+            Target::StiffnessExponent => {
+                candidate.family().map_or(0.0, |f| of("braid.stiffness") * f.at(d) * f.ratio(d).ln())
+            }
+            Target::OuterDiameter if s.outer_diameter_mm.is_none() => {
+                let through = candidate.family().map_or(0.0, |f| f.exponent * f.at(d) / d);
+                of("tube.outer_diameter") + of("braid.stiffness") * through
+            }
+            Target::Wall if s.wall_mm.is_none() => of("tube.wall_thickness"),
+            Target::Length if s.length_mm.is_none() => of("tube.length"),
+            Target::Angle if s.angle_deg.is_none() => of("braid.angle"),
+            Target::OuterDiameter | Target::Wall | Target::Length | Target::Angle => 0.0,
+            Target::FrictionCoefficient if p > 0.0 => friction.map_or(0.0, |f| sign * p.powf(f.exponent)),
+            Target::FrictionExponent if p > 0.0 => {
+                friction.map_or(0.0, |f| sign * f.coefficient * p.powf(f.exponent) * p.ln())
+            }
+            Target::FrictionCoefficient | Target::FrictionExponent => 0.0,
+            // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
+            Target::ContractionOffset => here.by_contraction,
+            Target::Law(_) | Target::EndFactor => of(&target.name(muscle)),
+        };
+        Ok(self.free.iter().zip(x).map(one).collect())
+    }
+}
+
+impl<B: Build> Residuals for Problem<'_, B> {
+    fn at(&self, x: &[f64]) -> Option<Vec<f64>> {
+        self.rows(x)?.into_iter().collect::<Result<Vec<f64>, ModelError>>().ok()
+    }
+
+    fn by_unknowns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
+        if !self.analytic {
+            return None;
+        }
+        let candidate = self.candidate(x)?;
+        let names = self.names(&candidate);
+        let offset = candidate.contraction_offset;
+        let rows = self.over_rows(&candidate, |m, point| {
+            let at = &point.at;
+            let (p, e, here) = match point.measured {
+                Quantity::Force => {
+                    let e = at.contraction + offset;
+                    (at.pressure_mpa, e, local(m, at.pressure_mpa, e, at.branch)?)
+                }
+                _ => found(m, point, offset)?,
+            };
+            let slopes = self.slopes(m, point, &candidate, x, &names, (p, e, &here))?;
+            let factor = match point.measured {
+                Quantity::Force => 1.0,
+                Quantity::Contraction => -self.scales.0 / here.by_contraction,
+                Quantity::Pressure => -self.scales.1 / here.by_pressure,
+            };
+            Ok(slopes.into_iter().map(|s| factor * s).collect::<Vec<f64>>())
+        })?;
+        let rows = rows.into_iter().collect::<Result<Vec<Vec<f64>>, ModelError>>().ok()?;
+        Some((0..x.len()).map(|c| rows.iter().map(|r| r[c]).collect()).collect())
+    }
+}
+
+/// Rows by muscle, in parts, each by contraction and falling pressure.
+fn chunks(points: &[DataPoint]) -> Vec<Chunk> {
+    let mut groups: Vec<Chunk> = vec![];
+    for (i, point) in points.iter().enumerate() {
+        match groups.iter_mut().find(|g| g.section == point.section) {
+            Some(group) => group.rows.push(i),
+            None => groups.push(Chunk { section: point.section, rows: vec![i] }),
+        }
+    }
+    let mut out = vec![];
+    for mut group in groups {
+        group.rows.sort_by(|&a, &b| {
+            let (a, b) = (&points[a].at, &points[b].at);
+            a.contraction.total_cmp(&b.contraction).then(b.pressure_mpa.total_cmp(&a.pressure_mpa))
+        });
+        let size = group.rows.len().div_ceil(PARTS).max(LEAST);
+        out.extend(group.rows.chunks(size).map(|rows| Chunk { section: group.section, rows: rows.to_vec() }));
+    }
+    out
+}

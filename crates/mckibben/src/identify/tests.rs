@@ -1,0 +1,387 @@
+use super::*;
+use crate::compare::{Branch, MeasuredPoint};
+use crate::least_squares::Loss;
+use crate::model::{ForceModel, ModelError, ThickWall};
+use crate::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
+use crate::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
+
+/// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        let mut one = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+        };
+        (0..12).map(|_| one()).sum::<f64>() - 6.0
+    }
+}
+
+fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    Ok(Box::new(ThickWall::new(m)))
+}
+
+fn muscle(law: Law, stiffness: BraidStiffness) -> Muscle {
+    let tube = Tube { outer_diameter_mm: 20.0, wall_mm: 1.5, length_mm: 200.0, rubber: Rubber::of(law) };
+    let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
+    Muscle::new(tube, braid, Terminals::default(), None).unwrap()
+}
+
+fn soft() -> Muscle {
+    muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::NewtonPerMm(400.0))
+}
+
+const PLACES: [(f64, f64); 15] = [
+    (0.1, 0.0),
+    (0.1, 0.05),
+    (0.1, 0.1),
+    (0.2, 0.0),
+    (0.2, 0.05),
+    (0.2, 0.1),
+    (0.2, 0.15),
+    (0.3, 0.0),
+    (0.3, 0.05),
+    (0.3, 0.1),
+    (0.3, 0.15),
+    (0.3, 0.2),
+    (0.4, 0.1),
+    (0.4, 0.15),
+    (0.4, 0.2),
+];
+
+/// What a bench would read of a muscle, both branches where it has friction; the contraction it reads is that of the muscle
+/// less `offset`.
+fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
+    let model = ThickWall::new(m);
+    let branches: &[Option<Branch>] = match m.friction() {
+        None => &[None],
+        Some(_) => &[Some(Branch::Contraction), Some(Branch::Elongation)],
+    };
+    let mut out = vec![];
+    for (pressure_mpa, contraction) in PLACES {
+        for &branch in branches {
+            let half = m.friction().map_or(0.0, |f| f.coefficient * pressure_mpa.powf(f.exponent));
+            let signed = match branch {
+                None => 0.0,
+                Some(Branch::Contraction) => -half,
+                Some(Branch::Elongation) => half,
+            };
+            let force_n = model.force_n(pressure_mpa, contraction + offset).unwrap() + signed;
+            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
+            out.push(DataPoint { line: out.len() as u64 + 2, ..DataPoint::of(at) });
+        }
+    }
+    out
+}
+
+fn noisy(points: &[DataPoint], deviation: f64, seed: u64) -> Vec<DataPoint> {
+    let mut noise = Noise(seed);
+    let mut out = points.to_vec();
+    out.iter_mut().for_each(|p| p.at.force_n += deviation * noise.next());
+    out
+}
+
+fn free(m: &Muscle, names: &[&str]) -> Vec<Parameter> {
+    names.iter().map(|n| Parameter::parse(n, m).unwrap()).collect()
+}
+
+fn found(
+    m: &Muscle,
+    names: &[&str],
+    points: &[DataPoint],
+    loss: Loss,
+) -> Result<Identification, IdentifyError> {
+    let free = free(m, names);
+    identify(&Request { muscle: m, free: &free, fixed: &[], points, loss, two_sided: false }, thick)
+}
+
+fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
+    let found = found(m, names, points, Loss::Squares).unwrap();
+    assert!(found.parameters.iter().all(|p| p.identifiable), "{:#?}", found.parameters);
+    found.parameters.iter().map(|p| p.value).collect()
+}
+
+#[test]
+fn known_constants_come_back_from_exact_points() {
+    let yeoh = Law::Yeoh(Yeoh { c10_mpa: 0.15, c20_mpa: 0.01, c30_mpa: 0.0 });
+    let rubbing = Friction { coefficient: 25.0, exponent: 0.7 };
+    let with = |m: &Muscle| {
+        let (tube, braid) = (m.tube().clone(), m.braid().clone());
+        Muscle::new(tube, braid, m.terminals().clone(), Some(rubbing)).unwrap()
+    };
+    type Case<'a> = (Muscle, f64, Vec<(&'a str, f64)>);
+    let cases: Vec<Case<'_>> = vec![
+        (soft(), 0.0, vec![("mu=0.5", 0.3)]),
+        (soft(), 0.0, vec![("mu=0.2", 0.3), ("braid.stiffness=900", 400.0)]),
+        (soft(), 0.0, vec![("mu=0.2", 0.3), ("braid.angle=23", 25.0), ("tube.outer_diameter=21", 20.0)]),
+        (soft(), 0.0, vec![("tube.wall_thickness=1.0", 1.5), ("braid.stiffness=300", 400.0)]),
+        (soft(), 0.02, vec![("mu=0.5", 0.3), ("contraction_offset", 0.02)]),
+        (muscle(yeoh.clone(), BraidStiffness::Inextensible), 0.0, vec![("modulus=1.5", 1.0)]),
+        (muscle(yeoh, BraidStiffness::Inextensible), 0.0, vec![("c10=0.3", 0.15), ("c20=0", 0.01)]),
+        (with(&soft()), 0.0, vec![("mu=0.5", 0.3), ("friction.c=10", 25.0), ("friction.beta=1", 0.7)]),
+    ];
+    for (m, offset, wanted) in cases {
+        let names: Vec<&str> = wanted.iter().map(|w| w.0).collect();
+        for (value, (name, truth)) in values(&m, &names, &bench(&m, offset)).iter().zip(&wanted) {
+            assert!((value - truth).abs() < 1e-6 * (1.0 + truth.abs()), "{name}: {value}, not {truth}");
+        }
+    }
+}
+
+#[test]
+fn an_end_factor_comes_back() {
+    let mut m = soft();
+    let terminals =
+        Terminals { end_factor: Some(crate::muscle::EndFactor::Constant(1.15)), ..Terminals::default() };
+    m = m.with_terminals(terminals).unwrap();
+    let v = values(&m, &["end-factor=1.0", "mu=0.4"], &bench(&m, 0.0));
+    assert!((v[0] - 1.15).abs() < 1e-6 && (v[1] - 0.3).abs() < 1e-6, "{v:?}");
+}
+
+/// The same muscle read three ways gives the same constants.
+#[test]
+fn isotonic_and_pressure_readings_tell_the_same() {
+    let m = soft();
+    for quantity in [Quantity::Contraction, Quantity::Pressure] {
+        let mut points = bench(&m, 0.0);
+        points.iter_mut().step_by(2).for_each(|p| p.measured = quantity);
+        let v = values(&m, &["mu=0.45", "braid.stiffness=700"], &points);
+        assert!((v[0] - 0.3).abs() < 1e-6 && (v[1] - 400.0).abs() < 1e-3, "{quantity:?}: {v:?}");
+    }
+}
+
+#[test]
+fn muscles_of_several_diameters_tell_how_the_stiffness_grows() {
+    let m = soft();
+    let mut points = vec![];
+    for d in [15.0, 20.0, 30.0] {
+        let braid = BraidStiffness::NewtonPerMm(400.0 * (d / 20.0f64).powf(0.8));
+        let wide = m.with_section(d, 1.5).unwrap();
+        let wide = wide.with_braid(Braid { stiffness: braid, ..wide.braid().clone() }).unwrap();
+        let section = Section { outer_diameter_mm: Some(d), ..Section::default() };
+        points.extend(bench(&wide, 0.0).into_iter().map(|p| DataPoint { section, ..p }));
+    }
+    let v = values(&m, &["mu=0.4", "braid.stiffness=500", "braid.stiffness_exponent=0"], &points);
+    assert!((v[1] - 400.0).abs() < 1e-3 && (v[2] - 0.8).abs() < 1e-6, "{v:?}");
+}
+
+/// 95 % intervals hold the truth in 95 % of 300 trials: 285, ± 3 standard deviations of a binomial count are ± 11.3.
+#[test]
+fn error_bars_cover_the_truth_at_their_rate() {
+    let m = soft();
+    let exact = bench(&m, 0.0);
+    let mut hits = [0; 2];
+    for trial in 0..300 {
+        let f =
+            found(&m, &["mu", "braid.stiffness"], &noisy(&exact, 4.0, 77 + trial), Loss::Squares).unwrap();
+        for (i, truth) in [0.3, 400.0].iter().enumerate() {
+            hits[i] += usize::from((f.parameters[i].value - truth).abs() <= f.parameters[i].half_width);
+        }
+    }
+    assert!(hits.iter().all(|h| (274..=296).contains(h)), "{hits:?}");
+}
+
+/// Where the errors are stated, points count by them: a muscle read ten times worse at half of its points tells its
+/// modulus better than one whose points all count the same.
+#[test]
+fn stated_errors_weigh_the_points() {
+    let m = soft();
+    let exact = bench(&m, 0.0);
+    let (mut plain, mut weighed) = (0.0, 0.0);
+    for trial in 0..60 {
+        let mut noise = Noise(9000 + trial);
+        let mut points = exact.clone();
+        for (i, p) in points.iter_mut().enumerate() {
+            let error = if i % 2 == 0 { 1.0 } else { 10.0 };
+            p.at.force_n += error * noise.next();
+            p.error = Some(error);
+        }
+        let off = |points: &[DataPoint]| {
+            let f = found(&m, &["mu"], points, Loss::Squares).unwrap();
+            (f.parameters[0].value - 0.3).powi(2)
+        };
+        weighed += off(&points);
+        points.iter_mut().for_each(|p| p.error = None);
+        plain += off(&points);
+    }
+    // Variances: 1/Σ(g²/σ²) against Σ g²σ²/(Σ g²)², with equal slopes g some 25 to 1.
+    assert!(plain > 8.0 * weighed, "{plain} {weighed}");
+    let mut points = exact;
+    points[3].error = Some(1.0);
+    let error = found(&m, &["mu"], &points, Loss::Squares).unwrap_err().to_string();
+    assert!(error.contains("1 of 15 points state their error") && error.contains("line 2"), "{error}");
+}
+
+#[test]
+fn what_the_data_cannot_tell_is_flagged() {
+    // C01 and C10 act alike where the contraction is held.
+    let m =
+        muscle(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.05 }), BraidStiffness::Inextensible);
+    let isometric: Vec<DataPoint> =
+        noisy(&bench(&m, 0.0), 6.0, 5).into_iter().filter(|p| p.at.contraction == 0.1).collect();
+    let f = found(&m, &["c10", "c01"], &isometric, Loss::Squares).unwrap();
+    assert!(!f.parameters[1].identifiable, "{:#?}", f.parameters);
+    assert!(f.notes.iter().any(|n| n.contains("tube.material.c01 is not told")), "{:?}", f.notes);
+    // k of strands that do not stretch.
+    let stiff = soft();
+    let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
+    let f = found(&stiff, &["mu", "braid.stiffness"], &noisy(&bench(&rigid, 0.0), 4.0, 5), Loss::Squares)
+        .unwrap();
+    assert!(!f.parameters[1].identifiable && f.parameters[0].identifiable, "{:#?}", f.parameters);
+    assert!(f.notes.iter().any(|n| n.contains("strands that do not stretch")), "{:?}", f.notes);
+    // One constant under two names.
+    let f =
+        found(&stiff, &["mu=0.4", "modulus"], &noisy(&bench(&stiff, 0.0), 4.0, 5), Loss::Squares).unwrap();
+    assert!(f.parameters.iter().all(|p| !p.identifiable), "{:#?}", f.parameters);
+    // What the model does not use.
+    let f =
+        found(&stiff, &["mu", "friction.c=5"], &noisy(&bench(&stiff, 0.0), 4.0, 5), Loss::Squares).unwrap();
+    assert!(!f.parameters[1].matters && f.parameters[0].identifiable, "{:#?}", f.parameters);
+    assert!(
+        f.notes.iter().any(|n| n.contains("friction.coefficient: no point changes with it")),
+        "{:?}",
+        f.notes
+    );
+}
+
+#[test]
+fn the_default_leaves_a_stiffness_alone_that_is_not_told() {
+    let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
+    let points = noisy(&bench(&rigid, 0.0), 4.0, 5);
+    let m = soft();
+    let stiff =
+        m.with_braid(Braid { stiffness: BraidStiffness::NewtonPerMm(1e5), ..m.braid().clone() }).unwrap();
+    let request = Request {
+        muscle: &stiff,
+        free: &[],
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    let f = identify_default(&request, thick).unwrap();
+    assert_eq!(f.parameters.len(), 1);
+    assert!((f.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", f.parameters);
+    assert!(f.notes.iter().any(|n| n.contains("left as it is")), "{:?}", f.notes);
+}
+
+#[test]
+fn outliers_are_named_and_a_robust_loss_is_not_moved_by_them() {
+    let m = soft();
+    let mut points = noisy(&bench(&m, 0.0), 1.0, 11);
+    points[4].at.force_n += 120.0;
+    let squares = found(&m, &["mu"], &points, Loss::Squares).unwrap();
+    let huber = found(&m, &["mu"], &points, Loss::Huber).unwrap();
+    assert!((squares.parameters[0].value - 0.3).abs() > 3.0 * (huber.parameters[0].value - 0.3).abs());
+    assert!(squares.points[4].outlier && squares.points.iter().filter(|p| p.outlier).count() == 1);
+    let note = squares.notes.iter().find(|n| n.contains("robust deviations")).unwrap();
+    assert!(note.contains("line 6 lies") && note.contains("robust loss"), "{note}");
+}
+
+#[test]
+fn data_that_cannot_be_right_get_a_sentence() {
+    let m = soft();
+    let message = |change: &dyn Fn(&mut DataPoint)| {
+        let mut points = bench(&m, 0.0);
+        points.iter_mut().for_each(change);
+        found(&m, &["mu"], &points, Loss::Squares).unwrap_err().to_string()
+    };
+    assert!(message(&|p| p.at.force_n *= 1000.0).contains("is force_n in mN"));
+    assert!(message(&|p| p.at.force_n /= 1000.0).contains("is force_n in kN"));
+    assert!(message(&|p| p.at.force_n /= 9.81).contains("kgf"));
+    assert!(message(&|p| p.at.pressure_mpa *= 10.0).contains("name the column pressure_bar"));
+    assert!(message(&|p| p.at.pressure_mpa *= 1000.0).contains("name the column pressure_kpa"));
+    assert!(message(&|p| p.at.pressure_mpa /= 10.0).contains("the highest pressure is 0.0400 MPa"));
+    // A diameter that may be wrong is no reason to refuse.
+    let mut points = bench(&m, 0.0);
+    points.iter_mut().for_each(|p| p.at.force_n *= 4.0);
+    let f = found(&m, &["mu", "tube.outer_diameter"], &points, Loss::Squares).unwrap();
+    assert!(f.notes.iter().any(|n| n.contains("really the radius")), "{:?}", f.notes);
+}
+
+#[test]
+fn too_few_slack_and_contradicting_points_get_a_sentence() {
+    let m = soft();
+    let points = bench(&m, 0.0);
+    let few = found(&m, &["mu", "braid.stiffness"], &points[..2], Loss::Squares).unwrap_err().to_string();
+    assert!(few.contains("2 points that pull do not tell 2 parameters: at least 3"), "{few}");
+    let mut some = points[..4].to_vec();
+    some[2].at.force_n = 0.0;
+    some[3].at.force_n = -1.0;
+    let slack = found(&m, &["mu", "braid.stiffness"], &some, Loss::Squares).unwrap_err().to_string();
+    assert!(slack.contains("(2 more read no force and were left out)"), "{slack}");
+    let mut twice = points.clone();
+    twice.push(DataPoint { line: 17, ..twice[8] });
+    twice[15].at.force_n *= 0.7;
+    let f = found(&m, &["mu"], &twice, Loss::Squares).unwrap();
+    let note = f.notes.iter().find(|n| n.contains("contradict")).unwrap();
+    assert!(note.contains("lines 10, 17") && note.contains("column `branch`"), "{note}");
+    let one = found(&m, &["mu"], &points[7..12], Loss::Squares).unwrap();
+    assert!(one.notes.iter().any(|n| n.contains("at one pressure")), "{:?}", one.notes);
+    assert!(one.notes.iter().all(|n| !n.contains("pattern")), "{:?}", one.notes);
+}
+
+#[test]
+fn a_model_that_misses_in_a_pattern_is_told() {
+    // Points of a muscle at 25°, an ideal angle of 22° held: smooth residuals.
+    let m = soft();
+    let wrong = m.with_braid(Braid { angle_deg: 22.0, ..m.braid().clone() }).unwrap();
+    let mut points = vec![];
+    let model = ThickWall::new(&m);
+    for pressure_mpa in [0.2, 0.3, 0.4] {
+        for i in 0..12 {
+            let contraction = f64::from(i) * 0.015;
+            let force_n = model.force_n(pressure_mpa, contraction).unwrap();
+            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: None };
+            points.push(DataPoint::of(at));
+        }
+    }
+    let f = found(&wrong, &["mu"], &points, Loss::Squares).unwrap();
+    assert!(f.notes.iter().any(|n| n.contains("follow a pattern")), "{:?}", f.notes);
+    let f = found(&m, &["mu"], &noisy(&points, 3.0, 4), Loss::Squares).unwrap();
+    assert!(f.notes.iter().all(|n| !n.contains("follow a pattern")), "{:?}", f.notes);
+}
+
+#[test]
+fn starts_bounds_and_doubles_are_checked() {
+    let m = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
+    let points = bench(&m, 0.0);
+    let error = |names: &[&str]| found(&m, names, &points, Loss::Squares).unwrap_err();
+    assert_eq!(error(&[]), IdentifyError::NothingFree);
+    assert!(matches!(error(&["mu", "mu=2"]), IdentifyError::Twice { .. }));
+    assert!(error(&["braid.stiffness"]).to_string().contains("write braid.stiffness=START"));
+    let outside = Parameter { bounds: Some((0.5, 1.0)), ..free(&m, &["mu"])[0] };
+    let request = Request {
+        muscle: &m,
+        free: &[outside],
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    assert!(matches!(identify(&request, thick).unwrap_err(), IdentifyError::OutOfBounds { .. }));
+    // A bound that holds the truth away is told.
+    let f = found(&m, &["mu=0.4:0.35:1"], &points, Loss::Squares).unwrap();
+    assert!(f.parameters[0].at_bound && !f.parameters[0].identifiable, "{:#?}", f.parameters);
+    assert!(f.notes.iter().any(|n| n.contains("lies on its bound")), "{:?}", f.notes);
+}
+
+#[test]
+fn tables_with_all_columns_are_read() {
+    let text = "pressure_bar,contraction_percent,force_n,branch,measured,contraction_error,weight,outer_diameter_mm\n\
+                2,10,150,elongation,contraction,0.002,2,14\n3,5,250,,,,,\n";
+    let points = read_data(text.as_bytes()).unwrap();
+    let first = &points[0];
+    assert_eq!((first.at.pressure_mpa, first.at.contraction, first.at.force_n), (0.2, 0.1, 150.0));
+    assert_eq!((first.measured, first.error, first.weight), (Quantity::Contraction, Some(0.002), 2.0));
+    assert_eq!((first.section.outer_diameter_mm, first.line), (Some(14.0), 2));
+    assert_eq!((points[1].measured, points[1].error, points[1].weight), (Quantity::Force, None, 1.0));
+    let error = |row: &str| {
+        let text = format!("pressure_mpa,contraction,force_n,measured,weight,force_error_n\n{row}\n");
+        read_data(text.as_bytes()).unwrap_err().to_string()
+    };
+    assert!(error("0.1,0,3,length,,").contains("neither \"force\""));
+    assert!(error("0.1,0,3,,-1,").contains("column weight: -1"));
+    assert!(error("0.1,0,3,,,0").contains("no standard error"));
+}
