@@ -7,7 +7,7 @@ use crate::cli::{IdentifyArgs, LossWord};
 use crate::failure::Failure;
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
-use crate::kind::{self, Kind};
+use crate::kind::{Kind, MeshFlags};
 use crate::output::text::{Pressures, muscle_line};
 use crate::output::{csv, emit, json, save};
 use crate::resolve;
@@ -21,7 +21,7 @@ pub fn run(args: &IdentifyArgs) -> Result<u8, Failure> {
     figure::check(args.plot.plot.as_deref())?;
     let (flags, measures) = points::measures(args)?;
     let muscle = resolve::muscle(&flags)?;
-    let kind = Kind::parse(&args.model, kind::mesh(args.mesh.as_deref())?)?;
+    let kind = Kind::parse(&args.model, &MeshFlags { text: args.mesh.as_deref(), ..MeshFlags::default() })?;
     let (points, origin) = points::read(args, &muscle, &measures)?;
     let (free, fixed) = parameters(args, &muscle)?;
     let loss = match args.loss {

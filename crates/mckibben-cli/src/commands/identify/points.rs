@@ -3,13 +3,12 @@
 use crate::cli::{BranchesWord, IdentifyArgs};
 use crate::failure::Failure;
 use crate::flags::MuscleFlags;
-use crate::kind::Kind;
+use crate::kind::{Kind, MeshFlags};
 use crate::resolve;
 use mckibben::compare::MeasuredPoint;
 use mckibben::identify::{DataPoint, Section, mean_of_branches, read_data};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
-use mckibben_fem::axisymmetric::MeshSpec;
 use std::path::Path;
 
 /// Diameters and walls of `--formula`, where they are lists.
@@ -86,7 +85,7 @@ fn formula(
     muscle: &Muscle,
     measures: &Measures,
 ) -> Result<Vec<DataPoint>, Failure> {
-    let kind = Kind::parse(name, MeshSpec::default())?;
+    let kind = Kind::parse(name, &MeshFlags::default())?;
     let pressures =
         resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?;
     let contractions = resolve::contractions(args.contraction.as_deref(), "0..0.2:0.05")?;
