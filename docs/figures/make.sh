@@ -15,3 +15,6 @@ mckibben=${MCKIBBEN:-target/release/mckibben}
     --free mu,braid.angle --plot docs/figures/identify_festo.svg >/dev/null
 "$mckibben" identify -D 50 --data data/paper/table1.csv --data data/paper/formula11.csv \
     --free c10=0.1,braid.stiffness=600,braid.stiffness_exponent=1 --plot docs/figures/identify_paper.svg >/dev/null
+"$mckibben" simulate --model fe3d examples/prototype.toml -e 15% -p 0.25 --picture docs/figures/picture3d.png \
+    --show stress_hoop_mpa --cut >/dev/null
+cargo run --release --locked -q -p mckibben-cli --example peers_figure -- docs/figures/peers.svg

@@ -54,6 +54,23 @@ struct Step {
     pressure_mpa: f64,
 }
 
+/// Every increment of a deck: contraction and pressure in MPa at its end.
+///
+/// # Errors
+/// [`DeckError::Pressures`].
+pub fn increments(contraction: f64, pressures_mpa: &[f64]) -> Result<Vec<(f64, f64)>, DeckError> {
+    let mut out = vec![];
+    let (mut e, mut p) = (0.0, 0.0);
+    for s in steps(contraction, pressures_mpa)? {
+        for i in 1..=s.increments {
+            let share = i as f64 / s.increments as f64;
+            out.push((e + share * (s.contraction - e), p + share * (s.pressure_mpa - p)));
+        }
+        (e, p) = (s.contraction, s.pressure_mpa);
+    }
+    Ok(out)
+}
+
 /// The deck of an isometric test: filled up to 0.05 MPa (or the next of the pressures), shortened, filled further.
 ///
 /// # Errors

@@ -13,7 +13,7 @@ mod shape;
 mod skin;
 pub mod vtu;
 
-pub use deck::{DeckError, deck};
+pub use deck::{DeckError, deck, increments};
 pub use eighth::Extent;
 pub use error::VtuError;
 pub use series::VtuSeries;
