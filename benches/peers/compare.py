@@ -30,7 +30,7 @@ def run(words):
 
 
 def ours(binary, contraction, mesh, deck):
-    return run([binary, os.path.join(HERE, "muscle.toml"), str(contraction), mesh, deck])
+    return run([binary, os.path.join("examples", "peers.toml"), str(contraction), mesh, deck])
 
 
 def at(result, contraction, pressure):

@@ -15,7 +15,7 @@ const PROGRAMS: [(&str, &str); 3] =
 
 fn main() -> Result<(), Box<dyn Error>> {
     let out = std::env::args().nth(1).ok_or("wanted: a file to write")?;
-    let muscle = read_muscle("benches/peers/muscle.toml")?;
+    let muscle = read_muscle("examples/peers.toml")?;
     let spec = BrickSpec { through: Some(2), around: Some(12), keep: Match::Angle, ..BrickSpec::default() };
     let bricks = ThreeDimensional::with_mesh(&muscle, &spec)?;
     // Their mesh is a little longer than the muscle.
