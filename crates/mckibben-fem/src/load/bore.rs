@@ -60,7 +60,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 /// The volume under a face whose nodes are at `x`.
 ///
 /// With t = ∂x/∂ξ, e = ∂x/∂η: 3 V = ∫ x·(t × e); first derivatives N (t × e) + N_ξ (e × x) + N_η (x × t). The second
-/// derivatives in x_a and x_b are the skew matrix [w]× with
+/// derivatives in x_a and x_b are the skew matrix W(w) with
 /// w = −(N_a N_ξb − N_ξa N_b) e + (N_a N_ηb − N_ηa N_b) t − (N_ξa N_ηb − N_ηa N_ξb) x, taken as δx_a·(w × δx_b).
 pub fn volume<const N: usize, const TANGENT: bool>(points: &[FacePoint<N>], x: &[[f64; 3]; N]) -> Volume<N> {
     let mut out = Volume { value: 0.0, first: [[0.0; 3]; N], second: [[[0.0; 3]; N]; N] };

@@ -2,7 +2,7 @@
 //!
 //! Unknowns are displacements u, the terminal's w, and multipliers: pressures of the bricks and tensions of the strands,
 //! carried along as variables of their own so that stiff constraints do not slow Newton's method down (Magisano,
-//! Leonetti & Garcea 2017). [`super::saddle`] solves the linear systems.
+//! Leonetti & Garcea 2017). `saddle.rs` solves the linear systems.
 
 use super::assembly::{Totals, Work, assemble};
 use super::discrete::Discrete;
