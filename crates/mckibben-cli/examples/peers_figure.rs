@@ -24,8 +24,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let muscle = muscle.with_tube(tube)?;
     let section = Axisymmetric::new(&muscle)?;
     let ideal = Ideal::new(&muscle);
-    let models: [(&str, &dyn ForceModel, Style); 3] =
-        [("fe3d", &bricks, Style::Line), ("fe", &section, Style::Dashed), ("ideal formula", &ideal, Style::Dotted)];
+    let models: [(&str, &dyn ForceModel, Style); 3] = [
+        ("fe3d", &bricks, Style::Line),
+        ("fe", &section, Style::Dashed),
+        ("ideal formula", &ideal, Style::Dotted),
+    ];
 
     let mut pull = Panel::new(Axis::new("pressure P [MPa]").from_zero(), Axis::new("pull F [N]").from_zero());
     let mut off = Panel::new(Axis::new("pressure P [MPa]").from_zero(), Axis::new("F less that of fe3d [N]"));
@@ -56,8 +59,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         for (number, (name, file)) in PROGRAMS.iter().enumerate() {
             let points = read_measured(File::open(format!("data/peers/{file}.csv"))?)?;
-            let here = points.iter().filter(|p| (p.contraction - contraction).abs() < 1e-9 && p.force_n >= 0.0);
-            let list: Vec<(f64, f64)> = here.clone().step_by(2).map(|p| (p.pressure_mpa, p.force_n)).collect();
+            let here =
+                points.iter().filter(|p| (p.contraction - contraction).abs() < 1e-9 && p.force_n >= 0.0);
+            let list: Vec<(f64, f64)> =
+                here.clone().step_by(2).map(|p| (p.pressure_mpa, p.force_n)).collect();
             let name = if turn == 0 { *name } else { "" };
             pull = pull.series(Series::scatter(name, list).colour(3 + number));
             let list: Vec<(f64, f64)> = here

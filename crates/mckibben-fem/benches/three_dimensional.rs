@@ -5,8 +5,8 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben::model::ForceModel;
-use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle, Rubber, Strands};
-use mckibben::rubber::{Law, MooneyRivlin};
+use mckibben::muscle::Muscle;
+use mckibben::muscle::file::read_muscle;
 use mckibben_fem::axisymmetric::equilibrium::Control;
 use mckibben_fem::solver::newton::{self, Effort, NewtonOptions};
 use mckibben_fem::three_dimensional::{
@@ -14,18 +14,9 @@ use mckibben_fem::three_dimensional::{
 };
 use std::hint::black_box;
 
+/// The muscle of the comparison with other programs.
 fn peers() -> Muscle {
-    let muscle = Muscle::prototype();
-    let mut tube = muscle.tube().clone();
-    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 });
-    tube.rubber = Rubber { bulk: Bulk::Modulus(300.0), ..Rubber::of(law) };
-    let braid = Braid {
-        stiffness: BraidStiffness::OfStrands,
-        strands: Some(Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: None }),
-        compression: true,
-        ..Braid::paper()
-    };
-    muscle.with_tube(tube).unwrap().with_braid(braid).unwrap()
+    read_muscle(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/peers.toml")).unwrap()
 }
 
 fn body(through: usize, around: usize) -> Body {
