@@ -5,6 +5,9 @@ use super::{Scene, View};
 /// A place on the picture plane (right, up) and its depth towards the eye.
 pub(super) type Seen = [f64; 3];
 
+/// A face that looks at the eye: its corners, their values, its brightness.
+type SeenFace = ([Seen; 4], Option<[f64; 4]>, f64);
+
 /// Turns places into seen ones.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Camera {
@@ -41,7 +44,7 @@ const PIECES: usize = 9000;
 /// Everything that may be seen, from far to near.
 pub(super) fn pieces(scene: &Scene) -> Vec<Piece> {
     let camera = Camera::new(scene.view);
-    let seen: Vec<([Seen; 4], Option<[f64; 4]>, f64)> = scene
+    let seen: Vec<SeenFace> = scene
         .faces
         .iter()
         .filter_map(|face| {
@@ -85,7 +88,7 @@ pub(super) fn pieces(scene: &Scene) -> Vec<Piece> {
 }
 
 /// Extent upwards.
-fn height(seen: &[([Seen; 4], Option<[f64; 4]>, f64)]) -> f64 {
+fn height(seen: &[SeenFace]) -> f64 {
     let up = || seen.iter().flat_map(|f| f.0.iter().map(|c| c[1]));
     up().fold(f64::NEG_INFINITY, f64::max) - up().fold(f64::INFINITY, f64::min)
 }

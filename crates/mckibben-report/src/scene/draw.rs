@@ -121,9 +121,9 @@ impl Bounds {
         let mut b = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
         let mut faces = false;
         let mut add = |p: &Seen| {
-            for k in 0..2 {
-                b.low[k] = b.low[k].min(p[k]);
-                b.high[k] = b.high[k].max(p[k]);
+            for ((low, high), x) in b.low.iter_mut().zip(&mut b.high).zip(p) {
+                *low = low.min(*x);
+                *high = high.max(*x);
             }
         };
         for piece in pieces {
