@@ -108,7 +108,7 @@ impl Wall {
     }
 
     /// The same at λ and x = ro².
-    #[inline]
+    #[inline(always)]
     pub(super) fn of_square(&self, law: &Law, axial_stretch: f64, x: f64) -> SquareEnergy {
         if let Some(wall) = self.closed(law) {
             return wall.of_square(axial_stretch, x);
@@ -120,7 +120,7 @@ impl Wall {
         SquareEnergy { w: e.w, l: e.l, x: by_x, ll: e.ll, lx: e.lr * i, xx: (e.rr - 2.0 * by_x) * i * i }
     }
 
-    #[inline]
+    #[inline(always)]
     fn closed(&self, law: &Law) -> Option<Mooney> {
         let (c10_mpa, c01_mpa) = match law {
             Law::NeoHookean(law) => (0.5 * law.mu_mpa, 0.0),

@@ -40,7 +40,7 @@ impl Mooney {
     }
 
     /// The same at λ and x = ro².
-    #[inline]
+    #[inline(always)]
     pub(super) fn of_square(&self, l: f64, x: f64) -> SquareEnergy {
         let (c10, c01, a) = (self.c10_mpa, self.c01_mpa, self.section);
         // g = λ ri²; M = ln(ro²/ri²) and its derivatives in (λ, x)

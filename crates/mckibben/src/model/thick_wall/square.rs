@@ -20,7 +20,7 @@ pub(in crate::model) struct Sheet {
 
 impl ThickWall {
     /// The energy at (λ, r²); the caller sees that λ r² is above Ro² − Ri².
-    #[inline]
+    #[inline(always)]
     pub(in crate::model) fn sheet(&self, l: f64, x: f64) -> Sheet {
         let w = self.wall.of_square(&self.law, l, x);
         let (a, b) = (self.cos2, self.sin2 / (self.ro * self.ro));

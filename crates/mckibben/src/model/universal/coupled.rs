@@ -14,10 +14,18 @@ use super::end::{Section, Uniform};
 use super::form::Form;
 use std::f64::consts::PI;
 
-/// Largest relative steps of λ, r² and λs with which it ends.
-const SMALL: [f64; 3] = [2e-6, 1e-7, 1e-6];
+/// Largest step of λ with which it ends.
+const SMALL_STEP: f64 = 4e-6;
+/// Largest change of the pull in its last step, over P π r².
+const SMALL_PULL: f64 = 2e-5;
+/// Step of λs that may cross the kink of strands that go slack.
+const KINK_STEP: f64 = 1e-11;
+/// Largest square of the relative steps of r² and λs with which it ends, over the strain: the tension of stiff strands feels them most.
+const SMALL_SQUARE: f64 = 1e-10;
 const ITERATIONS: usize = 9;
 const LARGEST_STEP: f64 = 0.1;
+/// −2δ/Ro over the bulge 1 − Ro/b, for first guesses.
+const START: f64 = 0.8;
 
 /// A point to start from.
 #[derive(Debug, Clone, Copy)]
@@ -36,8 +44,7 @@ pub(super) struct Root {
     /// λ and r
     pub l: f64,
     pub r: f64,
-    /// ∂F/∂λ and −∂ε/∂λ
-    pub force_l: f64,
+    /// −∂ε/∂λ
     pub slope: f64,
     /// The unknowns and their changes with λ.
     pub end: Start,
@@ -47,30 +54,43 @@ pub(super) struct Root {
 impl Universal {
     /// A start from nothing.
     fn start(&self, p: f64, contraction: f64) -> Start {
-        let l = self.guess(contraction);
         let wall = &self.zone.wall;
         let (sin2, cos2) = wall.squares();
-        let ro2 = self.zone.ro * self.zone.ro;
-        // Strands carry the pressure less what a thin neo-Hookean wall takes.
-        let x = wall.square_at(1.0, l).max(ro2 * 0.5);
-        let (c, section) = (4.0 * PI * self.zone.ro * wall.stiffness().unwrap_or(0.0), wall.section());
-        let at_rest = ro2 - 0.5 * section;
-        let hoop = (x - 0.5 * section / l) / at_rest;
-        let taken = self.wall_modulus * (1.0 - 1.0 / (l * l * hoop * hoop));
-        let share = 2.0 * (PI * l * p - taken) * ro2 / (c * sin2);
-        // ∂B/∂q = ½c (1 − 1/λf)
-        let strand = 1.0 / (1.0 - share.clamp(1e-4, 0.2));
-        let q = strand * strand;
-        let way = wall.square_at(q, l).max(0.0).sqrt() - self.zone.ro;
+        let (ro, section) = (self.zone.ro, wall.section());
+        let ro2 = ro * ro;
+        // Strands carry the pressure less what a thin neo-Hookean wall takes: ∂B/∂q = ½c (1 − 1/λf).
+        let by = 2.0 * ro2 / (4.0 * PI * ro * wall.stiffness().unwrap_or(0.0) * sin2);
+        let squared = |l: f64, x: f64| {
+            let hoop = l * (x - 0.5 * section / l) / (ro2 - 0.5 * section);
+            let share = (PI * l * p - self.wall_modulus * (1.0 - 1.0 / (hoop * hoop))) * by;
+            let strand = 1.0 / (1.0 - share.clamp(1e-4, 0.2));
+            strand * strand
+        };
+        let l = 1.0 - contraction;
+        let q = squared(l, wall.square_at(1.0, l).max(0.5 * ro2));
+        let x = wall.square_at(q, l).max(0.5 * ro2);
+        let l = l - START * ro / self.length * (1.0 - ro / x.sqrt());
+        let q = squared(l, wall.square_at(q, l).max(0.5 * ro2));
+        let way = wall.square_at(q, l).max(0.0).sqrt() - ro;
+        // H of strands alone: (λf − 1) λs² is about the same in every section.
+        let strain = (q.sqrt() - 1.0) * l * l;
         let stretches = self.zone.radii(Dual::<1>::constant(way)).map(|r| {
-            ((q - sin2 * r.v * r.v / ro2) / cos2).max(0.01).sqrt()
+            let hoop = sin2 * r.v * r.v / ro2;
+            let square = ((q - hoop) / cos2).max(0.1);
+            let strand = 1.0 + strain / square;
+            ((strand * strand - hoop) / cos2).max(0.01).sqrt()
         });
         Start { l, q, stretches }
     }
 
+    /// Whether there is something to couple: ends that are membranes, strands that stretch.
+    pub(super) fn is_coupled(&self) -> bool {
+        self.deficit.form() == Form::Membrane && self.zone.wall.stiffness().is_some()
+    }
+
     /// The root at a pressure and contraction.
     pub(super) fn coupled(&self, p: f64, contraction: f64, from: Option<Start>) -> Option<Root> {
-        if self.deficit.form() != Form::Membrane || self.zone.wall.stiffness().is_none() {
+        if !self.is_coupled() {
             return None;
         }
         let wall = &self.zone.wall;
@@ -102,8 +122,9 @@ impl Universal {
             let radius = Dual::new(r, [0.5 * x_l / r]);
             let way = radius - Dual::constant(self.zone.ro);
             let radii = self.zone.radii(way);
-            let [(first, step_0), (second, step_1)] =
-                [self.stepped(radii[0], h, stretches[0])?, self.stepped(radii[1], h, stretches[1])?];
+            let (at_start, on_way) =
+                (self.stepped(radii[0], h, stretches[0])?, self.stepped(radii[1], h, stretches[1])?);
+            let (first, second) = (at_start.section, on_way.section);
             let middle = Uniform {
                 stretch: Dual::new(l, [1.0]),
                 pressure: Dual::constant(p),
@@ -120,27 +141,30 @@ impl Universal {
             }
             let by = Start { l: 1.0, q: 2.0 * cos2 * l + b * x_l, stretches: [first.stretch.by[0], second.stretch.by[0]] };
             let step = step.clamp(-LARGEST_STEP, LARGEST_STEP);
-            let settled = step.abs() < SMALL[0]
-                && dx.abs() < SMALL[1] * x
-                && step_0.abs() < SMALL[2] * stretches[0]
-                && step_1.abs() < SMALL[2] * stretches[1];
+            let force_l = tension.by[0] - p * PI * x_l;
+            // How much the slope of a flat end makes of an error in T.
+            let flat = end.slope.v * end.slope.v * self.zone.ro / way.v.abs();
+            let settled = step.abs() < SMALL_STEP
+                && (force_l * step).abs() <= SMALL_PULL * PI * (p * x).abs()
+                && dx * dx < SMALL_SQUARE * x * x * (e.strand - 1.0).abs()
+                && at_start.settled(step, flat)
+                && on_way.settled(step, flat);
             l += step;
             q += b * dx + by.q * step;
             stretches = [first.stretch.v + by.stretches[0] * step, second.stretch.v + by.stretches[1] * step];
             if settled {
-                let force_l = tension.by[0] - p * PI * x_l;
                 let force = tension.v - p * PI * x1 + force_l * step;
                 let end = Start { l, q, stretches };
                 let r = r + radius.by[0] * step;
-                return (force >= 0.0).then_some(Root { force, l, r, force_l, slope, end, by });
+                return (force >= 0.0).then_some(Root { force, l, r, slope, end, by });
             }
         }
         None
     }
 
-    /// One step of Newton's method for λs at a radius: U − λs ∂U/∂λs = H.
-    #[inline]
-    fn stepped(&self, radius: Dual<1>, h: Dual<1>, s: f64) -> Option<(Section<1>, f64)> {
+    /// One step of Newton's method for λs at a radius, U − λs ∂U/∂λs = H.
+    #[inline(always)]
+    fn stepped(&self, radius: Dual<1>, h: Dual<1>, s: f64) -> Option<Stepped> {
         let wall = &self.zone.wall;
         let x = radius.squared();
         if !(s > 0.0 && x.v * s > wall.section()) {
@@ -152,7 +176,27 @@ impl Universal {
         let by = ((e.x - s * e.lx) * x.by[0] - h.by[0]) * slope;
         let stretch = Dual::new(s + step, [by]);
         let tension = Dual::new(e.l + e.ll * step, [e.ll * by + e.lx * x.by[0]]);
-        (e.ll > 0.0).then_some((Section { radius, stretch, tension }, step))
+        let section = Section { radius, stretch, tension };
+        (e.ll > 0.0).then_some(Stepped { section, rest: step.abs(), room: (e.strand - 1.0).abs() })
+    }
+}
+
+/// A section after a step.
+struct Stepped {
+    section: Section<1>,
+    /// Size of the step of λs
+    rest: f64,
+    /// |λf − 1| before it
+    room: f64,
+}
+
+impl Stepped {
+    /// Whether its error after a step of λ is below the limits; not where both may have crossed the kink of strands that go slack.
+    #[inline(always)]
+    fn settled(&self, step: f64, flat: f64) -> bool {
+        let step = step.abs();
+        let all = self.rest + (1.0 + self.section.stretch.by[0].abs()) * step;
+        (all < self.room && self.rest * (self.rest + step) < SMALL_SQUARE * self.room * flat) || all < KINK_STEP
     }
 }
 

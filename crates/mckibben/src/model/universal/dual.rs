@@ -14,50 +14,51 @@ pub(super) struct Dual<const N: usize = 2> {
 const TANH_IS_ONE: f64 = 20.0;
 
 impl<const N: usize> Dual<N> {
-    #[inline]
+    #[inline(always)]
     pub fn new(v: f64, by: [f64; N]) -> Self {
         Self { v, by }
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn constant(v: f64) -> Self {
         Self { v, by: [0.0; N] }
     }
 
     /// f(self) from its value and slope.
-    #[inline]
+    #[inline(always)]
     pub fn chain(self, v: f64, slope: f64) -> Self {
         Self { v, by: self.by.map(|d| slope * d) }
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn sqrt(self) -> Self {
         let root = self.v.max(0.0).sqrt();
         self.chain(root, if root > 0.0 { 0.5 / root } else { 0.0 })
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn tanh(self) -> Self {
         if self.v > TANH_IS_ONE {
             return Self::constant(1.0);
         }
-        let t = self.v.tanh();
+        // 1 − 2/(e²ˣ + 1) does not cancel there, and takes half the time.
+        let t = if self.v > 1.0 { 1.0 - 2.0 / ((2.0 * self.v).exp() + 1.0) } else { self.v.tanh() };
         self.chain(t, 1.0 - t * t)
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn squared(self) -> Self {
         self.chain(self.v * self.v, 2.0 * self.v)
     }
 
     /// Value and derivatives are numbers.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(self) -> bool {
         self.v.is_finite() && self.by.iter().all(|d| d.is_finite())
     }
 
     /// ½(x + √(x² + c²)): x where it is well above c, c²/4|x| where it is well below −c, and smooth.
-    #[inline]
+    #[inline(always)]
     pub fn positive(self, c: Self) -> Self {
         let (x, c2) = (self.v, c.v * c.v);
         let root = (x * x + c2).sqrt();
@@ -73,7 +74,7 @@ impl<const N: usize> Dual<N> {
 
 impl<const N: usize> Add for Dual<N> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, o: Self) -> Self {
         Self { v: self.v + o.v, by: from_fn(|k| self.by[k] + o.by[k]) }
     }
@@ -81,7 +82,7 @@ impl<const N: usize> Add for Dual<N> {
 
 impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, o: Self) -> Self {
         Self { v: self.v - o.v, by: from_fn(|k| self.by[k] - o.by[k]) }
     }
@@ -89,7 +90,7 @@ impl<const N: usize> Sub for Dual<N> {
 
 impl<const N: usize> Neg for Dual<N> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         self.chain(-self.v, -1.0)
     }
@@ -98,7 +99,7 @@ impl<const N: usize> Neg for Dual<N> {
 #[allow(clippy::suspicious_arithmetic_impl)] // the product rule
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, o: Self) -> Self {
         Self { v: self.v * o.v, by: from_fn(|k| self.by[k] * o.v + self.v * o.by[k]) }
     }
@@ -106,7 +107,7 @@ impl<const N: usize> Mul for Dual<N> {
 
 impl<const N: usize> Mul<f64> for Dual<N> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: f64) -> Self {
         self.chain(self.v * factor, factor)
     }
@@ -114,7 +115,7 @@ impl<const N: usize> Mul<f64> for Dual<N> {
 
 impl<const N: usize> Div for Dual<N> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, o: Self) -> Self {
         let i = 1.0 / o.v;
         let v = self.v * i;

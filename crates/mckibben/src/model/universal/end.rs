@@ -88,6 +88,18 @@ pub(super) struct Section<const N: usize = 2> {
     pub tension: Dual<N>,
 }
 
+/// What a section gives.
+struct Point<const N: usize> {
+    /// (λs cosφ − λ)/(λs sinφ)
+    shortening: Dual<N>,
+    /// The same of the volume
+    volume: f64,
+    sin: Dual<N>,
+    /// λs sinφ
+    per_r: Dual<N>,
+    tension: Dual<N>,
+}
+
 impl EndZone {
     /// The end of a muscle whose middle is in a state; `None` where no section is found.
     pub fn at(&self, p: f64, l: f64, state: &State) -> Option<End> {
@@ -123,57 +135,62 @@ impl EndZone {
     }
 
     /// Radii of the points of the quadrature, at b − Ro.
-    #[inline]
+    #[inline(always)]
     pub fn radii<const N: usize>(&self, way: Dual<N>) -> [Dual<N>; 2] {
-        RADAU.map(|(place, _)| Dual::constant(self.ro) + way * place)
+        let [(first, _), (second, _)] = RADAU;
+        let ro = Dual::constant(self.ro);
+        [ro + way * first, ro + way * second]
     }
 
     /// Above zero by a smooth floor.
-    #[inline]
+    #[inline(always)]
     fn kept<const N: usize>(&self, x: Dual<N>) -> Dual<N> {
         let least = Dual::constant(LEAST_TENSION.0 * self.scale);
         least + (x - least).positive(Dual::constant(LEAST_TENSION.1 * self.scale))
     }
 
     /// The end from its two sections.
-    #[inline]
+    #[inline(always)]
     pub fn shape<const N: usize>(
         &self,
         middle: &Uniform<N>,
         way: Dual<N>,
-        sections: [Section<N>; 2],
+        [first, second]: [Section<N>; 2],
     ) -> Option<End<N>> {
-        let (lambda, b, one) = (middle.stretch, middle.radius, Dual::constant(1.0));
-        let b2 = b.squared();
-        let points = sections.map(|Section { radius: r, stretch, tension }| {
-            let tension = self.kept(tension);
-            let load = self.kept(middle.tension + middle.pressure * (r.squared() - b2) * PI);
-            let near = ((b - r) * (1.0 / self.ro)).squared();
-            // 1 − cosφ above its floor
-            let above = (one - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
-            let turn = near * LEAST_SLOPE.0 + above;
-            let cos = one - turn;
-            let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();
-            let per_r = stretch * sin;
-            let share = (stretch * cos - lambda) / per_r;
-            let volume = PI * (r.v * r.v * stretch.v * cos.v - b2.v * lambda.v) / per_r.v;
-            (share, volume, sin, per_r, tension)
-        });
-        let [(share, volume, slope, _, tension), (share_1, volume_1, _, per_r, _)] = points;
         let [(_, weight), (place_1, weight_1)] = RADAU;
-        let sign = if way.v < 0.0 { -1.0 } else { 1.0 };
-        let length = way * sign;
-        // The last point says how fast the bulge decays.
-        let decay = per_r / (length * (1.0 - place_1));
+        let (start, on) = (self.point(middle, &first), self.point(middle, &second));
+        let length = if way.v < 0.0 { -way } else { way };
+        // The second point says how fast the bulge decays.
+        let decay = on.per_r / (length * (1.0 - place_1));
         let meeting = (decay * (MEETING * self.half)).tanh();
-        let deficit = (share * weight + share_1 * weight_1) * length * meeting;
+        let deficit = (start.shortening * weight + on.shortening * weight_1) * length * meeting;
         deficit.is_finite().then_some(End {
             deficit,
-            volume_mm3: (volume * weight + volume_1 * weight_1) * length.v * meeting.v,
-            excess: sections[0].stretch - lambda,
-            slope,
-            tension: tension * (1.0 / self.scale),
+            volume_mm3: (start.volume * weight + on.volume * weight_1) * length.v * meeting.v,
+            excess: first.stretch - middle.stretch,
+            slope: start.sin,
+            tension: start.tension * (1.0 / self.scale),
         })
+    }
+
+    /// The slope at a section and what it gives the integrals.
+    #[inline(always)]
+    fn point<const N: usize>(&self, middle: &Uniform<N>, section: &Section<N>) -> Point<N> {
+        let Uniform { stretch: lambda, radius: b, .. } = *middle;
+        let Section { radius: r, stretch, .. } = *section;
+        let one = Dual::constant(1.0);
+        let tension = self.kept(section.tension);
+        let load = self.kept(middle.tension + middle.pressure * (r.squared() - b.squared()) * PI);
+        let near = ((b - r) * (1.0 / self.ro)).squared();
+        // 1 − cosφ above its floor
+        let above = (one - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
+        let turn = near * LEAST_SLOPE.0 + above;
+        let cos = one - turn;
+        let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();
+        let per_r = stretch * sin;
+        let shortening = (stretch * cos - lambda) / per_r;
+        let volume = PI * (r.v * r.v * stretch.v * cos.v - b.v * b.v * lambda.v) / per_r.v;
+        Point { shortening, volume, sin, per_r, tension }
     }
 
     /// Hardly any bulge: r − b decays like e^(−Z/ℓ), ℓ² = (T/λ)/(d²(Π − Fλ)/dr²).

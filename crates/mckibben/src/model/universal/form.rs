@@ -145,7 +145,7 @@ impl Bound {
     }
 
     /// δ of a membrane with what the wall adds, in mm, at a strain of the middle's strands.
-    #[inline]
+    #[inline(always)]
     pub fn with_wall<const N: usize>(&self, end: &End<N>, strain: Dual<N>) -> Dual<N> {
         let inner = self.of_membrane(end, strain);
         end.deficit + inner.factor * self.sum(inner.x)
@@ -174,7 +174,7 @@ impl Bound {
         Some((start, products.iter().map(one).collect()))
     }
 
-    #[inline]
+    #[inline(always)]
     fn of_membrane<const N: usize>(&self, end: &End<N>, strain: Dual<N>) -> Inner<N> {
         let one = Dual::constant(1.0);
         let m = one / (one + end.tension);
@@ -192,7 +192,7 @@ impl Bound {
         Inner { factor: b * self.ro, x: [b, m, Dual::new(1.0 - l, [-1.0, 0.0])] }
     }
 
-    #[inline]
+    #[inline(always)]
     fn sum<const N: usize>(&self, x: [Dual<N>; 3]) -> Dual<N> {
         let [a, b, c] = x;
         let (v, by) = match &self.second {
@@ -226,7 +226,7 @@ impl Bound {
 }
 
 /// The same for terms of second degree and less.
-#[inline]
+#[inline(always)]
 fn second(s: &[f64; 10], [x, y, z]: [f64; 3]) -> (f64, [f64; 3]) {
     let by_x = s[1] + 2.0 * s[4] * x + s[5] * y + s[6] * z;
     let by_y = s[2] + s[5] * x + 2.0 * s[7] * y + s[8] * z;

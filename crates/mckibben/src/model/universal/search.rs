@@ -114,18 +114,23 @@ impl Universal {
         if !(p.is_finite() && contraction.is_finite()) {
             return Err(ModelError::NotFinite { model: self.name().into(), pressure_mpa: p, contraction });
         }
-        let free = self.nested(p, contraction, self.guess(contraction), 0.0);
-        if let Ok((m, step)) = &free
+        // Strands that do not stretch, and the short form: mostly a pull, which the search finds at once.
+        let free = match self.is_coupled() {
+            true => None,
+            false => Some(self.nested(p, contraction, self.guess(contraction), 0.0)),
+        };
+        if let Some(Ok((m, step))) = &free
             && m.state.force + m.state.force_l * step >= 0.0
         {
-            return free.map(Ok);
+            return Ok(Ok((*m, *step)));
         }
-        let Some(zero) = self.zero(p) else { return free.map(Ok) };
-        let l = zero.stretch(contraction);
-        if contraction >= zero.contraction {
-            return Ok(Err(l));
+        match self.zero(p) {
+            Some(zero) if contraction >= zero.contraction => Ok(Err(zero.stretch(contraction))),
+            Some(zero) => self.nested(p, contraction, zero.stretch(contraction), zero.middle.l).map(Ok),
+            None => free
+                .unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0))
+                .map(Ok),
         }
-        self.nested(p, contraction, l, zero.middle.l).map(Ok)
     }
 
     /// F by this search.
