@@ -8,3 +8,4 @@ mckibben=${MCKIBBEN:-target/release/mckibben}
 "$mckibben" simulate examples/prototype.toml -e 15% -p 0.25 --picture docs/figures/picture.png --show stress_hoop_mpa --cut >/dev/null
 "$mckibben" rubber fit data/treloar/tension.csv --up-to 3 --plot docs/figures/rubber-treloar.svg >/dev/null
 "$mckibben" rubber fit data/silicones/dragon_skin_30.csv --up-to 200% --plot docs/figures/rubber-silicone.svg >/dev/null
+cargo run --quiet --release --locked -p mckibben-cli --example universal_figure -- docs/figures/universal.svg 150

@@ -44,17 +44,15 @@ fn law(r: &mut Random, mu: f64) -> Law {
             let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
             Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * mu / 0.414_319, a)).collect() })
         }
-        _ => Law::MooneyRivlin(MooneyRivlin {
-            c10_mpa: 0.5 * mu * (1.0 - share),
-            c01_mpa: 0.5 * mu * share,
-        }),
+        _ => Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu * (1.0 - share), c01_mpa: 0.5 * mu * share }),
     }
 }
 
 /// A muscle anywhere in the box; one of ten has strands that do not stretch.
 fn muscle(r: &mut Random) -> Option<Muscle> {
     let outer_diameter_mm = r.log(2.0, 100.0);
-    let (wall_mm, length_mm) = (outer_diameter_mm * r.between(0.02, 0.17), outer_diameter_mm * r.log(5.0, 40.0));
+    let (wall_mm, length_mm) =
+        (outer_diameter_mm * r.between(0.02, 0.17), outer_diameter_mm * r.log(5.0, 40.0));
     let mu = r.log(0.03, 1.5);
     let angle_deg = r.between(18.0, 37.0);
     let stiffness = match r.unit() < 0.1 {
@@ -76,7 +74,13 @@ struct Found {
     pushing: u64,
 }
 
-fn look(formula: &Arc<UniversalFormula>, muscle: &Muscle, r: &mut Random, questions: usize, found: &mut Found) {
+fn look(
+    formula: &Arc<UniversalFormula>,
+    muscle: &Muscle,
+    r: &mut Random,
+    questions: usize,
+    found: &mut Found,
+) {
     let model = Universal::new(formula.clone(), muscle);
     let highest = model.range().pressure_mpa.1;
     let farthest = 1.05 * muscle.max_ideal_contraction();

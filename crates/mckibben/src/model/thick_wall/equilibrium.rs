@@ -185,7 +185,11 @@ impl ThickWall {
                 if iteration + 1 == ITERATIONS || high - low <= 1e-14 * r {
                     return Err(self.locked(l, r));
                 }
-                if self.wall.bore2(l, r) < self.ro * self.ro - self.wall.section() { low = r } else { high = r }
+                if self.wall.bore2(l, r) < self.ro * self.ro - self.wall.section() {
+                    low = r
+                } else {
+                    high = r
+                }
                 r = 0.5 * (low + high);
                 continue;
             }

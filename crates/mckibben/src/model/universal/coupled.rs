@@ -125,12 +125,8 @@ impl Universal {
             let (at_start, on_way) =
                 (self.stepped(radii[0], h, stretches[0])?, self.stepped(radii[1], h, stretches[1])?);
             let (first, second) = (at_start.section, on_way.section);
-            let middle = Uniform {
-                stretch: Dual::new(l, [1.0]),
-                pressure: Dual::constant(p),
-                radius,
-                tension,
-            };
+            let middle =
+                Uniform { stretch: Dual::new(l, [1.0]), pressure: Dual::constant(p), radius, tension };
             let end = self.zone.shape(&middle, way, [first, second])?;
             let delta = self.deficit.with_wall(&end, strain);
             let slope = 1.0 + 2.0 * delta.by[0] / self.length;
@@ -139,7 +135,11 @@ impl Universal {
             if !(slope > LEAST_SLOPE && step.is_finite()) {
                 return None;
             }
-            let by = Start { l: 1.0, q: 2.0 * cos2 * l + b * x_l, stretches: [first.stretch.by[0], second.stretch.by[0]] };
+            let by = Start {
+                l: 1.0,
+                q: 2.0 * cos2 * l + b * x_l,
+                stretches: [first.stretch.by[0], second.stretch.by[0]],
+            };
             let step = step.clamp(-LARGEST_STEP, LARGEST_STEP);
             let force_l = tension.by[0] - p * PI * x_l;
             // How much the slope of a flat end makes of an error in T.
@@ -196,7 +196,8 @@ impl Stepped {
     fn settled(&self, step: f64, flat: f64) -> bool {
         let step = step.abs();
         let all = self.rest + (1.0 + self.section.stretch.by[0].abs()) * step;
-        (all < self.room && self.rest * (self.rest + step) < SMALL_SQUARE * self.room * flat) || all < KINK_STEP
+        (all < self.room && self.rest * (self.rest + step) < SMALL_SQUARE * self.room * flat)
+            || all < KINK_STEP
     }
 }
 

@@ -13,16 +13,16 @@
 mod coupled;
 mod dual;
 mod end;
-mod form;
 mod forces;
+mod form;
 mod pushing;
 mod range;
 mod search;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use form::HIGHEST;
 pub use forces::ForcesError;
+pub(crate) use form::HIGHEST;
 pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 

@@ -68,7 +68,8 @@ impl Universal {
                 near = None;
                 continue;
             };
-            let newton = if s.force_l > 0.0 { -s.force / s.force_l } else { -LARGEST_STEP * s.force.signum() };
+            let newton =
+                if s.force_l > 0.0 { -s.force / s.force_l } else { -LARGEST_STEP * s.force.signum() };
             if newton.abs() < SMALL_STEP && s.force_l > 0.0 {
                 let l = l + newton;
                 return self.zone.wall.state_near(p, l, Some(s.r + s.r_by[0] * newton)).ok().map(|s| (l, s));
@@ -94,7 +95,8 @@ impl Universal {
         let m = &zero.middle;
         let l_p = -m.state.force_p / m.state.force_l;
         let contraction_p = -(self.slope(m) * l_p + 2.0 * m.deficit.by[1] / self.length);
-        let h = PRESSURE_STEP * p.abs().max(PRESSURE_STEP * self.muscle.tube().rubber.law.shear_modulus_mpa());
+        let h =
+            PRESSURE_STEP * p.abs().max(PRESSURE_STEP * self.muscle.tube().rubber.law.shear_modulus_mpa());
         let slope_at = |p: f64| self.sought_zero(p).map_or(zero.slope, |z| z.slope);
         let slope_p = (slope_at(p + h) - slope_at(p - h)) / (2.0 * h);
         let by_pressure = l_p + contraction_p / zero.slope

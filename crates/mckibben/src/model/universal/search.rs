@@ -127,9 +127,7 @@ impl Universal {
         match self.zero(p) {
             Some(zero) if contraction >= zero.contraction => Ok(Err(zero.stretch(contraction))),
             Some(zero) => self.nested(p, contraction, zero.stretch(contraction), zero.middle.l).map(Ok),
-            None => free
-                .unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0))
-                .map(Ok),
+            None => free.unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0)).map(Ok),
         }
     }
 
