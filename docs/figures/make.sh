@@ -18,3 +18,4 @@ mckibben=${MCKIBBEN:-target/release/mckibben}
 "$mckibben" simulate --model fe3d examples/prototype.toml -e 15% -p 0.25 --picture docs/figures/picture3d.png \
     --show stress_hoop_mpa --cut >/dev/null
 cargo run --release --locked -q -p mckibben-cli --example peers_figure -- docs/figures/peers.svg
+cargo run --quiet --release --locked -p mckibben-cli --example universal_figure -- docs/figures/universal.svg 150

@@ -2,8 +2,10 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example universal_errors -- 500 7` takes the number of muscles and a seed.
 
-use mckibben::model::ModelKind;
-use mckibben_campaign::fit::universal::{HeldOutRow, held_out, held_out_samples, rubber_laws};
+use mckibben::model::{ForceModel, ModelKind};
+use mckibben::rubber::RubberLaw;
+use mckibben_campaign::fit::universal::{HeldOutRow, Sample, held_out, held_out_samples, rubber_laws};
+use mckibben_fem::axisymmetric::Axisymmetric;
 
 fn main() {
     let number = |i: usize, usual: u64| std::env::args().nth(i).and_then(|n| n.parse().ok()).unwrap_or(usual);
@@ -19,6 +21,7 @@ fn main() {
         let [rms, p95, p99, max] = [e.rms, e.p95, e.p99, e.max].map(|v| 100.0 * v);
         println!("{model:<42} {:>7} {:>8} {rms:>7.3} {p95:>7.3} {p99:>7.3} {max:>7.2}", e.points, e.muscles);
     }
+    small_pressures(&samples[..samples.len().min(count / 5)]);
     for kind in [ModelKind::ThickWall, ModelKind::Universal] {
         let mut list: Vec<f64> = vec![];
         for s in &samples {
@@ -37,4 +40,56 @@ fn main() {
             at(1.0 - 1e-9)
         );
     }
+}
+
+/// Errors at pressures far below the modulus, over the blocked force there and over that at P/μ = 1.
+fn small_pressures(samples: &[Sample]) {
+    println!(
+        "small pressures: P/mu, points, % of the blocked force there (rms, 99 %, worst), % of that at P/mu 1 (worst), worst in N"
+    );
+    for ratio in [0.001, 0.003, 0.01, 0.02, 0.05, 0.1] {
+        let (mut here, mut at_modulus, mut newtons) = (vec![], 0.0_f64, 0.0_f64);
+        for s in samples {
+            let mu = s.muscle.tube().rubber.law.shear_modulus_mpa();
+            let (Ok(fe), Ok(model)) = (Axisymmetric::new(&s.muscle), ModelKind::Universal.build(&s.muscle))
+            else {
+                continue;
+            };
+            let p = ratio * mu;
+            let (Ok(blocked), Ok(usual)) = (fe.force_n(p, 0.0), model.force_n(mu, 0.0)) else { continue };
+            let farthest = zero(model.as_ref(), p, s.muscle.max_ideal_contraction());
+            for i in 0..10 {
+                let contraction = farthest * f64::from(i) / 10.0;
+                let (Ok(exact), Ok(force)) = (fe.force_n(p, contraction), model.force_n(p, contraction))
+                else {
+                    continue;
+                };
+                let off = (force - exact).abs();
+                if exact > 0.0 {
+                    here.push(100.0 * off / blocked);
+                    at_modulus = at_modulus.max(100.0 * off / usual);
+                    newtons = newtons.max(off);
+                }
+            }
+        }
+        here.sort_by(f64::total_cmp);
+        let at = |q: f64| here.get((q * here.len() as f64) as usize).copied().unwrap_or(f64::NAN);
+        let rms = (here.iter().map(|v| v * v).sum::<f64>() / here.len().max(1) as f64).sqrt();
+        println!(
+            "{ratio:<6} {:>6} {rms:>8.3} {:>8.3} {:>8.2} {at_modulus:>9.4} {newtons:>9.4}",
+            here.len(),
+            at(0.99),
+            at(1.0 - 1e-9)
+        );
+    }
+}
+
+/// Contraction at which the pull ends, between 0 and a largest one, by halves.
+fn zero(model: &dyn ForceModel, p: f64, largest: f64) -> f64 {
+    let (mut low, mut high) = (0.0, largest);
+    for _ in 0..30 {
+        let mid = 0.5 * (low + high);
+        if model.force_n(p, mid).is_ok_and(|f| f > 0.0) { low = mid } else { high = mid }
+    }
+    low
 }

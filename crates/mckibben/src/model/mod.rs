@@ -54,7 +54,7 @@ pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
 pub use tondu_pressures::{largest_pressure_mpa, smallest_pressure_mpa};
 pub(crate) use universal::HIGHEST;
-pub use universal::{Deficit, EndPoint, Form, Universal, UniversalRange, UniversalTerm};
+pub use universal::{Deficit, EndPoint, ForcesError, Form, Universal, UniversalRange, UniversalTerm};
 pub use wall::{Wall, WallEnergy};
 
 use crate::muscle::Muscle;

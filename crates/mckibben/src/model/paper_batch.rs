@@ -20,7 +20,7 @@ pub struct LengthMismatch {
     pub expected: usize,
 }
 
-fn same(expected: usize, slices: &[(&'static str, usize)]) -> Result<(), LengthMismatch> {
+pub(super) fn same(expected: usize, slices: &[(&'static str, usize)]) -> Result<(), LengthMismatch> {
     match slices.iter().find(|(_, length)| *length != expected) {
         None => Ok(()),
         Some(&(name, length)) => Err(LengthMismatch { name, length, expected }),

@@ -32,6 +32,17 @@ pub struct WallEnergy {
     pub rr: f64,
 }
 
+/// W and its derivatives in λ and x = ro² at one state.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SquareEnergy {
+    pub w: f64,
+    pub l: f64,
+    pub x: f64,
+    pub ll: f64,
+    pub lx: f64,
+    pub xx: f64,
+}
+
 /// The wall of a tube at rest with its integration points.
 #[derive(Debug, Clone)]
 pub struct Wall {
@@ -90,15 +101,33 @@ impl Wall {
 
     /// W and its derivatives at an axial stretch λ and outer radius ro in mm.
     pub fn energy(&self, law: &Law, axial_stretch: f64, outer_radius_mm: f64) -> WallEnergy {
-        let closed = |c10_mpa: f64, c01_mpa: f64| {
-            let (ro2, section, span) = (self.ro2, self.section(), self.span);
-            Mooney { c10_mpa, c01_mpa, ro2, section, span }.energy(axial_stretch, outer_radius_mm)
-        };
-        match law {
-            Law::NeoHookean(law) => closed(0.5 * law.mu_mpa, 0.0),
-            Law::MooneyRivlin(law) => closed(law.c10_mpa, law.c01_mpa),
-            _ => self.integrated(law, axial_stretch, outer_radius_mm),
+        match self.closed(law) {
+            Some(wall) => wall.energy(axial_stretch, outer_radius_mm),
+            None => self.integrated(law, axial_stretch, outer_radius_mm),
         }
+    }
+
+    /// The same at λ and x = ro².
+    #[inline(always)]
+    pub(super) fn of_square(&self, law: &Law, axial_stretch: f64, x: f64) -> SquareEnergy {
+        if let Some(wall) = self.closed(law) {
+            return wall.of_square(axial_stretch, x);
+        }
+        let r = x.sqrt();
+        let e = self.integrated(law, axial_stretch, r);
+        let i = 0.5 / r;
+        let by_x = e.r * i;
+        SquareEnergy { w: e.w, l: e.l, x: by_x, ll: e.ll, lx: e.lr * i, xx: (e.rr - 2.0 * by_x) * i * i }
+    }
+
+    #[inline(always)]
+    fn closed(&self, law: &Law) -> Option<Mooney> {
+        let (c10_mpa, c01_mpa) = match law {
+            Law::NeoHookean(law) => (0.5 * law.mu_mpa, 0.0),
+            Law::MooneyRivlin(law) => (law.c10_mpa, law.c01_mpa),
+            _ => return None,
+        };
+        Some(Mooney { c10_mpa, c01_mpa, ro2: self.ro2, section: self.section(), span: self.span })
     }
 
     /// W and its derivatives by integration, for any law.

@@ -9,6 +9,7 @@
 //! Derived here; Q carries all of the bulge.
 
 use super::WallEnergy;
+use super::wall::SquareEnergy;
 use std::f64::consts::PI;
 
 /// A wall of Mooney–Rivlin rubber.
@@ -26,16 +27,31 @@ pub(super) struct Mooney {
 impl Mooney {
     /// W and its derivatives at λ and ro.
     pub(super) fn energy(&self, l: f64, r: f64) -> WallEnergy {
+        let x = r * r;
+        let e = self.of_square(l, x);
+        WallEnergy {
+            w: e.w,
+            l: e.l,
+            ll: e.ll,
+            r: 2.0 * r * e.x,
+            lr: 2.0 * r * e.lx,
+            rr: 4.0 * x * e.xx + 2.0 * e.x,
+        }
+    }
+
+    /// The same at λ and x = ro².
+    #[inline(always)]
+    pub(super) fn of_square(&self, l: f64, x: f64) -> SquareEnergy {
         let (c10, c01, a) = (self.c10_mpa, self.c01_mpa, self.section);
-        let (x, i) = (r * r, 1.0 / l);
-        let (i2, i3) = (i * i, i * i * i);
         // g = λ ri²; M = ln(ro²/ri²) and its derivatives in (λ, x)
         let g = l * x - a;
-        let s = 1.0 / g;
-        let m = -(g * i / x).ln();
-        let (ml, mx) = (-a * i * s, -a * s / x);
+        let all = 1.0 / (l * x * g);
+        let (i, j, s) = (x * g * all, l * g * all, l * x * all);
+        let (i2, i3) = (i * i, i * i * i);
+        let m = -(g * i * j).ln();
+        let (ml, mx) = (-a * i * s, -a * s * j);
         let twice = a * (2.0 * l * x - a) * s * s;
-        let (mll, mxx, mlx) = (twice * i2, twice / (x * x), a * s * s);
+        let (mll, mxx, mlx) = (twice * i2, twice * j * j, a * s * s);
         let k = x - self.ro2 * i;
         let (kl, kll) = (self.ro2 * i2, -2.0 * self.ro2 * i3);
         let d = self.span - m;
@@ -45,8 +61,7 @@ impl Mooney {
         let qlx = -ml - kl * mx - k * mlx;
         let qxx = -2.0 * mx - k * mxx;
         let c = c10 + c01 * l * l;
-        let (wx, wxx) = (c * qx, c * qxx);
-        WallEnergy {
+        SquareEnergy {
             w: PI * (a * (c10 * (l * l - 3.0 + 2.0 * i) + c01 * (i2 - 3.0 + 2.0 * l)) + c * q),
             l: PI * (2.0 * a * (c10 * (l - i2) + c01 * (1.0 - i3)) + c * ql + 2.0 * c01 * l * q),
             ll: PI
@@ -54,9 +69,9 @@ impl Mooney {
                     + c * qll
                     + 4.0 * c01 * l * ql
                     + 2.0 * c01 * q),
-            r: PI * 2.0 * r * wx,
-            lr: PI * 2.0 * r * (c * qlx + 2.0 * c01 * l * qx),
-            rr: PI * (4.0 * x * wxx + 2.0 * wx),
+            x: PI * c * qx,
+            lx: PI * (c * qlx + 2.0 * c01 * l * qx),
+            xx: PI * c * qxx,
         }
     }
 }

@@ -181,17 +181,22 @@ impl ThickWall {
             let g = w.r + b.r - 2.0 * PI * r * l * p;
             let g_r = w.rr + b.rr - 2.0 * PI * l * p;
             if !g.is_finite() || !g_r.is_finite() {
-                // A law that locks: the root lies below.
-                if iteration + 1 == ITERATIONS || r - low <= 1e-14 * r {
+                // A law that locks: the root lies below, or above where the bore is nearly closed.
+                if iteration + 1 == ITERATIONS || high - low <= 1e-14 * r {
                     return Err(self.locked(l, r));
                 }
-                high = r;
+                if self.wall.bore2(l, r) < self.ro * self.ro - self.wall.section() {
+                    low = r
+                } else {
+                    high = r
+                }
                 r = 0.5 * (low + high);
                 continue;
             }
             residual = g.abs() / scale;
             let step = -g / g_r;
-            if residual < 1e-13 || (g_r > 0.0 && step.abs() <= 4.0 * f64::EPSILON * r) {
+            // The last digit of λf is worth r/sin²θ0 of them in r.
+            if residual < 1e-13 || (g_r > 0.0 && step.abs() <= 4.0 * f64::EPSILON * r / self.sin2) {
                 return self.at(k, p, l, r, &w, &b, g_r);
             }
             if g > 0.0 {

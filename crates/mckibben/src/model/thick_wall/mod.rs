@@ -15,6 +15,7 @@
 //! that stretch.
 
 mod equilibrium;
+mod square;
 #[cfg(test)]
 mod tests;
 
@@ -78,6 +79,11 @@ impl ThickWall {
     /// Stiffness of one strand family in N/mm; `None` where strands do not stretch.
     pub(super) fn stiffness(&self) -> Option<f64> {
         self.k
+    }
+
+    /// Whether strands carry compression.
+    pub(super) fn strands_push(&self) -> bool {
+        self.compression
     }
 
     /// Largest principal stretch of the wall at an axial stretch and outer radius.

@@ -32,7 +32,7 @@ const RADAU: [(f64, f64); 2] = [(0.0, 0.25), (2.0 / 3.0, 0.75)];
 const LEAST_TENSION: (f64, f64) = (0.01, 0.02);
 /// Floor of 1 − cosφ as a share of ((b − r)/Ro)², and the width of the passage to it.
 const LEAST_SLOPE: (f64, f64) = (0.01, 0.01);
-/// |b − Ro|/Ro below which the end is that of the linear theory.
+/// |b − Ro|/Ro below which the end is that of the linear theory; at twice of it that of the membrane, between the two a mixture.
 const SMALL: f64 = 1e-5;
 /// Factor of ½L0/ℓ where the ends meet: in large bulges ℓ falls on the way to the middle. Chosen on the campaign.
 const MEETING: f64 = 1.2;
@@ -42,17 +42,17 @@ const ITERATIONS: usize = 40;
 
 /// What the end zone gives, per end.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct End {
+pub(super) struct End<const N: usize = 2> {
     /// δ in mm
-    pub deficit: Dual,
+    pub deficit: Dual<N>,
     /// ∫ π r² z' − π b² λ dZ in mm³
     pub volume_mm3: f64,
     /// λs − λ at the terminal
-    pub excess: Dual,
+    pub excess: Dual<N>,
     /// sinφ at the terminal
-    pub slope: Dual,
+    pub slope: Dual<N>,
     /// T/(2π Ro s μ) at the terminal
-    pub tension: Dual,
+    pub tension: Dual<N>,
 }
 
 /// The muscle's constants that the end needs.
@@ -67,63 +67,130 @@ pub(super) struct EndZone {
     pub half: f64,
 }
 
+/// The middle, as an end sees it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Uniform<const N: usize> {
+    /// λ
+    pub stretch: Dual<N>,
+    /// P
+    pub pressure: Dual<N>,
+    /// b
+    pub radius: Dual<N>,
+    /// T
+    pub tension: Dual<N>,
+}
+
 /// λs and T at a radius.
-struct Section {
-    stretch: Dual,
-    tension: Dual,
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Section<const N: usize = 2> {
+    pub radius: Dual<N>,
+    pub stretch: Dual<N>,
+    pub tension: Dual<N>,
+}
+
+/// What a section gives.
+struct Point<const N: usize> {
+    /// (λs cosφ − λ)/(λs sinφ)
+    shortening: Dual<N>,
+    /// The same of the volume
+    volume: f64,
+    sin: Dual<N>,
+    /// λs sinφ
+    per_r: Dual<N>,
+    tension: Dual<N>,
 }
 
 impl EndZone {
     /// The end of a muscle whose middle is in a state; `None` where no section is found.
     pub fn at(&self, p: f64, l: f64, state: &State) -> Option<End> {
         let lambda = Dual::new(l, [1.0, 0.0]);
-        let pressure = Dual::new(p, [0.0, 1.0]);
-        let b = Dual::new(state.r, state.r_by);
         let axial = Dual::new(state.axial, state.axial_by);
         let h = Dual::new(state.energy, state.energy_by) - axial * lambda;
-        let (least, width) = (LEAST_TENSION.0 * self.scale, LEAST_TENSION.1 * self.scale);
-        let kept = |x: Dual| {
-            let least = Dual::constant(least);
-            least + (x - least).positive(Dual::constant(width))
+        let middle = Uniform {
+            stretch: lambda,
+            pressure: Dual::new(p, [0.0, 1.0]),
+            radius: Dual::new(state.r, state.r_by),
+            tension: axial,
         };
-        let way = b - Dual::constant(self.ro);
-        if way.v.abs() < SMALL * self.ro {
-            return Some(self.linear(l, state, way, kept(axial)));
+        let way = middle.radius - Dual::constant(self.ro);
+        let share = (way.v.abs() / (SMALL * self.ro) - 1.0).min(1.0);
+        if share <= 0.0 {
+            return Some(self.linear(l, state, way, self.kept(axial)));
         }
-        let (mut end, mut decay) = (None, Dual::default());
-        let mut deficit = Dual::default();
-        let mut volume_mm3 = 0.0;
-        for (place, weight) in RADAU {
-            let r = Dual::constant(self.ro) + way * place;
-            let Section { stretch, tension } = self.section(r, h, l, state)?;
-            let tension = kept(tension);
-            let load = kept(axial + pressure * (r.squared() - b.squared()) * PI);
-            let near = ((b - r) * (1.0 / self.ro)).squared();
-            // 1 − cosφ above its floor
-            let above =
-                (Dual::constant(1.0) - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
-            let turn = near * LEAST_SLOPE.0 + above;
-            let cos = Dual::constant(1.0) - turn;
-            let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();
-            let per_r = stretch * sin;
-            deficit = deficit + (stretch * cos - lambda) / per_r * weight;
-            volume_mm3 += weight * PI * (r.v * r.v * stretch.v * cos.v - b.v * b.v * l) / per_r.v;
-            // The last point says how fast the bulge decays.
-            decay = per_r / (b - r);
-            end.get_or_insert((stretch - lambda, sin, tension * (1.0 / self.scale)));
+        let [a, b] = self.radii(way);
+        let sections = [self.section(a, h, l, state)?, self.section(b, h, l, state)?];
+        let end = self.shape(&middle, way, sections)?;
+        if share < 1.0 {
+            let linear = self.linear(l, state, way, self.kept(axial));
+            let deficit = linear.deficit * (1.0 - share) + end.deficit * share;
+            return Some(End { deficit, ..end });
         }
-        let (excess, slope, tension) = end?;
+        Some(end)
+    }
+
+    /// Whether an end is that of the membrane alone at a radius of the middle.
+    #[inline]
+    pub fn bulges(&self, b: f64) -> bool {
+        (b - self.ro).abs() >= 2.0 * SMALL * self.ro
+    }
+
+    /// Radii of the points of the quadrature, at b − Ro.
+    #[inline(always)]
+    pub fn radii<const N: usize>(&self, way: Dual<N>) -> [Dual<N>; 2] {
+        let [(first, _), (second, _)] = RADAU;
+        let ro = Dual::constant(self.ro);
+        [ro + way * first, ro + way * second]
+    }
+
+    /// Above zero by a smooth floor.
+    #[inline(always)]
+    fn kept<const N: usize>(&self, x: Dual<N>) -> Dual<N> {
+        let least = Dual::constant(LEAST_TENSION.0 * self.scale);
+        least + (x - least).positive(Dual::constant(LEAST_TENSION.1 * self.scale))
+    }
+
+    /// The end from its two sections.
+    #[inline(always)]
+    pub fn shape<const N: usize>(
+        &self,
+        middle: &Uniform<N>,
+        way: Dual<N>,
+        [first, second]: [Section<N>; 2],
+    ) -> Option<End<N>> {
+        let [(_, weight), (place_1, weight_1)] = RADAU;
+        let (start, on) = (self.point(middle, &first), self.point(middle, &second));
         let length = if way.v < 0.0 { -way } else { way };
-        let decay = if way.v < 0.0 { -decay } else { decay };
+        // The second point says how fast the bulge decays.
+        let decay = on.per_r / (length * (1.0 - place_1));
         let meeting = (decay * (MEETING * self.half)).tanh();
-        let deficit = deficit * length * meeting;
-        (deficit.v.is_finite() && deficit.by.iter().all(|d| d.is_finite())).then_some(End {
+        let deficit = (start.shortening * weight + on.shortening * weight_1) * length * meeting;
+        deficit.is_finite().then_some(End {
             deficit,
-            volume_mm3: volume_mm3 * length.v * meeting.v,
-            excess,
-            slope,
-            tension,
+            volume_mm3: (start.volume * weight + on.volume * weight_1) * length.v * meeting.v,
+            excess: first.stretch - middle.stretch,
+            slope: start.sin,
+            tension: start.tension * (1.0 / self.scale),
         })
+    }
+
+    /// The slope at a section and what it gives the integrals.
+    #[inline(always)]
+    fn point<const N: usize>(&self, middle: &Uniform<N>, section: &Section<N>) -> Point<N> {
+        let Uniform { stretch: lambda, radius: b, .. } = *middle;
+        let Section { radius: r, stretch, .. } = *section;
+        let one = Dual::constant(1.0);
+        let tension = self.kept(section.tension);
+        let load = self.kept(middle.tension + middle.pressure * (r.squared() - b.squared()) * PI);
+        let near = ((b - r) * (1.0 / self.ro)).squared();
+        // 1 − cosφ above its floor
+        let above = (one - load / tension - near * LEAST_SLOPE.0).positive(near * LEAST_SLOPE.1);
+        let turn = near * LEAST_SLOPE.0 + above;
+        let cos = one - turn;
+        let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();
+        let per_r = stretch * sin;
+        let shortening = (stretch * cos - lambda) / per_r;
+        let volume = PI * (r.v * r.v * stretch.v * cos.v - b.v * b.v * lambda.v) / per_r.v;
+        Point { shortening, volume, sin, per_r, tension }
     }
 
     /// Hardly any bulge: r − b decays like e^(−Z/ℓ), ℓ² = (T/λ)/(d²(Π − Fλ)/dr²).
@@ -134,7 +201,7 @@ impl EndZone {
             deficit: way * (-state.stretch_by_r * length),
             volume_mm3: 0.0,
             excess: way * (-state.stretch_by_r),
-            slope: Dual::default(),
+            slope: Dual::constant(0.0),
             tension: axial * (1.0 / self.scale),
         }
     }
@@ -154,7 +221,7 @@ impl EndZone {
             let stretch = r.chain(taut, -sin2 * r.v / (self.ro * self.ro * cos2 * taut));
             let tension = (lift(w.w, w.l, w.r, stretch, r) - h) / stretch;
             if tension.v >= w.l {
-                return Some(Section { stretch, tension });
+                return Some(Section { radius: r, stretch, tension });
             }
         }
         self.stretched(r, h, if taut > 0.0 { taut } else { l })
@@ -190,7 +257,7 @@ impl EndZone {
         let by = [0, 1].map(|i| ((e.r - l * e.lr) * r.by[i] - h.by[i]) / (l * e.ll));
         let stretch = Dual::new(l + step, by);
         let tension = Dual::new(e.l + e.ll * step, [0, 1].map(|i| e.ll * by[i] + e.lr * r.by[i]));
-        Section { stretch, tension }
+        Section { radius: r, stretch, tension }
     }
 }
 

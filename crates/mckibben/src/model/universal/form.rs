@@ -12,6 +12,7 @@
 use super::dual::Dual;
 use super::end::{End, EndZone};
 use crate::model::thick_wall::State;
+use std::array::from_fn;
 
 /// What a correction is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,6 +78,8 @@ pub(crate) const HIGHEST: u8 = 6;
 pub(super) struct Bound {
     form: Form,
     terms: Vec<([usize; 3], f64)>,
+    /// 1, x, y, z, x², xy, xz, y², yz, z² where there are no other terms.
+    second: Option<[f64; 10]>,
     /// S
     wall: f64,
     ro: f64,
@@ -84,10 +87,24 @@ pub(super) struct Bound {
     stiffness_mpa: f64,
 }
 
+/// The products of [`Bound`]'s second degree, in its order.
+const SECOND: [[usize; 3]; 10] = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+    [2, 0, 0],
+    [1, 1, 0],
+    [1, 0, 1],
+    [0, 2, 0],
+    [0, 1, 1],
+    [0, 0, 2],
+];
+
 /// The factor before the sum, and the three variables.
-struct Inner {
-    factor: Dual,
-    x: [Dual; 3],
+struct Inner<const N: usize> {
+    factor: Dual<N>,
+    x: [Dual<N>; 3],
 }
 
 impl Bound {
@@ -102,20 +119,36 @@ impl Bound {
                 None => terms.push((powers, value)),
             }
         }
-        Self { form: deficit.form, terms, wall, ro, stiffness_mpa: modulus_mpa * wall }
+        let of = |powers: &[usize; 3]| terms.iter().find(|t| t.0 == *powers).map_or(0.0, |t| t.1);
+        let low = terms.iter().all(|t| t.0.iter().sum::<usize>() <= 2);
+        let second = low.then(|| SECOND.map(|powers| of(&powers)));
+        Self { form: deficit.form, terms, second, wall, ro, stiffness_mpa: modulus_mpa * wall }
+    }
+
+    pub fn form(&self) -> Form {
+        self.form
     }
 
     /// δ in mm.
     pub fn at(&self, p: f64, l: f64, state: &State, zone: &EndZone) -> Option<Dual> {
-        let (start, inner) = match self.form {
+        let delta = match self.form {
             Form::Membrane => {
                 let end = zone.at(p, l, state)?;
-                (end.deficit, self.of_membrane(&end, state))
+                self.with_wall(&end, Dual::new(state.strain, state.strain_by))
             }
-            Form::Bulge => (Dual::default(), self.of_bulge(p, l, state)),
+            Form::Bulge => {
+                let inner = self.of_bulge(p, l, state);
+                inner.factor * self.sum(inner.x)
+            }
         };
-        let delta = start + inner.factor * self.sum(inner.x);
-        (delta.v.is_finite() && delta.by.iter().all(|d| d.is_finite())).then_some(delta)
+        delta.is_finite().then_some(delta)
+    }
+
+    /// δ of a membrane with what the wall adds, in mm, at a strain of the middle's strands.
+    #[inline(always)]
+    pub fn with_wall<const N: usize>(&self, end: &End<N>, strain: Dual<N>) -> Dual<N> {
+        let inner = self.of_membrane(end, strain);
+        end.deficit + inner.factor * self.sum(inner.x)
     }
 
     /// What δ is without its terms, and what each of a list of products adds with coefficient 1; values only, in mm.
@@ -129,7 +162,7 @@ impl Bound {
         let (start, inner) = match self.form {
             Form::Membrane => {
                 let end = zone.at(p, l, state)?;
-                (end.deficit.v, self.of_membrane(&end, state))
+                (end.deficit.v, self.of_membrane(&end, Dual::new(state.strain, state.strain_by)))
             }
             Form::Bulge => (0.0, self.of_bulge(p, l, state)),
         };
@@ -141,16 +174,17 @@ impl Bound {
         Some((start, products.iter().map(one).collect()))
     }
 
-    fn of_membrane(&self, end: &End, state: &State) -> Inner {
+    #[inline(always)]
+    fn of_membrane<const N: usize>(&self, end: &End<N>, strain: Dual<N>) -> Inner<N> {
         let one = Dual::constant(1.0);
         let m = one / (one + end.tension);
-        let x = Dual::new(10.0 * state.strain, state.strain_by.map(|d| 10.0 * d));
+        let x = strain * 10.0;
         let e = x / (one + x.squared()).sqrt();
         let factor = end.excess * (self.ro * self.wall) / end.tension.sqrt();
         Inner { factor, x: [end.slope, m, e] }
     }
 
-    fn of_bulge(&self, p: f64, l: f64, state: &State) -> Inner {
+    fn of_bulge(&self, p: f64, l: f64, state: &State) -> Inner<2> {
         let one = Dual::constant(1.0);
         let b = one - Dual::constant(self.ro) / Dual::new(state.r, state.r_by);
         let p = Dual::new(p.abs(), [0.0, p.signum()]);
@@ -158,12 +192,23 @@ impl Bound {
         Inner { factor: b * self.ro, x: [b, m, Dual::new(1.0 - l, [-1.0, 0.0])] }
     }
 
-    fn sum(&self, x: [Dual; 3]) -> Dual {
+    #[inline(always)]
+    fn sum<const N: usize>(&self, x: [Dual<N>; 3]) -> Dual<N> {
+        let [a, b, c] = x;
+        let (v, by) = match &self.second {
+            Some(s) => second(s, [a.v, b.v, c.v]),
+            None => self.any([a.v, b.v, c.v]),
+        };
+        Dual::new(v, from_fn(|i| by[0] * a.by[i] + by[1] * b.by[i] + by[2] * c.by[i]))
+    }
+
+    /// The sum and its slopes.
+    fn any(&self, x: [f64; 3]) -> (f64, [f64; 3]) {
         const N: usize = HIGHEST as usize + 1;
         let powers = x.map(|x| {
             let mut list = [1.0; N];
             for i in 1..N {
-                list[i] = list[i - 1] * x.v;
+                list[i] = list[i - 1] * x;
             }
             list
         });
@@ -176,6 +221,17 @@ impl Bound {
             by[1] += value * xa * slope(1, b) * xc;
             by[2] += value * xa * xb * slope(2, c);
         }
-        Dual::new(v, [0, 1].map(|i| by[0] * x[0].by[i] + by[1] * x[1].by[i] + by[2] * x[2].by[i]))
+        (v, by)
     }
+}
+
+/// The same for terms of second degree and less.
+#[inline(always)]
+fn second(s: &[f64; 10], [x, y, z]: [f64; 3]) -> (f64, [f64; 3]) {
+    let by_x = s[1] + 2.0 * s[4] * x + s[5] * y + s[6] * z;
+    let by_y = s[2] + s[5] * x + 2.0 * s[7] * y + s[8] * z;
+    let by_z = s[3] + s[6] * x + s[8] * y + 2.0 * s[9] * z;
+    // Euler: the slopes count the linear terms once and the squares twice.
+    let v = s[0] + 0.5 * ((by_x + s[1]) * x + (by_y + s[2]) * y + (by_z + s[3]) * z);
+    (v, [by_x, by_y, by_z])
 }

@@ -1,6 +1,7 @@
 //! Limits, which are identities; slopes; and that nothing jumps.
 
-use crate::model::{ForceModel, Ideal, ModelKind, ThickWall};
+use crate::formula::UniversalFormula;
+use crate::model::{ForceModel, ForcesError, Ideal, ModelKind, ThickWall, Universal};
 use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden};
 
@@ -173,4 +174,102 @@ fn the_box_names_what_is_outside() {
     assert_eq!(names, ["wall_ratio", "length_ratio", "braid_angle"]);
     // 4 sin²θ0 k/D0 · 6 %: 0.6 MPa, below 5 μ.
     assert!((range.pressure_mpa.1 - 0.6).abs() < 1.1e-5, "{:?}", range.pressure_mpa);
+}
+
+fn large(m: &Muscle) -> Universal {
+    Universal::new(UniversalFormula::large().unwrap(), m)
+}
+
+/// Muscles over the box, with a pressure each.
+fn muscles() -> Vec<(Muscle, f64)> {
+    let laws = [mooney(0.3), Law::Gent(Gent { mu_mpa: 0.3, jm: 40.0 })];
+    let mut list = vec![];
+    for law in laws {
+        for (wall, length, angle, p, k) in [
+            (0.5, 110.0, 18.5, 0.05, 100.0),
+            (3.3, 300.0, 36.5, 1.4, 6000.0),
+            (1.5, 150.0, 25.0, 0.4, 300.0),
+            (1.0, 800.0, 30.0, 0.002, 6000.0),
+        ] {
+            list.push((muscle(wall, length, angle, law.clone(), BraidStiffness::NewtonPerMm(k)), p));
+        }
+    }
+    list
+}
+
+/// Two ways to one root: all unknowns at once, and one inside of the other.
+#[test]
+fn the_coupled_root_is_that_of_the_nested_search() {
+    let mut coupled = 0;
+    for (m, p) in muscles() {
+        let model = large(&m);
+        let blocked = model.force_n(p, 0.0).unwrap();
+        for i in 0..=60 {
+            let e = m.max_ideal_contraction() * f64::from(i) / 60.0;
+            let Some(root) = model.coupled(p, e, None) else { continue };
+            let searched = model.searched_force(p, e).unwrap();
+            assert!((root.force - searched).abs() < 1e-9 * blocked, "{e}: {} {searched}", root.force);
+            coupled += 1;
+        }
+    }
+    assert!(coupled > 200, "{coupled}");
+}
+
+/// A list is answered as single questions are, and lists of different length are refused.
+#[test]
+fn a_list_of_points_is_answered_as_single_ones() {
+    for (m, p) in muscles() {
+        let (model, other) = (large(&m), large(&m));
+        let es: Vec<f64> = (0..100).map(|i| 0.0105 * f64::from(i) * m.max_ideal_contraction()).collect();
+        let ps: Vec<f64> = (0..100).map(|i| p * (0.5 + 0.005 * f64::from(i))).collect();
+        let mut out = vec![f64::NAN; 100];
+        model.forces(&ps, &es, &mut out).unwrap();
+        for ((&p, &e), f) in ps.iter().zip(&es).zip(&out) {
+            let blocked = other.force_n(p, 0.0).unwrap();
+            assert!((f - other.force_n(p, e).unwrap()).abs() < 1e-9 * blocked, "{p} {e}");
+        }
+        assert!(matches!(model.forces(&ps, &es[1..], &mut out), Err(ForcesError::Length(_))));
+    }
+}
+
+/// An answer has the same bits whatever was asked before.
+#[test]
+fn the_order_of_questions_does_not_matter() {
+    for (m, p) in muscles() {
+        let (one, two) = (large(&m), large(&m));
+        let points: Vec<(f64, f64)> = (0..40)
+            .flat_map(|i| [1.0, 0.3, 0.01].map(|s| (s * p, 0.026 * f64::from(i) * m.max_ideal_contraction())))
+            .collect();
+        let bits = |model: &Universal, (p, e): (f64, f64)| model.force_n(p, e).unwrap().to_bits();
+        let forward: Vec<u64> = points.iter().map(|&q| bits(&one, q)).collect();
+        let mut back: Vec<u64> = points.iter().rev().map(|&q| bits(&two, q)).collect();
+        back.reverse();
+        assert_eq!(forward, back);
+    }
+}
+
+/// Where the pull ends F and ∂F/∂ε do not jump: both sides of ε0 differ by what a step across it explains, and beyond it ∂F/∂P and ∂F/∂ε
+/// are those of finite differences. Asked at the point of the prototype where ε(λ) once turned back.
+#[test]
+fn behind_the_end_of_the_pull_it_goes_on_smoothly() {
+    for (m, p) in muscles().into_iter().chain([(Muscle::prototype(), 0.04208)]) {
+        let model = large(&m);
+        let end = model.zero(p).unwrap().contraction;
+        let at = |e: f64| model.response(p, e).unwrap();
+        let (before, behind) = (at(end - 1e-7), at(end + 1e-7));
+        let blocked = at(0.0).force_n;
+        assert!(before.force_n > 0.0 && behind.force_n < 0.0, "{before:?} {behind:?}");
+        assert!(before.force_n - behind.force_n < 1e-4 * blocked);
+        let (a, b) = (before.stiffness_n_per_mm.unwrap(), behind.stiffness_n_per_mm.unwrap());
+        assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
+        let (e, h) = (end + 0.02, 1e-5);
+        let f = |p: f64, e: f64| model.force_n(p, e).unwrap();
+        let by_length = -(f(p, e + h) - f(p, e - h)) / (2.0 * h * m.length_mm());
+        let by_pressure = (f(p * (1.0 + h), e) - f(p * (1.0 - h), e)) / (2.0 * h * p);
+        let (s, q) = (at(e).stiffness_n_per_mm.unwrap(), at(e).force_per_pressure_mm2.unwrap());
+        assert!((by_length / s - 1.0).abs() < 1e-5, "{by_length} {s}");
+        assert!((by_pressure - q).abs() < 1e-4 * (q.abs() + blocked / p), "{by_pressure} {q}");
+    }
+    let model = large(&Muscle::prototype());
+    assert!(model.force_n(0.04208, 0.143).unwrap() < 0.0);
 }

@@ -1,0 +1,64 @@
+//! Many pulls of one muscle.
+
+use super::Universal;
+use super::coupled::{Root, Start};
+use crate::model::paper_batch::same;
+use crate::model::{LengthMismatch, ModelError};
+use thiserror::Error;
+
+/// Farthest in ε from which a point starts from the one before it.
+const NEIGHBOUR: f64 = 0.02;
+
+/// Why a list of pulls is not complete.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ForcesError {
+    /// Lists of different length.
+    #[error(transparent)]
+    Length(#[from] LengthMismatch),
+    /// A point without an answer.
+    #[error("point {index}: {error}")]
+    Point {
+        /// Its place in the lists, from 0.
+        index: usize,
+        /// Why.
+        error: ModelError,
+    },
+}
+
+impl Universal {
+    /// Pulls in N at pressures in MPa and contractions, each into its place of `out`; neighbours in the list that are
+    /// neighbours in pressure and contraction are faster.
+    ///
+    /// A pull is within 1e-9 of the blocked force of what `force_n` answers, whose iteration starts elsewhere.
+    ///
+    /// # Errors
+    /// [`ForcesError`]: lists of different length, or the first point without an answer; places from there on are not written.
+    pub fn forces(
+        &self,
+        pressures_mpa: &[f64],
+        contractions: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), ForcesError> {
+        same(out.len(), &[("pressures_mpa", pressures_mpa.len()), ("contractions", contractions.len())])?;
+        let mut last: Option<(f64, f64, Root)> = None;
+        for (index, ((&p, &e), place)) in pressures_mpa.iter().zip(contractions).zip(out).enumerate() {
+            let near = last.filter(|l| (l.1 - e).abs() < NEIGHBOUR && (l.0 - p).abs() < NEIGHBOUR * p.abs());
+            let from = near.map(|(_, e0, root)| root.moved((e0 - e) / root.slope));
+            let root = self.coupled(p, e, from).or_else(|| from.and_then(|_| self.coupled(p, e, None)));
+            *place = match root {
+                Some(root) => root.force,
+                None => self.searched_force(p, e).map_err(|error| ForcesError::Point { index, error })?,
+            };
+            last = root.map(|root| (p, e, root));
+        }
+        Ok(())
+    }
+}
+
+impl Root {
+    /// A start where λ is larger.
+    fn moved(&self, step: f64) -> Start {
+        let by = |i: usize| self.end.stretches[i] + self.by.stretches[i] * step;
+        Start { l: self.end.l + step, q: self.end.q + self.by.q * step, stretches: [by(0), by(1)] }
+    }
+}

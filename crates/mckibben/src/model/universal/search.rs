@@ -1,0 +1,164 @@
+//! The nested search: λ by Newton's method inside of a bracket, with the endless muscle and the sections of the membrane solved
+//! at each step. Slower than [`super::coupled`], and without its conditions.
+
+use super::Universal;
+use super::coupled::LEAST_SLOPE;
+use super::dual::Dual;
+use crate::model::thick_wall::State;
+use crate::model::{ForceModel, ModelError};
+
+/// Newton steps in λ; three are usual.
+pub(super) const ITERATIONS: usize = 60;
+/// A step this small leaves an error of its square.
+const SMALL_STEP: f64 = 1e-7;
+/// Largest step.
+const LARGEST_STEP: f64 = 0.15;
+/// A bracket this narrow holds a kink of δ; either side is the answer.
+const NARROW: f64 = 1e-13;
+
+/// The middle at a pressure and stretch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Middle {
+    pub l: f64,
+    pub state: State,
+    pub deficit: Dual,
+}
+
+/// The middle that answers a question.
+pub(super) struct Place {
+    pub l: f64,
+    pub state: State,
+    /// −∂ε/∂λ
+    pub slope: f64,
+    /// ∂λ/∂P at fixed ε
+    pub by_pressure: f64,
+    /// The middle whose ends it has
+    pub ends: Middle,
+}
+
+impl Universal {
+    pub(super) fn not_converged(p: f64, contraction: f64, residual: f64) -> ModelError {
+        ModelError::NotConverged { pressure_mpa: p, contraction, iterations: ITERATIONS, residual }
+    }
+
+    /// λ near which that of the middle is sought.
+    pub(super) fn guess(&self, contraction: f64) -> f64 {
+        let l = 1.0 - contraction;
+        let bulge = self.zone.wall.pantograph(l) / self.zone.ro;
+        l - 0.8 * self.zone.ro / self.length * (1.0 - 1.0 / bulge.max(0.5))
+    }
+
+    pub(super) fn tried(&self, p: f64, l: f64, near: Option<f64>) -> Result<Middle, ModelError> {
+        let state = self.zone.wall.state_near(p, l, near)?;
+        let deficit = self.deficit.at(p, l, &state, &self.zone);
+        let deficit = deficit.ok_or_else(|| Self::not_converged(p, 1.0 - l, f64::NAN))?;
+        Ok(Middle { l, state, deficit })
+    }
+
+    /// −dε/dλ = 1 + (2/L0) ∂δ/∂λ
+    pub(super) fn slope(&self, m: &Middle) -> f64 {
+        1.0 + 2.0 * m.deficit.by[0] / self.length
+    }
+
+    /// ε of a middle.
+    pub(super) fn contraction(&self, m: &Middle) -> f64 {
+        1.0 - m.l - 2.0 * m.deficit.v / self.length
+    }
+
+    /// The middle, and the last small step in λ that is still to be taken; λ above `low`.
+    fn nested(&self, p: f64, contraction: f64, start: f64, low: f64) -> Result<(Middle, f64), ModelError> {
+        let (mut l, mut low, mut high) = (start, low, f64::INFINITY);
+        let (mut near, mut good, mut residual) = (None, None::<f64>, f64::NAN);
+        for _ in 0..ITERATIONS {
+            let m = match self.tried(p, l, near) {
+                Ok(m) => m,
+                // Outside of where the endless muscle has a state: back towards where it has one.
+                Err(error) => {
+                    let back = good.unwrap_or(1.0 - contraction);
+                    if (back - l).abs() < 1e-9 {
+                        return Err(error);
+                    }
+                    l = if good.is_some() { 0.5 * (l + back) } else { back };
+                    continue;
+                }
+            };
+            good = Some(l);
+            near = Some(m.state.r);
+            let value = self.contraction(&m) - contraction;
+            residual = value.abs();
+            let slope = self.slope(&m);
+            let step = value / slope.max(LEAST_SLOPE);
+            if step.abs() < SMALL_STEP || high - low < NARROW {
+                return Ok((m, if step.abs() < SMALL_STEP { step } else { 0.0 }));
+            }
+            if value > 0.0 {
+                low = l;
+            } else {
+                high = l;
+            }
+            let next = l + step.clamp(-LARGEST_STEP, LARGEST_STEP);
+            near = near.map(|r| r + m.state.r_by[0] * (next - l));
+            l = if next > low && next < high {
+                next
+            } else if high.is_finite() {
+                0.5 * (low + high)
+            } else {
+                low + 0.5 * LARGEST_STEP
+            };
+        }
+        Err(Self::not_converged(p, contraction, residual))
+    }
+
+    /// Where the muscle pulls: the middle and the step that is left; `Err`: where it pushes or is slack, λ.
+    fn pulling(&self, p: f64, contraction: f64) -> Result<Result<(Middle, f64), f64>, ModelError> {
+        if !(p.is_finite() && contraction.is_finite()) {
+            return Err(ModelError::NotFinite { model: self.name().into(), pressure_mpa: p, contraction });
+        }
+        // Strands that do not stretch, and the short form: mostly a pull, which the search finds at once.
+        let free = match self.is_coupled() {
+            true => None,
+            false => Some(self.nested(p, contraction, self.guess(contraction), 0.0)),
+        };
+        if let Some(Ok((m, step))) = &free
+            && m.state.force + m.state.force_l * step >= 0.0
+        {
+            return Ok(Ok((*m, *step)));
+        }
+        match self.zero(p) {
+            Some(zero) if contraction >= zero.contraction => Ok(Err(zero.stretch(contraction))),
+            Some(zero) => self.nested(p, contraction, zero.stretch(contraction), zero.middle.l).map(Ok),
+            None => free.unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0)).map(Ok),
+        }
+    }
+
+    /// F by this search.
+    pub(super) fn searched_force(&self, p: f64, contraction: f64) -> Result<f64, ModelError> {
+        let force_n = match self.pulling(p, contraction)? {
+            Ok((m, step)) => m.state.force + m.state.force_l * step,
+            Err(l) => self.zone.wall.state_near(p, l, None)?.force,
+        };
+        if force_n.is_finite() {
+            Ok(force_n)
+        } else {
+            Err(ModelError::NotFinite { model: self.name().into(), pressure_mpa: p, contraction })
+        }
+    }
+
+    /// The middle at a question, with its derivatives.
+    pub(super) fn place(&self, p: f64, contraction: f64) -> Result<Place, ModelError> {
+        let (l, near) = match self.coupled(p, contraction, None) {
+            Some(root) => (root.l, Some(root.r)),
+            None => match self.pulling(p, contraction)? {
+                Ok((m, step)) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step)),
+                Err(l) => return self.pushed(p, contraction, l),
+            },
+        };
+        let m = self.tried(p, l, near)?;
+        let slope = self.slope(&m);
+        if slope.is_nan() || slope <= LEAST_SLOPE {
+            return Err(Self::not_converged(p, contraction, (self.contraction(&m) - contraction).abs()));
+        }
+        let by_pressure = -2.0 * m.deficit.by[1] / (self.length * slope);
+        Ok(Place { l, state: m.state, slope, by_pressure, ends: m })
+    }
+}
