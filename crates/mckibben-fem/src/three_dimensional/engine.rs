@@ -5,6 +5,7 @@ use super::discrete::Discrete;
 use super::guess::carry_over;
 use super::mesh::{BrickMesh, BrickSpec};
 use super::parts::Parts;
+use super::plug::Plug;
 use super::state::State;
 use crate::axisymmetric::equilibrium::Control;
 use crate::axisymmetric::{Axisymmetric, FemError, LastConverged};
@@ -49,6 +50,10 @@ impl Engine {
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
         let tube = muscle.tube();
         let angle = muscle.braid().angle_rad();
+        // How far the plug reaches into the tube is the muscle's to say.
+        let insertion = muscle.terminals().insertion_mm;
+        let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
+        let spec = &BrickSpec { plug, ..*spec };
         let mesh = BrickMesh::new(
             tube.inner_radius_mm(),
             tube.outer_radius_mm(),
@@ -162,7 +167,7 @@ impl Engine {
         };
         let state = &mut self.body.state;
         (state.pressure, state.terminal) = (pressure, terminal);
-        carry_over(&self.body.discrete, &section, self.width, state);
+        carry_over(&self.body.discrete, &self.mesh, &section, self.width, state);
         self.solve(Control::Length(terminal)).is_ok()
     }
 

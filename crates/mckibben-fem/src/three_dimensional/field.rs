@@ -130,7 +130,7 @@ fn fill<L: SpatialLaw, const NN: usize>(
     let at_nodes: Vec<ShapePoint<NN>> = places.iter().map(|x| at(*x, 1.0)).collect();
     let at_points: Vec<ShapePoint<NN>> = points.iter().map(|x| at(*x, 1.0)).collect();
     let mut shares = vec![0.0; out.len()];
-    for (e, nodes) in d.parts.bricks.iter().enumerate() {
+    for (e, nodes) in d.parts.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
         let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, nodes, p)).collect();
         for (a, node) in nodes.iter().enumerate() {
             let k = *node as usize;

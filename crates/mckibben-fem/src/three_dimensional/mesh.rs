@@ -4,6 +4,7 @@
 //! terminal). A linear brick has two nodes each way, a quadratic one three. Strands run along both diagonals of the
 //! quads of the outer grid; a diagonal is at θ0 where tanθ0 = chord/Δz.
 
+use super::plug::{Plug, PlugGrid, profile};
 use crate::axisymmetric::FemError;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -64,6 +65,8 @@ pub struct BrickSpec {
     /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic ones and with
     /// [`Match::Angle`].
     pub ring: Option<Ring>,
+    /// The terminal as a body; without one it is the plane at the end.
+    pub plug: Option<Plug>,
 }
 
 /// The word for [`Ring::OnCircle`] behind a mesh.
@@ -148,6 +151,7 @@ pub struct BrickMesh {
     half: f64,
     angle: f64,
     last_angle: f64,
+    plug: Option<PlugGrid>,
 }
 
 /// Most bricks each way.
@@ -194,21 +198,28 @@ impl BrickMesh {
         };
         let half = if spec.keep == Match::Length { half } else { height * rows };
         let wide = spec.ring().width(around * order);
-        let elements = [through, around, along];
+        let free = along * order;
+        let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
+        let insertion = measures.map_or(0.0, |m| m.0);
+        let bonded = if insertion > 0.0 {
+            (insertion / (height * order as f64)).round().clamp(1.0, 2.0 * MOST[2]) as usize
+        } else {
+            0
+        };
+        Self::check(&BrickSpec { along: Some(along + bonded), ..*spec })?;
+        let elements = [through, around, along + bonded];
         let grid = elements.map(|n| n * order + 1);
-        let mut nodes = Vec::with_capacity(grid.iter().product());
-        for k in 0..grid[2] {
+        let rows = (0..grid[2]).map(|k| match free.checked_sub(k) {
             // From the terminal where that is nearer, so that it stands exactly at half the length.
-            let left = grid[2] - 1 - k;
-            let z = if left <= order { half - last * left as f64 } else { height * k as f64 };
+            Some(left) if left <= order => half - last * left as f64,
+            Some(_) => height * k as f64,
+            None => half + insertion * (k - free) as f64 / (bonded * order) as f64,
+        });
+        let rows: Vec<f64> = rows.collect();
+        let mut nodes = Vec::with_capacity(grid.iter().product());
+        for &z in &rows {
             for j in 0..grid[1] {
-                let phi = FRAC_PI_2 * j as f64 / (grid[1] - 1) as f64;
-                // Exactly in the planes of symmetry.
-                let (x, y) = match j {
-                    0 => (1.0, 0.0),
-                    j if j + 1 == grid[1] => (0.0, 1.0),
-                    _ => (phi.cos(), phi.sin()),
-                };
+                let (x, y) = direction(j, grid[1]);
                 for i in 0..grid[0] {
                     let t = i as f64 / (grid[0] - 1) as f64;
                     let r = wide * (inner + t * (outer - inner));
@@ -217,7 +228,95 @@ impl BrickMesh {
             }
         }
         let (angle, last_angle) = ((chord / height).atan(), (chord / last).atan());
-        Ok(Self { brick: spec.brick, elements, nodes, inner, outer, half, angle, last_angle })
+        let plug = spec.plug.zip(measures).map(|(p, (insertion_mm, nose_mm))| PlugGrid {
+            material: p.material,
+            insertion_mm,
+            nose_mm,
+            first_row: free,
+            profile: profile(inner, nose_mm, around, order),
+            base: nodes.len(),
+        });
+        let mut out =
+            Self { brick: spec.brick, elements, nodes, inner, outer, half, angle, last_angle, plug };
+        out.fill_plug(wide, &rows);
+        Ok(out)
+    }
+
+    /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to the bore.
+    fn fill_plug(&mut self, wide: f64, rows: &[f64]) {
+        let Some(plug) = &self.plug else { return };
+        let (order, [_, nj, _]) = (self.brick.order(), self.grid());
+        let rows = &rows[plug.first_row..];
+        // The face bends; the rows behind it are plane.
+        let behind = *rows.get(order).unwrap_or(&self.half);
+        let z = |m: usize, k: usize| {
+            let face = self.half - plug.profile[m].1;
+            if k >= order { rows[k] } else { face + (behind - face) * k as f64 / order as f64 }
+        };
+        let mut nodes: Vec<[f64; 3]> = (0..rows.len()).map(|k| [0.0, 0.0, z(0, k)]).collect();
+        for k in 0..rows.len() {
+            for j in 0..nj {
+                let (x, y) = direction(j, nj);
+                for m in 1..plug.columns() {
+                    let r = wide * plug.profile[m].0;
+                    nodes.push([r * x, r * y, z(m, k)]);
+                }
+            }
+        }
+        self.nodes.extend(nodes);
+    }
+
+    /// The terminal as a body.
+    pub fn plug(&self) -> Option<&PlugGrid> {
+        self.plug.as_ref()
+    }
+
+    /// Row of nodes at which the tube's free length ends.
+    pub fn free_rows(&self) -> usize {
+        self.plug.as_ref().map_or(self.grid()[2] - 1, |p| p.first_row)
+    }
+
+    /// Number of the plug's node at (m from the axis, j around, k along from its face); at the bore it is the tube's.
+    pub fn plug_node(&self, plug: &PlugGrid, m: usize, j: usize, k: usize) -> usize {
+        let ([_, nj, nk], columns) = (self.grid(), plug.columns());
+        match m {
+            0 => plug.base + k,
+            m if m == columns => self.node(0, j, plug.first_row + k),
+            _ => plug.base + nk - plug.first_row + (k * nj + j) * (columns - 1) + m - 1,
+        }
+    }
+
+    /// Nodes of every brick of the plug, as [`BrickMesh::bricks`] has those of the tube.
+    pub fn plug_bricks(&self) -> Vec<Vec<u32>> {
+        let Some(plug) = &self.plug else { return vec![] };
+        let (p, [_, nc, nz]) = (self.brick.order(), self.elements);
+        let mut out = vec![];
+        for k in 0..nz - plug.first_row / p {
+            for j in 0..nc {
+                for m in 0..plug.columns() / p {
+                    let at = |a: usize| {
+                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                        self.plug_node(plug, p * m + x, p * j + y, p * k + z) as u32
+                    };
+                    out.push((0..(p + 1).pow(3)).map(at).collect());
+                }
+            }
+        }
+        out
+    }
+
+    /// Nodes of every face of the plug towards the cavity, their normals out of it.
+    pub fn plug_face(&self) -> Vec<Vec<u32>> {
+        let Some(plug) = &self.plug else { return vec![] };
+        let (p, nc) = (self.brick.order(), self.elements[1]);
+        let mut out = vec![];
+        for j in 0..nc {
+            for m in 0..plug.columns() / p {
+                let at = |a: usize| self.plug_node(plug, p * m + a % (p + 1), p * j + a / (p + 1), 0) as u32;
+                out.push((0..(p + 1).pow(2)).map(at).collect());
+            }
+        }
+        out
     }
 
     /// Which brick.
@@ -225,7 +324,7 @@ impl BrickMesh {
         self.brick
     }
 
-    /// Bricks through the wall, around and along.
+    /// Bricks through the wall, around and along, with those over the insertion.
     pub fn elements(&self) -> [usize; 3] {
         self.elements
     }
@@ -284,9 +383,10 @@ impl BrickMesh {
         out
     }
 
-    /// Nodes of every face of the bore: around first, then along.
+    /// Nodes of every face of the bore up to the terminal: around first, then along.
     pub fn bore(&self) -> Vec<Vec<u32>> {
-        let (p, [_, nc, nz]) = (self.brick.order(), self.elements);
+        let (p, [_, nc, _]) = (self.brick.order(), self.elements);
+        let nz = self.free_rows() / p;
         let mut out = Vec::with_capacity(nc * nz);
         for k in 0..nz {
             for j in 0..nc {
@@ -314,8 +414,8 @@ impl BrickMesh {
 
     /// Area of the bore's polygon at the terminal, of the quarter, in mm².
     pub fn polygon_mm2(&self) -> f64 {
-        let [_, nj, nk] = self.grid();
-        let at = |j: usize| self.nodes[self.node(0, j, nk - 1)];
+        let [_, nj, _] = self.grid();
+        let at = |j: usize| self.nodes[self.node(0, j, self.free_rows())];
         let p = self.brick.order();
         let mut area = 0.0;
         for j in (0..nj - 1).step_by(p) {
@@ -330,5 +430,15 @@ impl BrickMesh {
             }
         }
         area
+    }
+}
+
+/// (cos, sin) of line j of `lines` around the quarter, exactly in the planes of symmetry.
+fn direction(j: usize, lines: usize) -> (f64, f64) {
+    let phi = FRAC_PI_2 * j as f64 / (lines - 1) as f64;
+    match j {
+        0 => (1.0, 0.0),
+        j if j + 1 == lines => (0.0, 1.0),
+        _ => (phi.cos(), phi.sin()),
     }
 }
