@@ -35,6 +35,9 @@ pub enum DeckError {
     /// Quadratic bricks.
     #[error("an input deck is made of eight-node bricks")]
     Quadratic,
+    /// A terminal that is a body.
+    #[error("an input deck has the rigid plane for a terminal: leave out --terminal")]
+    Plug,
     /// No pressures, or pressures that fall or are not above zero.
     #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]
     Pressures {
@@ -62,6 +65,9 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     let mesh = model.mesh();
     if mesh.brick() != Brick::Linear {
         return Err(DeckError::Quadratic);
+    }
+    if mesh.plug().is_some() {
+        return Err(DeckError::Plug);
     }
     let steps = steps(contraction, pressures_mpa)?;
     let muscle = model.muscle();

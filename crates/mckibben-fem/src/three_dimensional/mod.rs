@@ -29,7 +29,7 @@ pub use assembly::{Totals, Work};
 pub use body::Body;
 pub use discrete::Discrete;
 pub use engine::Engine;
-pub use field::{Field, NodeField, PieceField};
+pub use field::{Field, NodeField, PieceField, PlugField};
 pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Ring};
 pub use model::ThreeDimensional;
 pub use parts::{Freedom, Other, Parts};
