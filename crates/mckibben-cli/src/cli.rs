@@ -309,6 +309,9 @@ pub struct SimulateArgs {
 /// `validate`.
 #[derive(Debug, Args)]
 pub struct ValidateArgs {
+    /// The finest meshes as well (some seconds more)
+    #[arg(long, conflicts_with = "sweep")]
+    pub all: bool,
     /// Instead: ask so many random muscles one question each, and say which share is answered
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub sweep: Option<u32>,

@@ -28,7 +28,7 @@ mod state;
 pub use assembly::{Totals, Work};
 pub use body::Body;
 pub use discrete::Discrete;
-pub use engine::Engine;
+pub use engine::{Engine, Unstable};
 pub use field::{Field, NodeField, PieceField, PlugField};
 pub use mesh::{Brick, BrickMesh, BrickSpec, Match, Ring};
 pub use model::ThreeDimensional;

@@ -153,6 +153,16 @@ impl ForceModel for ThreeDimensional {
                     "the terminal is a {name} plug with {insertion} mm in the tube and a nose of {nose} mm radius"
                 ));
             }
+            if let Some(u) = e.unstable().first() {
+                let met = match u.step {
+                    0 => "an equilibrium".to_owned(),
+                    n => format!("step {n} of the walk from rest"),
+                };
+                out.push(format!(
+                    "{met} is not stable ({} directions) at contraction {:.4} and {:.4} MPa",
+                    u.directions, u.contraction, u.pressure_mpa
+                ));
+            }
             out
         })
     }
