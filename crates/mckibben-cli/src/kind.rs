@@ -5,9 +5,9 @@ use crate::flags::MatchWord;
 use mckibben::formula::{Document, Formula, FormulaModel, UniversalFormula};
 use mckibben::model::{ForceModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
+use mckibben::units::Dimension;
 use mckibben_fem::axisymmetric::{Axisymmetric, FemError, MeshSpec};
 use mckibben_fem::simulation::Simulation;
-use mckibben::units::Dimension;
 use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec, Match, Plug, PlugMaterial, ThreeDimensional};
 use std::sync::Arc;
 

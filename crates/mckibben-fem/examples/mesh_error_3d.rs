@@ -1,5 +1,5 @@
 //! What the program's own three-dimensional mesh errs by: pull against the axisymmetric limit over the blocked force, on random muscles
-//! and questions. `cargo run --release -p mckibben-fem --example mesh_error_3d 500`
+//! and questions. `cargo run --release -p mckibben-fem --example mesh_error_3d 2000`
 
 use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;
@@ -26,17 +26,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         braid.angle_deg = angle_deg;
         let muscle = Muscle::prototype().with_tube(tube)?.with_braid(braid)?;
         let (solid, section) = (ThreeDimensional::new(&muscle)?, Axisymmetric::new(&muscle)?);
-        let (Ok(a), Ok(b), Ok(blocked)) = (solid.force_n(p, e), section.force_n(p, e), section.force_n(p, 0.0))
+        let (Ok(a), Ok(b), Ok(blocked)) =
+            (solid.force_n(p, e), section.force_n(p, e), section.force_n(p, 0.0))
         else {
             failed += 1;
             continue;
         };
-        let row = ((a - b).abs() / blocked, format!("D0 {d:.1} s {s:.2} L0 {length_mm:.0} θ0 {angle_deg:.1} P {p:.3} ε {e:.3}: {a:.3} {b:.3} of {blocked:.1} N"));
+        let row = (
+            (a - b).abs() / blocked,
+            format!(
+                "D0 {d:.1} s {s:.2} L0 {length_mm:.0} θ0 {angle_deg:.1} P {p:.3} ε {e:.3}: {a:.3} {b:.3} of {blocked:.1} N"
+            ),
+        );
         if b > 0.0 { taut.push(row) } else { slack.push(row) }
     }
-    for (name, mut rows) in [("pulling", taut), ("pushing", slack)] {
+    let all = [taut.clone(), slack.clone()].concat();
+    for (name, mut rows) in [("all", all), ("pulling", taut), ("pushing", slack)] {
         rows.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let at = |share: f64| rows.get(((rows.len() as f64 * share) as usize).min(rows.len().saturating_sub(1)));
+        let at =
+            |share: f64| rows.get(((rows.len() as f64 * share) as usize).min(rows.len().saturating_sub(1)));
         println!("{name}: {} questions", rows.len());
         for share in [0.5, 0.95, 0.99, 1.0] {
             if let Some((error, what)) = at(share) {

@@ -1,6 +1,6 @@
 //! What a meshed terminal changes: pull and cavity of the prototype against the plane lid, in %.
 //!
-//! `cargo run --release -p mckibben-fem --example terminal_3d`
+//! `cargo run --release -p mckibben-fem --example terminal_3d [mesh] [part of a case's name]`
 
 use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;
@@ -27,7 +27,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     for mesh in std::env::args().nth(1).map_or_else(|| vec![String::new()], |m| vec![m]) {
         let spec = BrickSpec::parse(&mesh).unwrap_or_default();
         let mut reference: Vec<(f64, f64)> = vec![];
-        for (name, plug) in cases {
+        let only = std::env::args().nth(2).unwrap_or_default();
+        for (name, plug) in cases.into_iter().filter(|c| c.1.is_none() || c.0.contains(&only)) {
             let start = Instant::now();
             let model = ThreeDimensional::with_mesh(&muscle, &BrickSpec { plug, ..spec })?;
             print!("{name:<28}");
@@ -49,7 +50,8 @@ fn main() -> Result<(), Box<dyn Error>> {
                     print!(" {:+9.4}% {:+7.3}%", 100.0 * (f / f0 - 1.0), 100.0 * (v / v0 - 1.0));
                 }
             }
-            println!("  {} unknowns, {:?}, {:.2} s", model.engine(|e| e.body.discrete.free), model.effort(), start.elapsed().as_secs_f64());
+            let (unknowns, unstable) = model.engine(|e| (e.body.discrete.free, e.unstable().len()));
+            println!("  {unknowns} unknowns, {unstable} unstable, {:.2} s", start.elapsed().as_secs_f64());
         }
     }
     Ok(())

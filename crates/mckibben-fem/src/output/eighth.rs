@@ -280,6 +280,54 @@ mod tests {
         assert!((whole - rest).abs() < 1e-6 * rest, "{whole} {rest}");
     }
 
+    /// Both terminals have eight times the volume of one eighth of them, of either brick; a rigid one keeps its shape. Their volume is that of
+    /// the prism of the bore's polygon over insertion and nose, less what the rounding takes.
+    #[test]
+    fn terminals_are_seen_and_have_their_volume() {
+        use crate::three_dimensional::{Plug, PlugMaterial};
+        for (mesh, material) in [
+            ("2x8", PlugMaterial::Rigid),
+            ("2x8", PlugMaterial::Aluminium),
+            ("1x4:quadratic", PlugMaterial::Aluminium),
+        ] {
+            let (insertion, nose, inner) = (10.0, 3.0, 12.0);
+            let plug = Some(Plug { material, insertion_mm: Some(insertion), nose_mm: Some(nose) });
+            let spec = BrickSpec { plug, ..BrickSpec::parse(mesh).unwrap() };
+            let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
+            model.solve(0.2, 0.1).unwrap();
+            let field = model.field().unwrap();
+            assert!(field.nodes.iter().all(|n| n.max_stretch >= 1.0 && n.now_mm[0].is_finite()));
+            let volume = |extent| {
+                let shape = Shape::of_field(&field, extent);
+                let grid = shape.plug.clone().unwrap();
+                assert!(grid.data.iter().all(|d| d.values.iter().all(|v| v.is_finite())));
+                assert!(!shape.seen("max_stretch", true).unwrap().plug.is_empty());
+                let mut sum = 0.0;
+                for f in super::super::skin::skin(&grid, |_| true) {
+                    let p = f.map(|i| grid.points[i]);
+                    let six = |a: usize, b: usize, c: usize| {
+                        let (u, v, w) = (p[a], p[b], p[c]);
+                        u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+                            + u[2] * (v[0] * w[1] - v[1] * w[0])
+                    };
+                    sum += 0.5 * (six(0, 1, 2) + six(0, 2, 3) + six(0, 1, 3) + six(1, 2, 3)) / 6.0;
+                }
+                sum
+            };
+            let (eighth, whole) = (volume(Extent::Eighth), volume(Extent::Whole));
+            assert!((whole - 8.0 * eighth).abs() < 1e-9 * whole, "{whole} {eighth}");
+            let area = field.mesh.polygon_mm2();
+            // ∫ √(ρ² − s²) 2π r dr over the fillet and the plane, over the area of the circle.
+            let flat: f64 = inner - nose;
+            let pi = std::f64::consts::PI;
+            let rounded =
+                pi * flat * flat * nose + 2.0 * pi * (flat * pi / 4.0 * nose * nose + nose.powi(3) / 3.0);
+            let exact = area * (insertion + rounded / (pi * inner * inner));
+            // Two chords of the rounding; the linear faces of a quadratic bore.
+            assert!((eighth / exact - 1.0).abs() < 0.01, "{mesh} {material:?}: {eighth} {exact}");
+        }
+    }
+
     /// Eight times the pieces of one eighth, with the same mean tension.
     #[test]
     fn strands_are_found_and_pull() {

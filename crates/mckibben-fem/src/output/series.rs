@@ -86,7 +86,11 @@ impl VtuSeries {
 
     fn list(&self) -> Result<PathBuf, VtuError> {
         let parts = self.parts.iter().enumerate().flat_map(|(step, &count)| {
-            PARTS.into_iter().take(count).enumerate().map(move |(part, name)| (step, part, name, file(name, step)))
+            PARTS
+                .into_iter()
+                .take(count)
+                .enumerate()
+                .map(move |(part, name)| (step, part, name, file(name, step)))
         });
         self.write(LIST, &collection(&self.about, parts))
     }

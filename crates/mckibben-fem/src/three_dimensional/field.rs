@@ -86,12 +86,7 @@ fn field(e: &mut Engine) -> Result<Field, FemError> {
     let body = &e.body;
     let mut nodes = visit(&body.discrete.parts.law, Nodes { body });
     nodes.truncate(e.mesh.grid().iter().product());
-    Ok(Field {
-        nodes,
-        pieces: pieces(body),
-        plug: plug(body, &e.mesh),
-        mesh: e.mesh.clone(),
-    })
+    Ok(Field { nodes, pieces: pieces(body), plug: plug(body, &e.mesh), mesh: e.mesh.clone() })
 }
 
 fn pieces(body: &Body) -> Vec<PieceField> {

@@ -181,7 +181,10 @@ impl BrickMesh {
     pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
         let order = spec.brick.order();
         Self::check(spec)?;
-        let through = spec.through.unwrap_or(1);
+        let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
+        let insertion = measures.map_or(0.0, |m| m.0);
+        // Where the bond begins the wall bends: one brick through it is too stiff.
+        let through = spec.through.unwrap_or(if insertion > 0.0 { 2 } else { 1 });
         let around = spec.around.unwrap_or_else(|| spec.choose_around(outer, half, angle));
         let (chord, height) = spec.cell(outer, angle, around * order);
         let natural = (half / (height * order as f64)).round();
@@ -199,8 +202,6 @@ impl BrickMesh {
         let half = if spec.keep == Match::Length { half } else { height * rows };
         let wide = spec.ring().width(around * order);
         let free = along * order;
-        let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
-        let insertion = measures.map_or(0.0, |m| m.0);
         let bonded = if insertion > 0.0 {
             (insertion / (height * order as f64)).round().clamp(1.0, 2.0 * MOST[2]) as usize
         } else {

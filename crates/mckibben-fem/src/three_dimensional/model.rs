@@ -10,9 +10,9 @@ use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
 use mckibben::muscle::Muscle;
 use std::cell::RefCell;
 
-/// Largest error of the program's own mesh over the blocked force.
-const MESH_ERROR: f64 = 0.002;
-const MESH_ERROR_BASIS: &str = "the mesh alone, against the axisymmetric limit of the same equations (D0 14 to 50 mm, s 0.5 to 5 mm, L0 80 to 300 mm, 20 to 35 degrees, 0.05 to 0.25 MPa): at most 0.2 % of the blocked force; no measured muscle is in it";
+/// Error of the program's own mesh over the blocked force, 95 % of questions.
+const MESH_ERROR: f64 = 0.004;
+const MESH_ERROR_BASIS: &str = "the mesh alone, against the axisymmetric limit of the same equations: 95 % of 2000 random questions (D0 14 to 50 mm, s 0.5 to 5 mm, L0 80 to 300 mm, 20 to 35 degrees, 0.05 to 0.25 MPa, contraction 0 to 20 %), the largest 1.7 %; no measured muscle is in it";
 
 /// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
@@ -127,7 +127,11 @@ impl ForceModel for ThreeDimensional {
     }
 
     fn accuracy(&self) -> Accuracy {
-        Accuracy::share(MESH_ERROR, MESH_ERROR_BASIS)
+        // What an insertion adds has no limit to be held against.
+        match self.engine(|e| e.mesh.plug().is_some_and(|p| p.insertion_mm > 0.0)) {
+            true => Accuracy::UNKNOWN,
+            false => Accuracy::share(MESH_ERROR, MESH_ERROR_BASIS),
+        }
     }
 
     fn notes(&self) -> Vec<String> {
@@ -150,7 +154,7 @@ impl ForceModel for ThreeDimensional {
             if let Some(plug) = mesh.plug() {
                 let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
                 out.push(format!(
-                    "the terminal is a {name} plug with {insertion} mm in the tube and a nose of {nose} mm radius"
+                    "the terminal is a plug ({name}) with {insertion} mm in the tube and a nose of {nose} mm radius"
                 ));
             }
             if let Some(u) = e.unstable().first() {

@@ -51,7 +51,8 @@ fn rest_volume(mesh: &BrickMesh) -> f64 {
     // Less the nose: ∫ (how far it stands out) 2πr dr, a quarter of it.
     let nose = plug.nose_mm;
     let flat = plug_flat(mesh, nose);
-    let solid = FRAC_PI_4 * flat * flat * nose + 0.5 * PI * (flat * FRAC_PI_4 * nose.powi(2) + nose.powi(3) / 3.0);
+    let solid =
+        FRAC_PI_4 * flat * flat * nose + 0.5 * PI * (flat * FRAC_PI_4 * nose.powi(2) + nose.powi(3) / 3.0);
     mesh.lid_mm2() * mesh.half_length_mm() - solid
 }
 

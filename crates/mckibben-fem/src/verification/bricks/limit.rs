@@ -19,20 +19,16 @@ fn blocked(wall: f64, around: usize) -> Option<f64> {
     tube.length_mm = 120.0;
     let braid = Braid { stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
     let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
-    let spec = BrickSpec {
-        through: Some(1),
-        around: Some(around),
-        keep: Match::Angle,
-        ..BrickSpec::default()
-    };
+    let spec =
+        BrickSpec { through: Some(1), around: Some(around), keep: Match::Angle, ..BrickSpec::default() };
     ThreeDimensional::with_mesh(&muscle, &spec).ok()?.force_n(PRESSURE, 0.0).ok()
 }
 
 /// The rows of the limit.
 pub fn limit() -> Vec<Row> {
     let theta = 28.0_f64.to_radians();
-    let exact = PI * DIAMETER * DIAMETER * PRESSURE / (4.0 * theta.sin().powi(2))
-        * (3.0 * theta.cos().powi(2) - 1.0);
+    let exact =
+        PI * DIAMETER * DIAMETER * PRESSURE / (4.0 * theta.sin().powi(2)) * (3.0 * theta.cos().powi(2) - 1.0);
     let mut rows = Vec::new();
     for wall in [1.0, 3.0] {
         let pulls = [6, 12, 24].map(|n| blocked(wall, n));

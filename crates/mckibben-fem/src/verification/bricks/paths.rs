@@ -72,7 +72,7 @@ fn shortened() -> Option<(Engine, usize, usize)> {
 pub fn paths() -> Vec<Row> {
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
-        for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.08, 0.15)] {
+        for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.15, 0.15)] {
             let title = format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
             rows.push(Row::new(title, SOURCE, 0.0, walked(brick, p, e), 1e-8));
         }

@@ -51,9 +51,7 @@ pub fn snap() -> Vec<Row> {
     };
     let mut rows: Vec<Row> = [0.2, 0.7, 1.4, 2.3]
         .into_iter()
-        .map(|d| {
-            row(format!("two strands, apex down by {d} mm: P (N)"), exact(d), apex(d, true).0, 1e-10)
-        })
+        .map(|d| row(format!("two strands, apex down by {d} mm: P (N)"), exact(d), apex(d, true).0, 1e-10))
         .collect();
     // The limit: Newton's method on the tangent, its slope by a central difference.
     let mut d = 0.3 * H;
@@ -74,11 +72,21 @@ pub fn snap() -> Vec<Row> {
     }
     let landed = at_load(exact(limit), 2.5 * H);
     rows.push(row("two strands, snapped through under the limit load: d (mm)".into(), low, landed, 1e-9));
-    rows.push(row("two strands, stiffness there is positive".into(), 1.0, apex(landed, true).1.signum(), 0.0));
-    rows.push(row("two strands, stiffness before the limit, past it".into(), 0.0, {
-        let before = apex(limit - 0.05, true).1.signum();
-        before + apex(limit + 0.05, true).1.signum()
-    }, 0.0));
+    rows.push(row(
+        "two strands, stiffness there is positive".into(),
+        1.0,
+        apex(landed, true).1.signum(),
+        0.0,
+    ));
+    rows.push(row(
+        "two strands, stiffness before the limit, past it".into(),
+        0.0,
+        {
+            let before = apex(limit - 0.05, true).1.signum();
+            before + apex(limit + 0.05, true).1.signum()
+        },
+        0.0,
+    ));
     rows.push(row("two tension-only strands pushed together: P (N)".into(), 0.0, apex(0.5, false).0, 0.0));
     rows
 }
