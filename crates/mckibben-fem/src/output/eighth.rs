@@ -296,7 +296,7 @@ mod tests {
             let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
             model.solve(0.2, 0.1).unwrap();
             let field = model.field().unwrap();
-            assert!(field.nodes.iter().all(|n| n.max_stretch >= 1.0 && n.now_mm[0].is_finite()));
+            assert!(field.nodes.iter().all(|n| n.max_stretch > 0.999 && n.now_mm[0].is_finite()));
             let volume = |extent| {
                 let shape = Shape::of_field(&field, extent);
                 let grid = shape.plug.clone().unwrap();
