@@ -301,7 +301,7 @@ mod tests {
                 let shape = Shape::of_field(&field, extent);
                 let grid = shape.plug.clone().unwrap();
                 assert!(grid.data.iter().all(|d| d.values.iter().all(|v| v.is_finite())));
-                assert!(!shape.seen("max_stretch", true).unwrap().plug.is_empty());
+                assert!(!shape.seen("max_stretch", false).unwrap().plug.is_empty());
                 let mut sum = 0.0;
                 for f in super::super::skin::skin(&grid, |_| true) {
                     let p = f.map(|i| grid.points[i]);

@@ -76,7 +76,7 @@ impl ThreeDimensional {
     /// # Errors
     /// [`FemError::Force`] where the state has no stress.
     pub fn field(&self) -> Result<Field, FemError> {
-        self.engine(|e| field(e))
+        self.engine(field)
     }
 }
 
