@@ -108,8 +108,8 @@ const SIMULATE_EXAMPLES: &str = "Examples:
   mckibben simulate -e 15% -p 0.25 --picture muscle.png --show stress_hoop_mpa --cut
   mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
     --export-inp muscle.inp
-  mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% -p 0.25 \\
-    --picture plug.png --show max_stretch --cut
+  mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% \\
+    -p 0.25 --picture plug.png --cut
   mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
 
 const VALIDATE_EXAMPLES: &str = "Examples:
