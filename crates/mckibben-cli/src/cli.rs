@@ -108,6 +108,8 @@ const SIMULATE_EXAMPLES: &str = "Examples:
   mckibben simulate -e 15% -p 0.25 --picture muscle.png --show stress_hoop_mpa --cut
   mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
     --export-inp muscle.inp
+  mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% \\
+    -p 0.25 --picture plug.png --cut
   mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
 
 const VALIDATE_EXAMPLES: &str = "Examples:
@@ -266,6 +268,9 @@ pub struct SimulateArgs {
     /// What fe3d keeps where bricks with strands at ±θ0 do not fill the length
     #[arg(long = "match", value_enum, value_name = "WHAT", default_value_t)]
     pub keep: MatchWord,
+    /// Terminal of fe3d: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
+    #[arg(long, value_name = "WORD:MM:MM")]
+    pub terminal: Option<String>,
     /// Negative force instead of slack where the muscle would have to push
     #[arg(long)]
     pub two_sided: bool,
@@ -304,6 +309,9 @@ pub struct SimulateArgs {
 /// `validate`.
 #[derive(Debug, Args)]
 pub struct ValidateArgs {
+    /// The finest meshes as well (some seconds more)
+    #[arg(long, conflicts_with = "sweep")]
+    pub all: bool,
     /// Instead: ask so many random muscles one question each, and say which share is answered
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub sweep: Option<u32>,

@@ -125,6 +125,7 @@ impl From<ModelError> for Failure {
                 Self::input("out_of_range", message, hint)
             }
             ModelError::Missing { .. } => Self::input("missing_input", message, ""),
+            ModelError::Elements { .. } => Self::input("mesh", message, ""),
             ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
                 Self::new(NOT_CONVERGED, "not_converged", message, "")
             }

@@ -71,15 +71,18 @@ pub struct AskFlags {
     /// What `fe3d` keeps where bricks with strands at ±θ0 do not fill the length
     #[arg(long = "match", value_enum, value_name = "WHAT", default_value_t)]
     pub keep: MatchWord,
+    /// Terminal of `fe3d`: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
+    #[arg(long, value_name = "WORD:MM:MM")]
+    pub terminal: Option<String>,
     /// Branch of the friction hysteresis (needs [friction] in the muscle file)
     #[arg(long, value_enum, default_value_t = MotionWord::Mean)]
     pub motion: MotionWord,
 }
 
 impl AskFlags {
-    /// `--mesh` and `--match`.
+    /// `--mesh`, `--match` and `--terminal`.
     pub fn mesh_flags(&self) -> MeshFlags<'_> {
-        MeshFlags { text: self.mesh.as_deref(), keep: self.keep }
+        MeshFlags { text: self.mesh.as_deref(), keep: self.keep, terminal: self.terminal.as_deref() }
     }
 }
 

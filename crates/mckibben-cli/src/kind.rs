@@ -5,9 +5,10 @@ use crate::flags::MatchWord;
 use mckibben::formula::{Document, Formula, FormulaModel, UniversalFormula};
 use mckibben::model::{ForceModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
+use mckibben::units::Dimension;
 use mckibben_fem::axisymmetric::{Axisymmetric, FemError, MeshSpec};
 use mckibben_fem::simulation::Simulation;
-use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec, Match, ThreeDimensional};
+use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec, Match, Plug, PlugMaterial, ThreeDimensional};
 use std::sync::Arc;
 
 /// A model by name.
@@ -52,6 +53,9 @@ impl Kind {
         if name == FE3D {
             return flags.bricks().map(Kind::Fe3d);
         }
+        if flags.terminal.is_some() {
+            return Err(MeshFlags::no_terminal());
+        }
         let mesh = flags.section()?;
         if name == FE {
             return Ok(Kind::Fe(mesh));
@@ -74,6 +78,11 @@ impl Kind {
     /// Whether a word is the name of a model already.
     pub fn is_taken(name: &str) -> bool {
         [FE, FE3D].contains(&name.trim()) || name.trim().parse::<ModelKind>().is_ok()
+    }
+
+    /// Whether the model of this name knows `--terminal`.
+    pub fn has_terminal(name: &str) -> bool {
+        name.trim() == FE3D
     }
 
     /// Its name.
@@ -163,13 +172,15 @@ impl Kind {
     }
 }
 
-/// `--mesh` and `--match`.
+/// `--mesh`, `--match` and `--terminal`.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct MeshFlags<'a> {
     /// The mesh, in words of the model.
     pub text: Option<&'a str>,
     /// What fe3d keeps.
     pub keep: MatchWord,
+    /// The terminal of fe3d.
+    pub terminal: Option<&'a str>,
 }
 
 impl MeshFlags<'_> {
@@ -190,17 +201,52 @@ impl MeshFlags<'_> {
 
     /// Of `fe3d`: 12 (around the quarter), 2x12 (through x around), 2x12x39 (x along), :circle, :quadratic.
     fn bricks(&self) -> Result<BrickSpec, Failure> {
-        let keep = self.keep.into();
-        let Some(text) = self.text else { return Ok(BrickSpec { keep, ..BrickSpec::default() }) };
+        let (keep, plug) = (self.keep.into(), self.plug()?);
+        let Some(text) = self.text else { return Ok(BrickSpec { keep, plug, ..BrickSpec::default() }) };
         let wrong = || {
             let message = format!(
                 "--mesh: \"{text}\" is no mesh of fe3d; expected bricks around the quarter (12), through the wall x around (2x12), or through x around x along the half length (2x12x39), with :quadratic or :circle behind if you like"
             );
             Failure::input("mesh", message, "leave it out and the program chooses")
         };
-        let spec = BrickSpec { keep, ..BrickSpec::parse(text).ok_or_else(wrong)? };
+        let spec = BrickSpec { keep, plug, ..BrickSpec::parse(text).ok_or_else(wrong)? };
         BrickMesh::check(&spec).map_err(|e| Failure::input("mesh", format!("--mesh: {e}"), ""))?;
         Ok(spec)
+    }
+}
+
+impl MeshFlags<'_> {
+    /// What is said where `--terminal` comes with another model.
+    pub fn no_terminal() -> Failure {
+        let message = "--terminal: only --model fe3d has a terminal that can be a body";
+        Failure::input("terminal", message, "the other models have rigid planes: leave it out")
+    }
+
+    /// none, rigid or aluminium, with the insertion and the radius of the nose behind: `aluminium:20mm:3mm`.
+    fn plug(&self) -> Result<Option<Plug>, Failure> {
+        let Some(text) = self.terminal else { return Ok(None) };
+        let wrong = || {
+            let message = format!(
+                "--terminal: \"{text}\" is no terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
+            );
+            Failure::input("terminal", message, "leave it out for a rigid plane")
+        };
+        let mut words = text.split(':');
+        let material = match words.next().map(str::trim) {
+            Some("none") if !text.contains(':') => return Ok(None),
+            Some("rigid") => PlugMaterial::Rigid,
+            Some("aluminium" | "aluminum") => PlugMaterial::Aluminium,
+            _ => return Err(wrong()),
+        };
+        let mut length = || -> Result<Option<f64>, Failure> {
+            let Some(word) = words.next() else { return Ok(None) };
+            crate::resolve::quantity("--terminal", Some(word), Dimension::Length)
+        };
+        let (insertion_mm, nose_mm) = (length()?, length()?);
+        if words.next().is_some() {
+            return Err(wrong());
+        }
+        Ok(Some(Plug { material, insertion_mm, nose_mm }))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{AskFlags, ModelFlags, MotionWord, MuscleFlags};
-use crate::kind::Kind;
+use crate::kind::{Kind, MeshFlags};
 use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Hysteresis, ModelError, ModelKind};
 use mckibben::muscle::file::read_muscle;
@@ -161,6 +161,7 @@ pub fn kind(
     pressure_mpa: (f64, f64),
 ) -> Result<Kind, Failure> {
     match name {
+        None if asking.terminal.is_some() => Err(MeshFlags::no_terminal()),
         None => Ok(Kind::Closed(ModelKind::default_for(muscle, pressure_mpa))),
         Some(name) => Kind::parse(name, &asking.mesh_flags()),
     }

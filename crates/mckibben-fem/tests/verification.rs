@@ -87,3 +87,28 @@ fn j_numerical_conduct_in_bricks() {
 fn felupe_on_the_same_mesh_and_the_axisymmetric_limit() {
     holds(verification::bricks::muscle());
 }
+
+#[test]
+fn a_rivlin_1948_simple_shear_in_bricks() {
+    holds(verification::bricks::shear());
+}
+
+#[test]
+fn e_closed_cavity_of_terminals_that_are_bodies() {
+    holds(verification::bricks::terminal());
+}
+
+#[test]
+fn f_von_mises_truss_of_strands_and_its_snap_through() {
+    holds(verification::bricks::snap());
+}
+
+#[test]
+fn i_outer_diameter_limit_in_bricks_and_its_rate() {
+    holds(verification::bricks::limit());
+}
+
+#[test]
+fn j_walk_from_rest_and_stability_in_bricks() {
+    holds(verification::bricks::paths());
+}

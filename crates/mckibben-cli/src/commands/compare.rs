@@ -4,7 +4,7 @@ use crate::cli::{BranchWord, CompareArgs};
 use crate::failure::Failure;
 use crate::figure;
 use crate::flags::{Format, PressureUnit};
-use crate::kind::Kind;
+use crate::kind::{Kind, MeshFlags};
 use crate::output::text::{Pressures, muscle_line, number, percent, table};
 use crate::output::{csv, emit, json};
 use crate::resolve;
@@ -81,9 +81,12 @@ fn kinds(args: &CompareArgs) -> Result<Vec<Kind>, Failure> {
         (None, list) => list.iter().map(String::as_str).collect(),
     };
     let mesh = args.asking.mesh_flags();
+    let solid = names.iter().any(|n| Kind::has_terminal(n));
     let mut kinds: Vec<Kind> = vec![];
     for name in names {
-        let kind = Kind::parse(name.trim(), &mesh)?;
+        // A terminal is for fe3d alone, where that is among them.
+        let terminal = mesh.terminal.filter(|_| !solid || Kind::has_terminal(name));
+        let kind = Kind::parse(name.trim(), &MeshFlags { terminal, ..mesh })?;
         if !kinds.contains(&kind) {
             kinds.push(kind);
         }

@@ -26,7 +26,8 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     let mut flags = args.muscle.clone();
     flags.muscle = args.file.clone().or(flags.muscle);
     let muscle = resolve::muscle(&flags)?;
-    let flags = MeshFlags { text: args.mesh.as_deref(), keep: args.keep };
+    let terminal = args.terminal.as_deref();
+    let flags = MeshFlags { text: args.mesh.as_deref(), keep: args.keep, terminal };
     let elements = match Kind::parse(&args.model, &flags)?.elements(&muscle) {
         Some(elements) => elements.map_err(|e| Failure::input("mesh", e.to_string(), ""))?,
         None => {

@@ -19,7 +19,8 @@ pub fn run(args: &ValidateArgs) -> Result<u8, Failure> {
     if let Some(count) = args.sweep {
         return sweep(args, count as usize);
     }
-    let rows = [verification::cases(), held_out::cases(), validation::cases()].concat();
+    let fine = if args.all { verification::bricks::cook_fine() } else { vec![] };
+    let rows = [verification::cases(), fine, held_out::cases(), validation::cases()].concat();
     let list: Vec<Value> = rows.iter().map(as_json).collect();
     let text = match args.output.format {
         Format::Json => json::print(&json!({ "cases": list })),

@@ -53,6 +53,7 @@ pub fn picture(
         percent(r.contraction).replace(' ', "\u{a0}")
     );
     let faces = seen.faces.into_iter().map(|(corners, values)| Face { corners, values: Some(values) });
+    let plug = seen.plug.into_iter().map(|corners| Face { corners, values: None });
     // The strands lie on a surface of revolution, near enough.
     let threads = seen.threads.into_iter().map(|points| {
         let outward = points.iter().map(|p| [p[0], p[1], 0.0]).collect();
@@ -61,7 +62,7 @@ pub fn picture(
     let scene = Scene {
         title,
         caption: caption(format_args!("model {}, whole muscle between the terminals", wanted.model)),
-        faces: faces.collect(),
+        faces: faces.chain(plug).collect(),
         threads: threads.collect(),
         values: Axis::new(readable(wanted.show)),
         length_unit: "mm".into(),

@@ -23,7 +23,7 @@ pub enum FemError {
     /// Numbers that make no mesh.
     #[error("mesh: {name} is {value}; it must lie between {low} and {high}")]
     Mesh {
-        /// Which number: `through`, `along` or `grading`.
+        /// Which number: `through`, `along`, `grading`, a measure of the terminal.
         name: &'static str,
         /// What was given.
         value: f64,
@@ -93,7 +93,10 @@ impl FemError {
                 last_contraction: last.contraction,
                 smallest_volume_ratio: last.smallest_j,
             },
-            _ => ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction },
+            Self::Mesh { .. } | Self::Element { .. } | Self::TooLarge { .. } => {
+                ModelError::Elements { reason: self.to_string() }
+            }
+            Self::Force { .. } => ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction },
         }
     }
 }

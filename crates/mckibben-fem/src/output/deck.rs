@@ -35,6 +35,9 @@ pub enum DeckError {
     /// Quadratic bricks.
     #[error("an input deck is made of eight-node bricks")]
     Quadratic,
+    /// A terminal that is a body.
+    #[error("an input deck has the rigid plane for a terminal: leave out --terminal")]
+    Plug,
     /// No pressures, or pressures that fall or are not above zero.
     #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]
     Pressures {
@@ -79,6 +82,9 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     let mesh = model.mesh();
     if mesh.brick() != Brick::Linear {
         return Err(DeckError::Quadratic);
+    }
+    if mesh.plug().is_some() {
+        return Err(DeckError::Plug);
     }
     let steps = steps(contraction, pressures_mpa)?;
     let muscle = model.muscle();
@@ -291,7 +297,16 @@ fn write_numbers(out: &mut String, numbers: &[f64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Step, steps};
+    use super::{DeckError, Step, deck, steps};
+    use crate::three_dimensional::{BrickSpec, Plug, ThreeDimensional};
+    use mckibben::muscle::Muscle;
+
+    #[test]
+    fn a_terminal_that_is_a_body_is_refused() {
+        let spec = BrickSpec { plug: Some(Plug::default()), ..BrickSpec::parse("6").unwrap() };
+        let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
+        assert!(matches!(deck(&model, 0.0, &[0.1]), Err(DeckError::Plug)));
+    }
 
     /// The path of a test at ε = .10 by 0.01 MPa: five increments of filling, twenty of shortening, twenty of filling.
     #[test]

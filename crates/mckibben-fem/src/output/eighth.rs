@@ -5,7 +5,8 @@
 
 use super::Shape;
 use super::vtu::{Grid, HEXAHEDRON, POLY_LINE, PointData};
-use crate::three_dimensional::{Field, NodeField};
+use crate::three_dimensional::{Field, NodeField, PlugField};
+use std::collections::HashMap;
 
 /// How much of the muscle is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -76,23 +77,70 @@ impl Shape {
     /// One eighth in bricks, or all of the muscle.
     pub fn of_field(field: &Field, extent: Extent) -> Self {
         let lattice = Lattice::new(field, extent);
-        Self { tube: tube(field, &lattice), braid: braid(field, &lattice) }
+        let plug = field.plug.as_ref().map(|p| plug(p, extent));
+        Self { tube: tube(field, &lattice), braid: braid(field, &lattice), plug }
     }
 }
 
+/// The terminal, or both of them. Nodes in a plane of symmetry are shared by the copies on both sides.
+fn plug(field: &PlugField, extent: Extent) -> Grid {
+    const SIGNS: [f64; 2] = [1.0, -1.0];
+    let octants: Vec<[f64; 3]> = match extent {
+        Extent::Eighth => vec![[1.0; 3]],
+        Extent::Whole => (0..8).map(|o| [SIGNS[o % 2], SIGNS[o / 2 % 2], SIGNS[o / 4]]).collect(),
+    };
+    let (mut copies, mut number, mut connectivity) = (vec![], HashMap::new(), vec![]);
+    for sign in octants {
+        let mut copy = |node: u32| {
+            let rest = field.nodes[node as usize].rest_mm;
+            let sign = [0, 1, 2].map(|i| if rest[i] == 0.0 { 1.0 } else { sign[i] });
+            *number.entry((node, sign.map(|s: f64| s > 0.0))).or_insert_with(|| {
+                copies.push(Copy { node: node as usize, sign });
+                copies.len() as i64 - 1
+            })
+        };
+        // A mirrored brick is turned inside out: its lower side comes second.
+        let first = if sign.iter().product::<f64>() > 0.0 { 0 } else { 4 };
+        for brick in &field.bricks {
+            for side in [first, 4 - first] {
+                connectivity.extend([0, 1, 3, 2].map(|a| copy(brick[side + a])));
+            }
+        }
+    }
+    grid(&field.nodes, &copies, connectivity)
+}
+
 fn tube(field: &Field, l: &Lattice) -> Grid {
+    let mut connectivity = vec![];
+    for k in 0..l.along - 1 {
+        for j in 0..l.cells_around() {
+            for i in 0..l.through - 1 {
+                for above in 0..2 {
+                    connectivity.extend(
+                        [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                            .map(|(i, j)| l.index(i, j, k + above) as i64),
+                    );
+                }
+            }
+        }
+    }
+    grid(&field.nodes, &l.copies, connectivity)
+}
+
+/// Hexahedra between copies of nodes, with what is known of the nodes.
+fn grid(nodes: &[NodeField], copies: &[Copy], connectivity: Vec<i64>) -> Grid {
     let mirrored = |x: [f64; 3], sign: [f64; 3]| [x[0] * sign[0], x[1] * sign[1], x[2] * sign[2]];
     let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
-        l.copies.iter().map(|c| mirrored(value(&field.nodes[c.node]), c.sign)).collect()
+        copies.iter().map(|c| mirrored(value(&nodes[c.node]), c.sign)).collect()
     };
     let scalar = |name, value: &dyn Fn(&NodeField) -> f64| PointData {
         name,
         components: 1,
-        values: l.copies.iter().map(|c| value(&field.nodes[c.node])).collect(),
+        values: copies.iter().map(|c| value(&nodes[c.node])).collect(),
     };
     // VTK's order: xx, yy, zz, xy, yz, xz.
-    let tensor = l.copies.iter().flat_map(|c| {
-        let (s, sign) = (field.nodes[c.node].stress_mpa, c.sign);
+    let tensor = copies.iter().flat_map(|c| {
+        let (s, sign) = (nodes[c.node].stress_mpa, c.sign);
         [s[0], s[1], s[2], s[3] * sign[0] * sign[1], s[4] * sign[1] * sign[2], s[5] * sign[2] * sign[0]]
     });
     let data = vec![
@@ -111,19 +159,6 @@ fn tube(field: &Field, l: &Lattice) -> Grid {
         scalar("stress_mises_mpa", &|n| mises(&n.stress_mpa)),
         scalar("rubber_pressure_mpa", &|n| -(n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0),
     ];
-    let mut connectivity = vec![];
-    for k in 0..l.along - 1 {
-        for j in 0..l.cells_around() {
-            for i in 0..l.through - 1 {
-                for above in 0..2 {
-                    connectivity.extend(
-                        [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
-                            .map(|(i, j)| l.index(i, j, k + above) as i64),
-                    );
-                }
-            }
-        }
-    }
     let cells = connectivity.len() / 8;
     Grid {
         kind: HEXAHEDRON,
@@ -243,6 +278,54 @@ mod tests {
         assert!((whole - 8.0 * eighth).abs() < 1e-9 * whole, "{whole} {eighth}");
         let rest = volume(Extent::Whole, true);
         assert!((whole - rest).abs() < 1e-6 * rest, "{whole} {rest}");
+    }
+
+    /// Both terminals have eight times the volume of one eighth of them, of either brick; a rigid one keeps its shape. Their volume is that of
+    /// the prism of the bore's polygon over insertion and nose, less what the rounding takes.
+    #[test]
+    fn terminals_are_seen_and_have_their_volume() {
+        use crate::three_dimensional::{Plug, PlugMaterial};
+        for (mesh, material) in [
+            ("2x8", PlugMaterial::Rigid),
+            ("2x8", PlugMaterial::Aluminium),
+            ("1x4:quadratic", PlugMaterial::Aluminium),
+        ] {
+            let (insertion, nose, inner) = (10.0, 3.0, 12.0);
+            let plug = Some(Plug { material, insertion_mm: Some(insertion), nose_mm: Some(nose) });
+            let spec = BrickSpec { plug, ..BrickSpec::parse(mesh).unwrap() };
+            let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
+            model.solve(0.2, 0.1).unwrap();
+            let field = model.field().unwrap();
+            assert!(field.nodes.iter().all(|n| n.max_stretch > 0.999 && n.now_mm[0].is_finite()));
+            let volume = |extent| {
+                let shape = Shape::of_field(&field, extent);
+                let grid = shape.plug.clone().unwrap();
+                assert!(grid.data.iter().all(|d| d.values.iter().all(|v| v.is_finite())));
+                assert!(!shape.seen("max_stretch", false).unwrap().plug.is_empty());
+                let mut sum = 0.0;
+                for f in super::super::skin::skin(&grid, |_| true) {
+                    let p = f.map(|i| grid.points[i]);
+                    let six = |a: usize, b: usize, c: usize| {
+                        let (u, v, w) = (p[a], p[b], p[c]);
+                        u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+                            + u[2] * (v[0] * w[1] - v[1] * w[0])
+                    };
+                    sum += 0.5 * (six(0, 1, 2) + six(0, 2, 3) + six(0, 1, 3) + six(1, 2, 3)) / 6.0;
+                }
+                sum
+            };
+            let (eighth, whole) = (volume(Extent::Eighth), volume(Extent::Whole));
+            assert!((whole - 8.0 * eighth).abs() < 1e-9 * whole, "{whole} {eighth}");
+            let area = field.mesh.polygon_mm2();
+            // ∫ √(ρ² − s²) 2π r dr over the fillet and the plane, over the area of the circle.
+            let flat: f64 = inner - nose;
+            let pi = std::f64::consts::PI;
+            let rounded =
+                pi * flat * flat * nose + 2.0 * pi * (flat * pi / 4.0 * nose * nose + nose.powi(3) / 3.0);
+            let exact = area * (insertion + rounded / (pi * inner * inner));
+            // Two chords of the rounding; the linear faces of a quadratic bore.
+            assert!((eighth / exact - 1.0).abs() < 0.01, "{mesh} {material:?}: {eighth} {exact}");
+        }
     }
 
     /// Eight times the pieces of one eighth, with the same mean tension.

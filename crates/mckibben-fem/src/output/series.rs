@@ -8,9 +8,9 @@ use mckibben::model::Response;
 use std::path::{Path, PathBuf};
 
 /// The parts of a step.
-const PARTS: [&str; 2] = ["tube", "braid"];
+const PARTS: [&str; 3] = ["tube", "braid", "plug"];
 
-/// Writes `tube_0000.vtu`, `braid_0000.vtu`, … and `muscle.pvd`, which lists them, into a folder.
+/// Writes `tube_0000.vtu`, `braid_0000.vtu`, … (`plug_0000.vtu` where the terminals are bodies) and `muscle.pvd`, which lists them, into a folder.
 ///
 /// Every file is complete when it gets its name, and `muscle.pvd` lists whole steps only, also where a series is broken
 /// off. Files of an older series in the same folder are replaced one by one; the list names none of the older ones.
@@ -18,7 +18,8 @@ const PARTS: [&str; 2] = ["tube", "braid"];
 pub struct VtuSeries {
     folder: PathBuf,
     about: String,
-    steps: usize,
+    /// Parts of every step.
+    parts: Vec<usize>,
 }
 
 impl VtuSeries {
@@ -28,7 +29,7 @@ impl VtuSeries {
     /// [`VtuError::Folder`].
     pub fn new(dir: &Path, about: &str) -> Result<Self, VtuError> {
         std::fs::create_dir_all(dir).map_err(|source| VtuError::Folder { folder: dir.to_owned(), source })?;
-        Ok(Self { folder: dir.to_owned(), about: about.to_owned(), steps: 0 })
+        Ok(Self { folder: dir.to_owned(), about: about.to_owned(), parts: vec![] })
     }
 
     /// Adds a step: the section of an equilibrium and what the model says about it.
@@ -53,19 +54,22 @@ impl VtuSeries {
         note: &str,
         more: Vec<(&'static str, f64)>,
     ) -> Result<(), VtuError> {
-        let about = format!("{}; step {}{note}", self.about, self.steps);
-        let grids = [(shape.tube, vec![]), (shape.braid, more)];
+        let step = self.parts.len();
+        let about = format!("{}; step {step}{note}", self.about);
+        let mut grids = vec![(shape.tube, vec![]), (shape.braid, more)];
+        grids.extend(shape.plug.map(|grid| (grid, vec![])));
+        let count = grids.len();
         let mut ready = Vec::with_capacity(grids.len());
         for (name, (mut grid, more)) in PARTS.into_iter().zip(grids) {
             fill(&mut grid, response, more);
-            let file = file(name, self.steps);
+            let file = file(name, step);
             let xml = grid.to_xml(&about, &file)?;
             ready.push((file, xml));
         }
         for (file, xml) in ready {
             self.write(&file, &xml)?;
         }
-        self.steps += 1;
+        self.parts.push(count);
         self.list().map(|_| ())
     }
 
@@ -74,15 +78,19 @@ impl VtuSeries {
     /// # Errors
     /// [`VtuError::Write`].
     pub fn finish(self) -> Result<PathBuf, VtuError> {
-        if self.steps == 0 {
+        if self.parts.is_empty() {
             return self.list();
         }
         Ok(self.folder.join(LIST))
     }
 
     fn list(&self) -> Result<PathBuf, VtuError> {
-        let parts = (0..self.steps).flat_map(|step| {
-            PARTS.into_iter().enumerate().map(move |(part, name)| (step, part, name, file(name, step)))
+        let parts = self.parts.iter().enumerate().flat_map(|(step, &count)| {
+            PARTS
+                .into_iter()
+                .take(count)
+                .enumerate()
+                .map(move |(part, name)| (step, part, name, file(name, step)))
         });
         self.write(LIST, &collection(&self.about, parts))
     }

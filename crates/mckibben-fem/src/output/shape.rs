@@ -11,6 +11,8 @@ pub struct Shape {
     pub tube: Grid,
     /// Lines.
     pub braid: Grid,
+    /// The terminals as hexahedra, where they are bodies.
+    pub plug: Option<Grid>,
 }
 
 /// What is seen of a body.
@@ -20,12 +22,14 @@ pub struct Seen {
     pub faces: Vec<([[f64; 3]; 4], [f64; 4])>,
     /// Points of the strands in mm.
     pub threads: Vec<Vec<[f64; 3]>>,
+    /// Corners of each face of the terminals.
+    pub plug: Vec<[[f64; 3]; 4]>,
 }
 
 impl Shape {
     /// The whole muscle from the half section of the axisymmetric model.
     pub fn of_section(section: &Section) -> Self {
-        Self { tube: revolve::tube(section), braid: helices::braid(section) }
+        Self { tube: revolve::tube(section), braid: helices::braid(section), plug: None }
     }
 
     /// Names of the single numbers at the points of the tube.
@@ -65,7 +69,12 @@ impl Shape {
                 threads.push(run);
             }
         }
-        Some(Seen { faces, threads })
+        let plug = self.plug.iter().flat_map(|grid| {
+            let at = |i: usize| grid.points[i];
+            let faces = skin::skin(grid, |corners| kept(middle(corners.iter().map(|&i| at(i)))));
+            faces.into_iter().map(|f| f.map(at)).collect::<Vec<_>>()
+        });
+        Some(Seen { plug: plug.collect(), faces, threads })
     }
 }
 

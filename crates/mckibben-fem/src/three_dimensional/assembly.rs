@@ -3,7 +3,7 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::discrete::Discrete;
+use super::discrete::{Discrete, Material};
 use super::mesh::Brick;
 use super::saddle::share;
 use super::state::State;
@@ -83,9 +83,11 @@ pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work) -
         work.values.fill(0.0);
     }
     let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
-    let inverted = visit(&d.parts.law, Bricks::<TANGENT> { d, s, work, totals: &mut totals });
-    if let Some((element, smallest_j)) = inverted {
-        return Err(Stopped::Inverted { element, smallest_j });
+    for m in &d.materials {
+        let inverted = visit(&m.law, Bricks::<TANGENT> { d, m, s, work, totals: &mut totals });
+        if let Some((element, smallest_j)) = inverted {
+            return Err(Stopped::Inverted { element, smallest_j });
+        }
     }
     ties::<TANGENT>(d, s, work, &mut totals);
     match d.parts.brick {
@@ -119,6 +121,7 @@ pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work) -
 
 struct Bricks<'a, const TANGENT: bool> {
     d: &'a Discrete,
+    m: &'a Material,
     s: &'a State,
     work: &'a mut Work,
     totals: &'a mut Totals,
@@ -128,17 +131,17 @@ impl<const TANGENT: bool> SpatialVisitor for Bricks<'_, TANGENT> {
     type Output = Option<(usize, f64)>;
 
     fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
-        let Self { d, s, work, totals } = self;
+        let Self { d, m, s, work, totals } = self;
         match d.parts.brick {
             Brick::Linear => {
                 let points = std::mem::take(&mut work.points8);
-                let out = wide::<L, 8, 1, TANGENT>(&points, d, s, law, work, totals);
+                let out = wide::<L, 8, 1, TANGENT>(&points, (d, m), s, law, work, totals);
                 work.points8 = points;
                 out
             }
             Brick::Quadratic => {
                 let points = std::mem::take(&mut work.points27);
-                let out = wide::<L, 27, 4, TANGENT>(&points, d, s, law, work, totals);
+                let out = wide::<L, 27, 4, TANGENT>(&points, (d, m), s, law, work, totals);
                 work.points27 = points;
                 out
             }
@@ -148,19 +151,19 @@ impl<const TANGENT: bool> SpatialVisitor for Bricks<'_, TANGENT> {
 
 fn wide<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    d: &Discrete,
+    of: (&Discrete, &Material),
     s: &State,
     law: &L,
     work: &mut Work,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
-    match d.width {
+    match of.0.width {
         // SAFETY: `Width::here` has asked the processor.
         #[cfg(target_arch = "x86_64")]
-        Width::Eight => unsafe { eight::<L, NN, NM, TANGENT>(points, d, s, law, work, totals) },
+        Width::Eight => unsafe { eight::<L, NN, NM, TANGENT>(points, of, s, law, work, totals) },
         #[cfg(target_arch = "x86_64")]
-        Width::Four => unsafe { four::<L, NN, NM, TANGENT>(points, d, s, law, work, totals) },
-        _ => all::<f64, L, NN, NM, TANGENT>(points, d, s, law, work, totals),
+        Width::Four => unsafe { four::<L, NN, NM, TANGENT>(points, of, s, law, work, totals) },
+        _ => all::<f64, L, NN, NM, TANGENT>(points, of, s, law, work, totals),
     }
 }
 
@@ -168,32 +171,32 @@ fn wide<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
 fn eight<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    d: &Discrete,
+    of: (&Discrete, &Material),
     s: &State,
     law: &L,
     work: &mut Work,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
-    all::<crate::element::lanes::Eight, L, NN, NM, TANGENT>(points, d, s, law, work, totals)
+    all::<crate::element::lanes::Eight, L, NN, NM, TANGENT>(points, of, s, law, work, totals)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
 fn four<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    d: &Discrete,
+    of: (&Discrete, &Material),
     s: &State,
     law: &L,
     work: &mut Work,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
-    all::<crate::element::lanes::Four, L, NN, NM, TANGENT>(points, d, s, law, work, totals)
+    all::<crate::element::lanes::Four, L, NN, NM, TANGENT>(points, of, s, law, work, totals)
 }
 
 #[inline(always)]
 fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    d: &Discrete,
+    of: (&Discrete, &Material),
     s: &State,
     law: &L,
     work: &mut Work,
@@ -201,10 +204,11 @@ fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: 
 ) -> Option<(usize, f64)> {
     let mut input = Input::<R, NN, NM>::zero();
     let mut out = Output::<R, NN, NM>::zero();
-    (input.compliance, input.augment) = (d.compliance, d.augment);
-    let (count, per_map) = (d.bricks(), d.per_map());
-    let mut twice = d.twice.iter().peekable();
-    for first in (0..count).step_by(R::LANES) {
+    let (d, m) = of;
+    (input.compliance, input.augment) = (m.compliance, m.augment);
+    let (start, count, per_map) = (m.bricks.start, m.bricks.end, d.per_map());
+    let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..].iter().peekable();
+    for first in (start..count).step_by(R::LANES) {
         for lane in 0..R::LANES {
             // The last ones are looked at more than once and written once.
             let e = (first + lane).min(count - 1);

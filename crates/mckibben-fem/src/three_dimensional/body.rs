@@ -17,6 +17,9 @@ use crate::solver::sparse::SparseCholesky;
 const LOOSE: f64 = 1e-4;
 const TIGHT: f64 = 1e-11;
 
+/// Share of the scale of residuals above which rounding raises it.
+const ROUNDING: f64 = 1e-9;
+
 /// A body with its state.
 #[derive(Debug)]
 pub struct Body {
@@ -228,6 +231,7 @@ impl Body {
         };
         // Where the multipliers are iterated, what is left of the constraints counts as well.
         let left = if share(d.compliance, d.augment) > 0.0 { self.totals.defect } else { 0.0 };
+        let scale = scale.max(d.rounding_n / ROUNDING);
         (free / scale).max(held).max(left)
     }
 }

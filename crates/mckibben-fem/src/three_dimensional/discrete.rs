@@ -12,7 +12,8 @@ use crate::element::hexahedron::{points8, points27};
 use crate::element::lanes::Width;
 use crate::solver::sparse::Pattern;
 use mckibben::muscle::Bulk;
-use mckibben::rubber::RubberLaw;
+use mckibben::rubber::{Law, RubberLaw};
+use std::ops::Range;
 
 /// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
 const AUGMENT: f64 = 2000.0;
@@ -44,7 +45,7 @@ pub struct Discrete {
     pub pattern: Pattern,
     /// Where the blocks of bricks go, brick by brick.
     pub brick_map: Vec<u32>,
-    /// (brick, entry) that counts twice: both displacements are the terminal's.
+    /// (brick, entry) that counts twice: both displacements are one.
     pub twice: Vec<(u32, u32)>,
     /// Where the blocks of strands go: 0-0, 1-1 (six numbers each) and 0-1 (nine).
     pub tie_map: Vec<[u32; 21]>,
@@ -54,6 +55,12 @@ pub struct Discrete {
     pub compliance: f64,
     /// γ in MPa.
     pub augment: f64,
+    /// Materials, the rubber first.
+    pub materials: Vec<Material>,
+    /// Material of every brick.
+    pub material: Vec<u8>,
+    /// Rounding of nodal forces in N: of bricks much stiffer than the rubber.
+    pub rounding_n: f64,
     /// 1/(E A) in 1/N, and γ of the strands in N.
     pub strand: Vec<(f64, f64)>,
     /// Shear modulus in MPa.
@@ -64,6 +71,40 @@ pub struct Discrete {
     pub radius: f64,
     /// Elements that are looked at together.
     pub width: Width,
+}
+
+/// One material of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Its bricks.
+    pub bricks: Range<usize>,
+    /// Its law.
+    pub law: Law,
+    /// 1/K in 1/MPa.
+    pub compliance: f64,
+    /// γ in MPa.
+    pub augment: f64,
+}
+
+impl Material {
+    fn new(bricks: Range<usize>, law: &Law, bulk: Bulk) -> Self {
+        let most = AUGMENT * law.shear_modulus_mpa();
+        let (compliance, augment) = match bulk {
+            Bulk::Incompressible => (0.0, most),
+            Bulk::Modulus(k) => (1.0 / k, k.min(most)),
+        };
+        Self { bricks, law: law.clone(), compliance, augment }
+    }
+
+    fn all(parts: &Parts) -> Vec<Self> {
+        let ends = parts.others.iter().map(|o| o.first).chain([parts.bricks.len()]);
+        let ends: Vec<usize> = ends.collect();
+        let mut out = vec![Self::new(0..ends[0], &parts.law, parts.bulk)];
+        for (other, end) in parts.others.iter().zip(&ends[1..]) {
+            out.push(Self::new(other.first..*end, &other.law, other.bulk));
+        }
+        out
+    }
 }
 
 impl Discrete {
@@ -82,11 +123,15 @@ impl Discrete {
         let free = place.len();
         let pattern = pattern(&parts, &unknown, free);
         let shear = parts.law.shear_modulus_mpa();
-        let (compliance, augment) = match parts.bulk {
-            Bulk::Incompressible => (0.0, AUGMENT * shear),
-            Bulk::Modulus(k) => (1.0 / k, k.min(AUGMENT * shear)),
-        };
-        let half = parts.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
+        let materials = Material::all(&parts);
+        let (compliance, augment) = (materials[0].compliance, materials[0].augment);
+        let mut material = vec![0u8; parts.bricks.len()];
+        for (m, one) in materials.iter().enumerate() {
+            material[one.bricks.clone()].fill(m as u8);
+        }
+        let greatest = parts.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
+        let half = parts.length_mm.unwrap_or(greatest);
+        let rounding_n = rounding(&materials[1..], &rest, greatest);
         let radius = parts.nodes.iter().map(|x| x[0].hypot(x[1])).fold(0.0, f64::max);
         let most = AUGMENT_STRAND * shear;
         let strand = parts
@@ -110,6 +155,9 @@ impl Discrete {
             face_map: vec![],
             compliance,
             augment,
+            materials,
+            material,
+            rounding_n,
             strand,
             shear,
             half,
@@ -158,7 +206,8 @@ impl Discrete {
                         for (j, &y) in ub.iter().enumerate() {
                             // Of blocks on the diagonal only one half.
                             let half = a == b && i > j;
-                            if a != b && x == y && x as usize == self.free {
+                            // Nodes that are one (wedges) and displacements that are one (the terminal's).
+                            if a != b && x == y && x as usize <= self.free {
                                 twice.push((e as u32, (map.len() - start) as u32));
                             }
                             map.push(if half { nothing } else { self.entry(x, y) });
@@ -201,6 +250,16 @@ impl Discrete {
         }
         self.face_map = faces;
     }
+}
+
+/// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over height of a brick.
+fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
+    let one = |m: &Material| {
+        let modulus = m.augment + 4.0 / 3.0 * m.law.shear_modulus_mpa();
+        let size = rest[m.bricks.clone()].iter().map(|r| r.volume.cbrt()).fold(0.0, f64::max);
+        16.0 * f64::EPSILON * greatest * modulus * size
+    };
+    stiff.iter().map(one).fold(0.0, f64::max)
 }
 
 fn rest_modes(parts: &Parts, count: usize) -> Result<Vec<Modes>, FemError> {

@@ -5,6 +5,7 @@ use super::discrete::Discrete;
 use super::guess::carry_over;
 use super::mesh::{BrickMesh, BrickSpec};
 use super::parts::Parts;
+use super::plug::Plug;
 use super::state::State;
 use crate::axisymmetric::equilibrium::Control;
 use crate::axisymmetric::{Axisymmetric, FemError, LastConverged};
@@ -19,6 +20,10 @@ const NEAR_PRESSURE: f64 = 0.15;
 const NEAR: f64 = 0.01;
 /// Smallest share of a leg that is tried.
 const SMALLEST: f64 = 1.0 / 128.0;
+/// Share of a leg that is tried first.
+const FIRST: f64 = 0.25;
+/// Equilibria that are not stable and are told of.
+const NOTICED: usize = 16;
 /// Factorisations that a walk may cost.
 const BUDGET: usize = 400;
 /// Strands are taut at this multiple of the pressure at which the endless muscle begins to pull.
@@ -39,6 +44,20 @@ pub struct Engine {
     width: f64,
     kept: Vec<State>,
     trail: Vec<(f64, State)>,
+    unstable: Vec<Unstable>,
+}
+
+/// An equilibrium that is not stable and that was met.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unstable {
+    /// Step of the walk from rest; 0 for an answer that no walk led to.
+    pub step: usize,
+    /// Pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Contraction ratio.
+    pub contraction: f64,
+    /// Negative eigenvalues of the tangent with the terminal held.
+    pub directions: usize,
 }
 
 impl Engine {
@@ -49,6 +68,10 @@ impl Engine {
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
         let tube = muscle.tube();
         let angle = muscle.braid().angle_rad();
+        // How far the plug reaches into the tube is the muscle's to say.
+        let insertion = muscle.terminals().insertion_mm;
+        let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
+        let spec = &BrickSpec { plug, ..*spec };
         let mesh = BrickMesh::new(
             tube.inner_radius_mm(),
             tube.outer_radius_mm(),
@@ -68,6 +91,7 @@ impl Engine {
             width,
             kept: vec![],
             trail: vec![],
+            unstable: vec![],
         })
     }
 
@@ -90,6 +114,7 @@ impl Engine {
     pub fn forget(&mut self) {
         self.kept.clear();
         self.trail.clear();
+        self.unstable.clear();
         if let Some(model) = &self.axisymmetric {
             model.forget();
         }
@@ -102,6 +127,27 @@ impl Engine {
     pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
         self.body.control = control;
         newton::solve(&mut self.body, &self.newton, &mut self.effort, |_| ())
+    }
+
+    /// Equilibria that were met and are not stable, the first ones.
+    pub fn unstable(&self) -> &[Unstable] {
+        &self.unstable
+    }
+
+    /// Solves with the terminal at `w` from the present iterate, as one step of a walk.
+    pub(crate) fn step(&mut self, step: usize, w: f64) -> Result<(), Stopped> {
+        self.solve(Control::Length(w))?;
+        self.notice(step);
+        Ok(())
+    }
+
+    /// Notes an equilibrium that is not stable.
+    fn notice(&mut self, step: usize) {
+        let directions = self.body.unstable_directions();
+        if directions > 0 && self.unstable.len() < NOTICED {
+            let (pressure_mpa, contraction) = (self.body.state.pressure, self.contraction());
+            self.unstable.push(Unstable { step, pressure_mpa, contraction, directions });
+        }
     }
 
     fn keep(&mut self) {
@@ -120,11 +166,21 @@ impl Engine {
             return Err(FemError::Question { pressure_mpa: pressure, contraction });
         }
         let terminal = -contraction * self.half_length();
-        let before = self.effort.iterations;
         if self.near_kept(pressure, terminal) || self.guessed(pressure, contraction) {
+            self.notice(0);
             self.keep();
             return Ok(());
         }
+        self.walk_from_rest(pressure, contraction)
+    }
+
+    /// The same without a neighbour or the axisymmetric equilibrium: from rest, step by step.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
+        let terminal = -contraction * self.half_length();
+        let before = self.effort.iterations;
         self.long_way(pressure, terminal).map_err(|(reason, last)| FemError::Path {
             pressure_mpa: pressure,
             contraction,
@@ -162,7 +218,7 @@ impl Engine {
         };
         let state = &mut self.body.state;
         (state.pressure, state.terminal) = (pressure, terminal);
-        carry_over(&self.body.discrete, &section, self.width, state);
+        carry_over(&self.body.discrete, &self.mesh, &section, self.width, state);
         self.solve(Control::Length(terminal)).is_ok()
     }
 
@@ -176,25 +232,26 @@ impl Engine {
         let taut = pressure.max(TAUT * pulling);
         self.body.state = State::rest(&self.body.discrete);
         let start = self.effort.factorisations;
-        self.walk(taut, 0.0, 0.25, start)?;
-        self.walk(taut, terminal, 0.25, start)?;
-        if taut > pressure { self.walk(pressure, terminal, 0.25, start) } else { Ok(()) }
+        let mut steps = 0;
+        self.walk(taut, 0.0, start, &mut steps)?;
+        self.walk(taut, terminal, start, &mut steps)?;
+        if taut > pressure { self.walk(pressure, terminal, start, &mut steps) } else { Ok(()) }
     }
 
-    /// Walks from the present equilibrium to a pressure and a displacement of the terminal; `first` is the share of the
-    /// way that is tried first. Steps that fail are halved, steps that succeed are followed by one twice as large, and
+    /// Walks from the present equilibrium to a pressure and a displacement of the terminal; `FIRST` is the share of the
+    /// way that is tried first, `steps` counts equilibria. Steps that fail are halved, steps that succeed are followed by one twice as large, and
     /// the last two states extrapolate the next.
     fn walk(
         &mut self,
         pressure: f64,
         terminal: f64,
-        first: f64,
         start: usize,
+        steps: &mut usize,
     ) -> Result<(), (Stopped, LastConverged)> {
         let mut base = self.body.state.clone();
         let mut before: Option<(State, f64)> = None;
         let (p0, w0) = (base.pressure, base.terminal);
-        let (mut done, mut step) = (0.0_f64, first);
+        let (mut done, mut step) = (0.0_f64, FIRST);
         loop {
             let next = (done + step).min(1.0);
             self.body.state.copy_from(&base);
@@ -207,6 +264,8 @@ impl Engine {
             let w = w0 + next * (terminal - w0);
             match self.solve(Control::Length(w)) {
                 Ok(()) => {
+                    *steps += 1;
+                    self.notice(*steps);
                     if next >= 1.0 {
                         return Ok(());
                     }

@@ -15,6 +15,8 @@ use crate::element::hexahedron::{at8, at27};
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::{PAIRS, SpatialLaw, SpatialVisitor, visit};
 use crate::element::spatial_stretches::principal_axes;
+use std::collections::HashMap;
+use std::ops::Range;
 
 /// What is known at a node.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -55,6 +57,17 @@ pub struct Field {
     pub nodes: Vec<NodeField>,
     /// Strand pieces, as [`BrickMesh::strands`] has them.
     pub pieces: Vec<PieceField>,
+    /// The terminal, where it is a body.
+    pub plug: Option<PlugField>,
+}
+
+/// The terminal as a body; its nodes have numbers of their own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlugField {
+    /// Nodes. A rigid terminal has no stress.
+    pub nodes: Vec<NodeField>,
+    /// Corners of every brick, through (from the axis) first, then around, then along; quadratic ones are eight of these.
+    pub bricks: Vec<[u32; 8]>,
 }
 
 impl ThreeDimensional {
@@ -71,11 +84,9 @@ fn field(e: &mut Engine) -> Result<Field, FemError> {
     let force_n = e.body.totals.pull;
     e.body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
     let body = &e.body;
-    Ok(Field {
-        nodes: visit(&body.discrete.parts.law, Nodes { body }),
-        pieces: pieces(body),
-        mesh: e.mesh.clone(),
-    })
+    let mut nodes = visit(&body.discrete.parts.law, Nodes { body });
+    nodes.truncate(e.mesh.grid().iter().product());
+    Ok(Field { nodes, pieces: pieces(body), plug: plug(body, &e.mesh), mesh: e.mesh.clone() })
 }
 
 fn pieces(body: &Body) -> Vec<PieceField> {
@@ -91,6 +102,114 @@ fn pieces(body: &Body) -> Vec<PieceField> {
         }
     };
     (0..d.parts.ties.len()).map(one).collect()
+}
+
+/// The plug's bricks with a number of their own for every node.
+fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
+    let grid = mesh.plug()?;
+    let (order, rows, [_, nj, nk]) = (mesh.brick().order(), grid.first_row, mesh.grid());
+    if nk - rows < 2 {
+        return None;
+    }
+    let (mut number, mut which) = (HashMap::new(), vec![]);
+    let mut local = |m: usize, j: usize, k: usize| {
+        let node = mesh.plug_node(grid, m, j, k);
+        *number.entry(node).or_insert_with(|| {
+            which.push(node);
+            which.len() as u32 - 1
+        })
+    };
+    let mut bricks = vec![];
+    for k in 0..nk - 1 - rows {
+        for j in 0..nj - 1 {
+            for m in 0..grid.columns() {
+                bricks.push(std::array::from_fn(|a| local(m + a % 2, j + a / 2 % 2, k + a / 4)));
+            }
+        }
+    }
+    let at = |&n: &usize| NodeField {
+        rest_mm: body.discrete.parts.nodes[n],
+        now_mm: now(body, n),
+        hoop_stretch: 1.0,
+        meridional_stretch: 1.0,
+        max_stretch: 1.0,
+        stress_mpa: [0.0; 6],
+    };
+    let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
+    if let Some(elastic) = body.discrete.materials.get(1) {
+        let field = visit(&elastic.law, Middles { body, bricks: elastic.bricks.clone(), order });
+        for (node, n) in out.nodes.iter_mut().zip(&which) {
+            *node = NodeField { rest_mm: node.rest_mm, now_mm: node.now_mm, ..field[*n] };
+        }
+    }
+    Some(out)
+}
+
+/// Stretches and stress in the middle of the plug's bricks, averaged at nodes.
+struct Middles<'a> {
+    body: &'a Body,
+    bricks: Range<usize>,
+    order: usize,
+}
+
+impl SpatialVisitor for Middles<'_> {
+    type Output = Vec<NodeField>;
+
+    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
+        match self.order {
+            1 => middles(&self, law, &at8([0.0; 3], 1.0)),
+            _ => middles(&self, law, &at27([0.0; 3], 1.0)),
+        }
+    }
+}
+
+fn middles<L: SpatialLaw, const NN: usize>(of: &Middles<'_>, law: &L, p: &ShapePoint<NN>) -> Vec<NodeField> {
+    let parts = &of.body.discrete.parts;
+    let mut out = vec![NodeField::default(); parts.nodes.len()];
+    let mut shares = vec![0.0; out.len()];
+    for e in of.bricks.clone() {
+        let nodes = &parts.bricks[e];
+        let Some((f, at)) = gradient(of.body, nodes, p) else { continue };
+        let stress = stress(of.body, law, e, nodes, p);
+        let one = NodeField { stress_mpa: stress, ..stretches(&f, at) };
+        for node in nodes {
+            out[*node as usize].add(&one);
+            shares[*node as usize] += 1.0;
+        }
+    }
+    out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
+    out
+}
+
+/// Stretches at F; `at` says where around and along are.
+fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> NodeField {
+    let radius = at[0].hypot(at[1]).max(f64::MIN_POSITIVE);
+    let hoop = [-at[1] / radius, at[0] / radius, 0.0];
+    let length = |v: [f64; 3]| f.map(|row| dot(row, v)).map(|x| x * x).iter().sum::<f64>().sqrt();
+    NodeField {
+        hoop_stretch: length(hoop),
+        meridional_stretch: length([0.0, 0.0, 1.0]),
+        max_stretch: principal_axes(&left(f)).0.into_iter().fold(0.0, f64::max).sqrt(),
+        ..NodeField::default()
+    }
+}
+
+impl NodeField {
+    /// Stretches and stress of another are added.
+    fn add(&mut self, other: &Self) {
+        self.hoop_stretch += other.hoop_stretch;
+        self.meridional_stretch += other.meridional_stretch;
+        self.max_stretch += other.max_stretch;
+        (0..6).for_each(|c| self.stress_mpa[c] += other.stress_mpa[c]);
+    }
+
+    /// Stretches and stress are divided.
+    fn divide(&mut self, share: f64) {
+        let Self { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = self;
+        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
+            *value /= share;
+        }
+    }
 }
 
 struct Nodes<'a> {
@@ -130,33 +249,21 @@ fn fill<L: SpatialLaw, const NN: usize>(
     let at_nodes: Vec<ShapePoint<NN>> = places.iter().map(|x| at(*x, 1.0)).collect();
     let at_points: Vec<ShapePoint<NN>> = points.iter().map(|x| at(*x, 1.0)).collect();
     let mut shares = vec![0.0; out.len()];
-    for (e, nodes) in d.parts.bricks.iter().enumerate() {
+    for (e, nodes) in d.parts.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
         let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, nodes, p)).collect();
         for (a, node) in nodes.iter().enumerate() {
             let k = *node as usize;
             let Some((f, _)) = gradient(body, nodes, &at_nodes[a]) else { continue };
             let rest = d.parts.nodes[k];
-            let radius = rest[0].hypot(rest[1]).max(f64::MIN_POSITIVE);
-            let hoop = [-rest[1] / radius, rest[0] / radius, 0.0];
-            let length = |v: [f64; 3]| f.map(|row| dot(row, v)).map(|x| x * x).iter().sum::<f64>().sqrt();
+            let here = NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, rest) };
             let field = &mut out[k];
             shares[k] += 1.0;
             field.rest_mm = rest;
             field.now_mm = now(body, k);
-            field.hoop_stretch += length(hoop);
-            field.meridional_stretch += length([0.0, 0.0, 1.0]);
-            let largest = principal_axes(&left(&f)).0.into_iter().fold(0.0, f64::max);
-            field.max_stretch += largest.sqrt();
-            let here = carried(&stress, places[a]);
-            (0..6).for_each(|c| field.stress_mpa[c] += here[c]);
+            field.add(&here);
         }
     }
-    for (field, share) in out.iter_mut().zip(shares) {
-        let NodeField { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = field;
-        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
-            *value /= share;
-        }
-    }
+    out.iter_mut().zip(shares).for_each(|(field, share)| field.divide(share));
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -217,7 +324,8 @@ fn pressure(d: &Discrete, body: &Body, e: usize, at: [f64; 3]) -> f64 {
         .map(|k| {
             let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();
             let i = e * d.modes + k;
-            psi * (body.state.p[i] + d.augment * body.work.defect[i] / rest.volume)
+            let augment = d.materials[d.material[e] as usize].augment;
+            psi * (body.state.p[i] + augment * body.work.defect[i] / rest.volume)
         })
         .sum()
 }

@@ -7,6 +7,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::discrete::Discrete;
+use super::mesh::BrickMesh;
 use super::state::State;
 use crate::axisymmetric::Section;
 
@@ -54,16 +55,20 @@ impl<'a> Finder<'a> {
 
 /// Fills displacements, pressures and tensions of `state`; `scale` is the length at rest over that of the section, and
 /// `width` that of one strand of the mesh in mm.
-pub(super) fn carry_over(d: &Discrete, section: &Section, width: f64, state: &mut State) {
+pub(super) fn carry_over(d: &Discrete, mesh: &BrickMesh, section: &Section, width: f64, state: &mut State) {
     let find = Finder::new(section);
+    let tube = mesh.plug().map_or(d.parts.nodes.len(), |p| p.base);
     for (node, x) in d.parts.nodes.iter().enumerate() {
         let r = x[0].hypot(x[1]);
         let (mut dr, mut dz) = (0.0, 0.0);
-        find.at(r, x[2], |n, w| {
+        // What lies behind the beginning of the bond, and the plug, moves with the terminal.
+        let bonded = node >= tube || x[2] > mesh.half_length_mm();
+        let z = x[2].min(mesh.half_length_mm());
+        find.at(r, z, |n, w| {
             dr += w * (n.now_mm[0] - n.rest_mm[0]);
             dz += w * (n.now_mm[1] - n.rest_mm[1]);
         });
-        let u = [dr * x[0] / r, dr * x[1] / r, dz];
+        let u = if bonded { [0.0, 0.0, state.terminal] } else { [dr * x[0] / r, dr * x[1] / r, dz] };
         for i in 0..3 {
             let number = d.unknown[node][i] as usize;
             state.u[3 * node + i] = if number < d.free {
@@ -78,7 +83,11 @@ pub(super) fn carry_over(d: &Discrete, section: &Section, width: f64, state: &mu
     for (e, modes) in d.rest.iter().enumerate() {
         let c = modes.centre;
         let mut mean = 0.0;
-        find.at(c[0].hypot(c[1]), c[2], |n, w| {
+        if d.material[e] > 0 {
+            state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);
+            continue;
+        }
+        find.at(c[0].hypot(c[1]), c[2].min(mesh.half_length_mm()), |n, w| {
             mean += w * (n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0;
         });
         state.p[e * d.modes..(e + 1) * d.modes].fill(0.0);

@@ -4,6 +4,7 @@
 //! terminal). A linear brick has two nodes each way, a quadratic one three. Strands run along both diagonals of the
 //! quads of the outer grid; a diagonal is at θ0 where tanθ0 = chord/Δz.
 
+use super::plug::{Plug, PlugGrid, profile};
 use crate::axisymmetric::FemError;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -64,6 +65,8 @@ pub struct BrickSpec {
     /// Where nodes lie: [`Ring::EqualArea`] for linear bricks, [`Ring::OnCircle`] for quadratic ones and with
     /// [`Match::Angle`].
     pub ring: Option<Ring>,
+    /// The terminal as a body; without one it is the plane at the end.
+    pub plug: Option<Plug>,
 }
 
 /// The word for [`Ring::OnCircle`] behind a mesh.
@@ -142,12 +145,13 @@ impl Ring {
 pub struct BrickMesh {
     brick: Brick,
     elements: [usize; 3],
-    nodes: Vec<[f64; 3]>,
+    pub(super) nodes: Vec<[f64; 3]>,
     inner: f64,
     outer: f64,
     half: f64,
     angle: f64,
     last_angle: f64,
+    pub(super) plug: Option<PlugGrid>,
 }
 
 /// Most bricks each way.
@@ -177,7 +181,10 @@ impl BrickMesh {
     pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
         let order = spec.brick.order();
         Self::check(spec)?;
-        let through = spec.through.unwrap_or(1);
+        let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
+        let insertion = measures.map_or(0.0, |m| m.0);
+        // Where the bond begins the wall bends: one brick through it is too stiff.
+        let through = spec.through.unwrap_or(if insertion > 0.0 { 2 } else { 1 });
         let around = spec.around.unwrap_or_else(|| spec.choose_around(outer, half, angle));
         let (chord, height) = spec.cell(outer, angle, around * order);
         let natural = (half / (height * order as f64)).round();
@@ -194,21 +201,26 @@ impl BrickMesh {
         };
         let half = if spec.keep == Match::Length { half } else { height * rows };
         let wide = spec.ring().width(around * order);
-        let elements = [through, around, along];
+        let free = along * order;
+        let bonded = if insertion > 0.0 {
+            (insertion / (height * order as f64)).round().clamp(1.0, 2.0 * MOST[2]) as usize
+        } else {
+            0
+        };
+        Self::check(&BrickSpec { along: Some(along + bonded), ..*spec })?;
+        let elements = [through, around, along + bonded];
         let grid = elements.map(|n| n * order + 1);
-        let mut nodes = Vec::with_capacity(grid.iter().product());
-        for k in 0..grid[2] {
+        let rows = (0..grid[2]).map(|k| match free.checked_sub(k) {
             // From the terminal where that is nearer, so that it stands exactly at half the length.
-            let left = grid[2] - 1 - k;
-            let z = if left <= order { half - last * left as f64 } else { height * k as f64 };
+            Some(left) if left <= order => half - last * left as f64,
+            Some(_) => height * k as f64,
+            None => half + insertion * (k - free) as f64 / (bonded * order) as f64,
+        });
+        let rows: Vec<f64> = rows.collect();
+        let mut nodes = Vec::with_capacity(grid.iter().product());
+        for &z in &rows {
             for j in 0..grid[1] {
-                let phi = FRAC_PI_2 * j as f64 / (grid[1] - 1) as f64;
-                // Exactly in the planes of symmetry.
-                let (x, y) = match j {
-                    0 => (1.0, 0.0),
-                    j if j + 1 == grid[1] => (0.0, 1.0),
-                    _ => (phi.cos(), phi.sin()),
-                };
+                let (x, y) = direction(j, grid[1]);
                 for i in 0..grid[0] {
                     let t = i as f64 / (grid[0] - 1) as f64;
                     let r = wide * (inner + t * (outer - inner));
@@ -217,7 +229,18 @@ impl BrickMesh {
             }
         }
         let (angle, last_angle) = ((chord / height).atan(), (chord / last).atan());
-        Ok(Self { brick: spec.brick, elements, nodes, inner, outer, half, angle, last_angle })
+        let plug = spec.plug.zip(measures).map(|(p, (insertion_mm, nose_mm))| PlugGrid {
+            material: p.material,
+            insertion_mm,
+            nose_mm,
+            first_row: free,
+            profile: profile(inner, nose_mm, around, order),
+            base: nodes.len(),
+        });
+        let mut out =
+            Self { brick: spec.brick, elements, nodes, inner, outer, half, angle, last_angle, plug };
+        out.fill_plug(wide, &rows);
+        Ok(out)
     }
 
     /// Which brick.
@@ -225,7 +248,7 @@ impl BrickMesh {
         self.brick
     }
 
-    /// Bricks through the wall, around and along.
+    /// Bricks through the wall, around and along, with those over the insertion.
     pub fn elements(&self) -> [usize; 3] {
         self.elements
     }
@@ -284,9 +307,10 @@ impl BrickMesh {
         out
     }
 
-    /// Nodes of every face of the bore: around first, then along.
+    /// Nodes of every face of the bore up to the terminal: around first, then along.
     pub fn bore(&self) -> Vec<Vec<u32>> {
-        let (p, [_, nc, nz]) = (self.brick.order(), self.elements);
+        let (p, [_, nc, _]) = (self.brick.order(), self.elements);
+        let nz = self.free_rows() / p;
         let mut out = Vec::with_capacity(nc * nz);
         for k in 0..nz {
             for j in 0..nc {
@@ -314,8 +338,8 @@ impl BrickMesh {
 
     /// Area of the bore's polygon at the terminal, of the quarter, in mm².
     pub fn polygon_mm2(&self) -> f64 {
-        let [_, nj, nk] = self.grid();
-        let at = |j: usize| self.nodes[self.node(0, j, nk - 1)];
+        let [_, nj, _] = self.grid();
+        let at = |j: usize| self.nodes[self.node(0, j, self.free_rows())];
         let p = self.brick.order();
         let mut area = 0.0;
         for j in (0..nj - 1).step_by(p) {
@@ -330,5 +354,15 @@ impl BrickMesh {
             }
         }
         area
+    }
+}
+
+/// (cos, sin) of line j of `lines` around the quarter, exactly in the planes of symmetry.
+pub(super) fn direction(j: usize, lines: usize) -> (f64, f64) {
+    let phi = FRAC_PI_2 * j as f64 / (lines - 1) as f64;
+    match j {
+        0 => (1.0, 0.0),
+        j if j + 1 == lines => (0.0, 1.0),
+        _ => (phi.cos(), phi.sin()),
     }
 }

@@ -4,10 +4,11 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::mesh::{Brick, BrickMesh};
+use super::plug::PlugGrid;
 use crate::element::tie::Tie;
 use crate::solver::dissection::Sheet;
 use mckibben::muscle::{Bulk, Muscle};
-use mckibben::rubber::Law;
+use mckibben::rubber::{Law, NeoHookean};
 use std::f64::consts::PI;
 
 /// What becomes of a displacement.
@@ -50,6 +51,21 @@ pub struct Parts {
     pub law: Law,
     /// Its bulk modulus.
     pub bulk: Bulk,
+    /// Bricks of other materials, in rising order.
+    pub others: Vec<Other>,
+    /// Length along z at rest in mm to which contractions refer; where it is `None`, the greatest z.
+    pub length_mm: Option<f64>,
+}
+
+/// A second material.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Other {
+    /// The first brick of it; it goes on to the next material or to the last brick.
+    pub first: usize,
+    /// Its law.
+    pub law: Law,
+    /// Its bulk modulus.
+    pub bulk: Bulk,
 }
 
 impl Parts {
@@ -78,9 +94,32 @@ impl Parts {
         }
         let sheet = Sheet { around: nj, along: nk - 1, stride: mesh.brick().order() };
         let mut order = Vec::with_capacity(mesh.nodes().len());
+        let elastic = mesh.plug().filter(|p| p.material.moduli_mpa().is_some());
         for (j, k) in sheet.order() {
+            // What lies between the axis and the wall stays together with the wall.
+            if let Some((plug, k)) = elastic.and_then(|p| Some((p, k.checked_sub(p.first_row)?))) {
+                order.extend((1..plug.columns()).map(|m| mesh.plug_node(plug, m, j, k) as u32));
+            }
             order.extend((0..ni).map(|i| mesh.node(i, j, k) as u32));
         }
+        if let Some(plug) = mesh.plug() {
+            hold_plug(mesh, plug, &mut freedom);
+            if elastic.is_some() {
+                order.extend((0..nk - 1 - plug.first_row).map(|k| mesh.plug_node(plug, 0, 0, k) as u32));
+            }
+        }
+        let (mut bricks, mut faces, mut others) = (mesh.bricks(), mesh.bore(), vec![]);
+        faces.extend(mesh.plug_face());
+        if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
+            let law = Law::NeoHookean(NeoHookean { mu_mpa });
+            others.push(Other { first: bricks.len(), law, bulk: Bulk::Modulus(k) });
+            bricks.extend(mesh.plug_bricks());
+        }
+        let cap_mm2 = match mesh.plug() {
+            // The plug's face closes the cavity.
+            Some(_) => 0.0,
+            None => mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
+        };
         let nodes = mesh.nodes();
         let stiffness_n = strand_stiffness_n(muscle, mesh);
         let ties = mesh.strands().into_iter().map(|ends| {
@@ -90,16 +129,43 @@ impl Parts {
         });
         Self {
             brick: mesh.brick(),
-            bricks: mesh.bricks(),
+            bricks,
             ties: ties.collect(),
-            faces: mesh.bore(),
-            cap_mm2: mesh.polygon_mm2() + 3.0 * (mesh.lid_mm2() - mesh.polygon_mm2()),
+            faces,
+            cap_mm2,
             dead: vec![],
             freedom,
             order,
             law: rubber.law.clone(),
             bulk: rubber.bulk,
+            others,
+            length_mm: Some(mesh.half_length_mm()),
             nodes: nodes.to_vec(),
+        }
+    }
+}
+
+/// A rigid plug moves with the terminal, and with it the bore that is bonded to it; an elastic one is held at its far end.
+fn hold_plug(mesh: &BrickMesh, plug: &PlugGrid, freedom: &mut [[Freedom; 3]]) {
+    const MOVES: [Freedom; 3] = [Freedom::Held, Freedom::Held, Freedom::Terminal];
+    let [_, nj, nk] = mesh.grid();
+    let rows = nk - plug.first_row;
+    let rigid = plug.material.moduli_mpa().is_none();
+    for k in 0..rows {
+        for j in 0..nj {
+            for m in 0..=plug.columns() {
+                let f = &mut freedom[mesh.plug_node(plug, m, j, k)];
+                if rigid || k + 1 == rows {
+                    *f = MOVES;
+                    continue;
+                }
+                if m == 0 || j + 1 == nj {
+                    f[0] = Freedom::Held;
+                }
+                if m == 0 || j == 0 {
+                    f[1] = Freedom::Held;
+                }
+            }
         }
     }
 }

@@ -14,7 +14,12 @@ use crate::element::spatial_stretches::principal_axes;
 use crate::element::tie::{Pull, Tie};
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_4, PI};
+
+/// Radius of the plane part of a plug's face in mm.
+fn plug_flat(mesh: &BrickMesh, nose: f64) -> f64 {
+    mesh.radii_mm().0 - nose
+}
 
 /// Everything the present equilibrium tells; factorises its tangent.
 ///
@@ -42,7 +47,13 @@ pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<So
 }
 
 fn rest_volume(mesh: &BrickMesh) -> f64 {
-    mesh.lid_mm2() * mesh.half_length_mm()
+    let Some(plug) = mesh.plug() else { return mesh.lid_mm2() * mesh.half_length_mm() };
+    // Less the nose: ∫ (how far it stands out) 2πr dr, a quarter of it.
+    let nose = plug.nose_mm;
+    let flat = plug_flat(mesh, nose);
+    let solid =
+        FRAC_PI_4 * flat * flat * nose + 0.5 * PI * (flat * FRAC_PI_4 * nose.powi(2) + nose.powi(3) / 3.0);
+    mesh.lid_mm2() * mesh.half_length_mm() - solid
 }
 
 /// The part that every model tells; factorises the tangent.
@@ -93,8 +104,8 @@ fn ring(body: &Body, mesh: &BrickMesh, i: usize, k: usize) -> (f64, f64) {
 }
 
 fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
-    let [ni, _, nk] = mesh.grid();
-    (0..nk)
+    let [ni, ..] = mesh.grid();
+    (0..=mesh.free_rows())
         .map(|k| ProfilePoint {
             rest_mm: mesh.nodes()[mesh.node(0, 0, k)][2],
             outer_mm: ring(body, mesh, ni - 1, k),
@@ -120,7 +131,7 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
     let (row, family) = (nj - 1, (nj - 1) * (nk - 1));
     let width = PI * muscle.outer_diameter_mm() * muscle.braid().angle_rad().cos() / (4 * row) as f64;
     let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
-    (0..nk - 1)
+    (0..mesh.free_rows())
         .map(|k| {
             let (mut stretch, mut angle, mut tension) = (0.0, 0.0, 0.0);
             let pieces = (k * row..(k + 1) * row).chain(family + k * row..family + (k + 1) * row);
@@ -159,7 +170,7 @@ fn largest_stretch(body: &Body) -> StretchAt {
 fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> StretchAt {
     let d = &body.discrete;
     let mut largest = StretchAt { value: 1.0, rest_mm: [0.0; 2] };
-    for nodes in &d.parts.bricks {
+    for nodes in &d.parts.bricks[d.materials[0].bricks.clone()] {
         for p in points {
             let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
             for (a, node) in nodes.iter().enumerate() {

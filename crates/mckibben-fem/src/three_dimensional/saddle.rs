@@ -35,7 +35,7 @@ pub struct Constraints<'a> {
 impl Constraints<'_> {
     /// Whether any constraint is left to conjugate gradients.
     fn iterated(&self) -> bool {
-        share(self.d.compliance, self.d.augment) > 0.0
+        self.d.materials.iter().any(|m| share(m.compliance, m.augment) > 0.0)
             || self.d.strand.iter().any(|&(c, g)| share(c, g) > 0.0)
     }
 
@@ -45,11 +45,11 @@ impl Constraints<'_> {
         let (d, nn) = (self.d, self.d.per_brick);
         for e in 0..d.bricks() {
             let nodes = &d.connectivity[e * nn..(e + 1) * nn];
-            let volume = d.rest[e].volume;
+            let (volume, material) = (d.rest[e].volume, &d.materials[d.material[e] as usize]);
             for k in 0..d.modes {
                 let m = e * d.modes + k;
                 let gradient = &self.work.gradient[m * nn * 3..(m + 1) * nn * 3];
-                each(m, nodes, gradient, volume, d.compliance, d.augment);
+                each(m, nodes, gradient, volume, material.compliance, material.augment);
             }
         }
         let first = d.bricks() * d.modes;

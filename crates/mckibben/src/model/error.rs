@@ -110,6 +110,12 @@ pub enum ModelError {
         /// Its smallest volume ratio at an integration point.
         smallest_volume_ratio: f64,
     },
+    /// Finite elements that cannot be made.
+    #[error("the muscle cannot be divided into elements: {reason}")]
+    Elements {
+        /// Why.
+        reason: String,
+    },
     /// A formula that is not finite here.
     #[error("the {model} formula has no finite value at {pressure_mpa} MPa and contraction {contraction}")]
     NotFinite {

@@ -79,6 +79,8 @@ impl Block {
             order: order.map(|(i, j, k)| self.node(i, j, k) as u32).collect(),
             law,
             bulk,
+            others: vec![],
+            length_mm: None,
             nodes,
         }
     }

@@ -3,17 +3,27 @@
 mod block;
 mod cook;
 mod homogeneous;
+mod limit;
 mod muscle;
 mod numerics;
+mod paths;
 mod pressure;
+mod shear;
+mod snap;
+mod terminal;
 mod torsion;
 mod tube;
 
-pub use cook::cook;
+pub use cook::{cook, cook_fine};
 pub use homogeneous::homogeneous;
+pub use limit::limit;
 pub use muscle::muscle;
 pub use numerics::numerics;
+pub use paths::paths;
 pub use pressure::follower_pressure;
+pub use shear::shear;
+pub use snap::snap;
+pub use terminal::terminal;
 pub use torsion::torsion;
 pub use tube::thick_tube;
 
@@ -26,7 +36,21 @@ const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Qua
 
 /// Every case with bricks.
 pub fn cases() -> Vec<Row> {
-    [homogeneous(), thick_tube(), torsion(), follower_pressure(), cook(), numerics(), muscle()].concat()
+    [
+        homogeneous(),
+        shear(),
+        thick_tube(),
+        torsion(),
+        follower_pressure(),
+        terminal(),
+        snap(),
+        cook(),
+        numerics(),
+        paths(),
+        limit(),
+        muscle(),
+    ]
+    .concat()
 }
 
 fn body(parts: Parts) -> Option<Body> {

@@ -10,7 +10,7 @@ const FELUPE: &str = "FElupe 11.3, same mesh, mean dilatation";
 const LIMIT: &str = "I: 3D = axisymmetric as strands become many";
 
 /// The muscle of the comparison: C10 0.12, C01 0.03, K 300 MPa, 48 strands of 0.3 mm² and 2500 MPa that carry compression.
-fn peers() -> Option<Muscle> {
+pub(super) fn peers() -> Option<Muscle> {
     let muscle = Muscle::prototype();
     let mut tube = muscle.tube().clone();
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.03 });

@@ -53,7 +53,7 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
 /// Largest difference between K v and central differences of the residual, over the largest force.
 ///
 /// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
-fn tangent_error(body: &mut Body) -> Option<f64> {
+pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     let d = body.discrete.clone();
     let incompressible = d.compliance == 0.0;
     let follow = |b: &mut Body| -> Option<()> {

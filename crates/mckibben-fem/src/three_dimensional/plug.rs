@@ -1,0 +1,202 @@
+//! The terminal as a body: a plug that fills the tube's bore, with a rounded nose towards the cavity.
+//!
+//! The plug's side meets the bore from z = L0/2 on, over the insertion; tube and plug are bonded there, so that L0 stays the length
+//! between the terminals. Its nose stands in the cavity: a quarter of a circle of radius ρ from (Ri, L0/2) to (Ri − ρ, L0/2 − ρ), then
+//! a plane to the axis. The tube's outer face stays free over the insertion, the far end of tube and braid is held.
+//!
+//! The grid carries the tube's on to the axis: columns m from the axis (0) to the bore, around as the tube, rows along as the
+//! tube's rows of the insertion. Bricks at the axis are wedges (two edges in one).
+
+use super::mesh::{BrickMesh, direction};
+use crate::axisymmetric::FemError;
+use std::f64::consts::FRAC_PI_2;
+
+/// What a plug is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PlugMaterial {
+    /// It does not give way.
+    #[default]
+    Rigid,
+    /// Aluminium: E 70 GPa, ν 0.33.
+    Aluminium,
+}
+
+/// Young's modulus of aluminium in MPa.
+pub const ALUMINIUM_MPA: f64 = 70_000.0;
+/// Its Poisson's ratio.
+pub const ALUMINIUM_POISSON: f64 = 0.33;
+/// Radius of the nose over that of the bore, where none is said.
+const NOSE: f64 = 0.25;
+/// Shortest insertion of an elastic plug over the radius of the bore.
+const SHORTEST: f64 = 1e-3;
+
+impl PlugMaterial {
+    /// Shear and bulk modulus in MPa; `None` where it is rigid.
+    pub fn moduli_mpa(self) -> Option<(f64, f64)> {
+        match self {
+            Self::Rigid => None,
+            Self::Aluminium => Some((
+                ALUMINIUM_MPA / (2.0 * (1.0 + ALUMINIUM_POISSON)),
+                ALUMINIUM_MPA / (3.0 * (1.0 - 2.0 * ALUMINIUM_POISSON)),
+            )),
+        }
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rigid => "rigid",
+            Self::Aluminium => "aluminium",
+        }
+    }
+}
+
+/// A plug that is meshed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Plug {
+    /// What it is made of.
+    pub material: PlugMaterial,
+    /// Length of the bond in mm; the muscle's `[terminals] insertion` where it is `None`.
+    pub insertion_mm: Option<f64>,
+    /// Radius ρ of the nose in mm; a quarter of the bore's radius where it is `None`, 0 for a sharp edge.
+    pub nose_mm: Option<f64>,
+}
+
+/// A plug divided into bricks: where its nodes stand among those of the mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlugGrid {
+    /// What it is made of.
+    pub material: PlugMaterial,
+    /// Length of the bond in mm.
+    pub insertion_mm: f64,
+    /// Radius of the nose in mm.
+    pub nose_mm: f64,
+    /// Row of the tube's nodes at which the bond begins.
+    pub first_row: usize,
+    /// Nodes from the axis to the bore: (r, how far the face stands before the beginning of the bond), in mm.
+    pub profile: Vec<(f64, f64)>,
+    /// Number of its first node.
+    pub base: usize,
+}
+
+impl Plug {
+    /// Insertion and nose in mm for a bore of radius `inner` and half length `half`.
+    pub(super) fn measures(&self, inner: f64, half: f64) -> Result<(f64, f64), FemError> {
+        let insertion = self.insertion_mm.unwrap_or(0.0);
+        let least = if self.material == PlugMaterial::Rigid { 0.0 } else { SHORTEST * inner };
+        check("the terminal's insertion in mm", insertion, least, 100.0 * inner)?;
+        let nose = self.nose_mm.unwrap_or((NOSE * inner).min(0.5 * half));
+        check("the radius of the terminal's nose in mm", nose, 0.0, inner.min(0.9 * half))?;
+        Ok((insertion, nose))
+    }
+}
+
+fn check(name: &'static str, value: f64, low: f64, high: f64) -> Result<(), FemError> {
+    if (low..=high).contains(&value) { Ok(()) } else { Err(FemError::Mesh { name, value, low, high }) }
+}
+
+/// (r, how far before the bond) from the axis to the bore, with intervals of `order` and as many columns as suit `around` bricks.
+pub(super) fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec<(f64, f64)> {
+    let columns = (around / 4).clamp(2, 16);
+    let (flat, round) = (inner - nose, columns * order);
+    let mut out = vec![];
+    // Thinner than rounding is no column.
+    if flat > 1e-9 * inner {
+        out.extend((0..columns * order).map(|m| (flat * m as f64 / (columns * order) as f64, nose)));
+    }
+    if nose > 0.0 {
+        let arc = (0..round).map(|m| FRAC_PI_2 * m as f64 / round as f64);
+        out.extend(arc.map(|t| ((flat + nose * t.sin()).max(0.0), nose * t.cos())));
+    }
+    if let Some(first) = out.first_mut() {
+        first.0 = 0.0;
+    }
+    out.push((inner, 0.0));
+    out
+}
+
+impl PlugGrid {
+    /// Intervals from the axis to the bore.
+    pub fn columns(&self) -> usize {
+        self.profile.len() - 1
+    }
+}
+
+impl BrickMesh {
+    /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to the bore.
+    pub(super) fn fill_plug(&mut self, wide: f64, rows: &[f64]) {
+        let Some(plug) = &self.plug else { return };
+        let (order, [_, nj, _]) = (self.brick().order(), self.grid());
+        let rows = &rows[plug.first_row..];
+        // The face bends; the rows behind it are plane.
+        let behind = *rows.get(order).unwrap_or(&self.half_length_mm());
+        let z = |m: usize, k: usize| {
+            let face = self.half_length_mm() - plug.profile[m].1;
+            if k >= order { rows[k] } else { face + (behind - face) * k as f64 / order as f64 }
+        };
+        let mut nodes: Vec<[f64; 3]> = (0..rows.len()).map(|k| [0.0, 0.0, z(0, k)]).collect();
+        for k in 0..rows.len() {
+            for j in 0..nj {
+                let (x, y) = direction(j, nj);
+                for m in 1..plug.columns() {
+                    let r = wide * plug.profile[m].0;
+                    nodes.push([r * x, r * y, z(m, k)]);
+                }
+            }
+        }
+        self.nodes.extend(nodes);
+    }
+
+    /// The terminal as a body.
+    pub fn plug(&self) -> Option<&PlugGrid> {
+        self.plug.as_ref()
+    }
+
+    /// Row of nodes at which the tube's free length ends.
+    pub fn free_rows(&self) -> usize {
+        self.plug.as_ref().map_or(self.grid()[2] - 1, |p| p.first_row)
+    }
+
+    /// Number of the plug's node at (m from the axis, j around, k along from its face); at the bore it is the tube's.
+    pub fn plug_node(&self, plug: &PlugGrid, m: usize, j: usize, k: usize) -> usize {
+        let ([_, nj, nk], columns) = (self.grid(), plug.columns());
+        match m {
+            0 => plug.base + k,
+            m if m == columns => self.node(0, j, plug.first_row + k),
+            _ => plug.base + nk - plug.first_row + (k * nj + j) * (columns - 1) + m - 1,
+        }
+    }
+
+    /// Nodes of every brick of the plug, as [`BrickMesh::bricks`] has those of the tube.
+    pub fn plug_bricks(&self) -> Vec<Vec<u32>> {
+        let Some(plug) = &self.plug else { return vec![] };
+        let (p, [_, nc, nz]) = (self.brick().order(), self.elements());
+        let mut out = vec![];
+        for k in 0..nz - plug.first_row / p {
+            for j in 0..nc {
+                for m in 0..plug.columns() / p {
+                    let at = |a: usize| {
+                        let (x, y, z) = (a % (p + 1), a / (p + 1) % (p + 1), a / ((p + 1) * (p + 1)));
+                        self.plug_node(plug, p * m + x, p * j + y, p * k + z) as u32
+                    };
+                    out.push((0..(p + 1).pow(3)).map(at).collect());
+                }
+            }
+        }
+        out
+    }
+
+    /// Nodes of every face of the plug towards the cavity, their normals out of it.
+    pub fn plug_face(&self) -> Vec<Vec<u32>> {
+        let Some(plug) = &self.plug else { return vec![] };
+        let (p, nc) = (self.brick().order(), self.elements()[1]);
+        let mut out = vec![];
+        for j in 0..nc {
+            for m in 0..plug.columns() / p {
+                let at = |a: usize| self.plug_node(plug, p * m + a % (p + 1), p * j + a / (p + 1), 0) as u32;
+                out.push((0..(p + 1).pow(2)).map(at).collect());
+            }
+        }
+        out
+    }
+}

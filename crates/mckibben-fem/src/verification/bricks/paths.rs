@@ -1,0 +1,100 @@
+//! J. The answer does not depend on the way to it; and an equilibrium that is not stable is noticed.
+
+use super::super::numerics::laws;
+use super::muscle::peers;
+use super::numerics::tangent_error;
+use super::pressure::prototype;
+use super::{BRICKS, solve};
+use crate::three_dimensional::{Body, Brick, BrickSpec, Engine};
+use crate::verification::Row;
+use faer::{Mat, Side};
+use mckibben::muscle::{Bulk, Muscle};
+use mckibben::rubber::Law;
+
+const SOURCE: &str = "J: numerical conduct (bricks)";
+
+/// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
+fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
+    let mut engine = prototype(brick)?;
+    engine.reach(pressure, contraction).ok()?;
+    let guessed = engine.body.totals.pull;
+    engine.forget();
+    engine.walk_from_rest(pressure, contraction).ok()?;
+    Some((engine.body.totals.pull / guessed - 1.0).abs())
+}
+
+/// The largest difference between tangent and differences at an equilibrium of an incompressible rubber.
+fn incompressible(brick: Brick, law: Law) -> Option<f64> {
+    let muscle = Muscle::prototype();
+    let mut tube = muscle.tube().clone();
+    (tube.rubber.law, tube.rubber.bulk) = (law, Bulk::Incompressible);
+    let muscle = muscle.with_tube(tube).ok()?;
+    let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
+    let mut engine =
+        Engine::new(&muscle, &BrickSpec { brick, around, along, ..BrickSpec::default() }).ok()?;
+    engine.reach(0.2, 0.05).ok()?;
+    // Defects of the volume multiply second derivatives that the tangent leaves out: none may be left.
+    let terminal = engine.body.state.terminal;
+    solve(&mut engine.body, terminal)?;
+    tangent_error(&mut engine.body)
+}
+
+/// Negative eigenvalues of the tangent with the terminal held, from all of them.
+fn negative_eigenvalues(body: &Body) -> Option<usize> {
+    let d = &body.discrete;
+    let mut full = Mat::<f64>::zeros(d.free, d.free);
+    for c in 0..d.free {
+        for k in d.pattern.columns[c] as usize..d.pattern.columns[c + 1] as usize {
+            full[(d.pattern.rows[k] as usize, c)] = body.work.values[k];
+        }
+    }
+    let values = full.self_adjoint_eigenvalues(Side::Lower).ok()?;
+    Some(values.into_iter().filter(|x| *x < 0.0).count())
+}
+
+/// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues) that are negative.
+fn shortened() -> Option<(Engine, usize, usize)> {
+    let spec = BrickSpec { around: Some(4), along: Some(12), through: Some(1), ..BrickSpec::default() };
+    let mut engine = Engine::new(&peers()?, &spec).ok()?;
+    let contraction = 0.02;
+    let half = engine.half_length();
+    for i in 1..=4 {
+        let w = -0.25 * f64::from(i) * contraction * half;
+        engine.body.state.pressure = 0.0;
+        engine.step(i as usize, w).ok()?;
+    }
+    engine.body.factorise().ok()?;
+    let (pivots, eigenvalues) = (engine.body.unstable_directions(), negative_eigenvalues(&engine.body)?);
+    Some((engine, pivots, eigenvalues))
+}
+
+/// The rows of paths and stability.
+pub fn paths() -> Vec<Row> {
+    let mut rows = Vec::new();
+    for (brick, name) in BRICKS {
+        for (p, e) in [(0.2, 0.0), (0.2, 0.1), (0.15, 0.15)] {
+            let title = format!("{name}, P {p}, ε {e}: pull after a walk from rest, relative difference");
+            rows.push(Row::new(title, SOURCE, 0.0, walked(brick, p, e), 1e-8));
+        }
+        for law in laws() {
+            let title = mckibben::rubber::RubberLaw::name(&law);
+            let title = format!("{name}, {title}, incompressible: tangent against differences");
+            rows.push(Row::new(title, SOURCE, 0.0, incompressible(brick, law), 1e-7));
+        }
+    }
+    let got = shortened();
+    let reference = got.as_ref().map_or(f64::NAN, |g| g.2 as f64);
+    let pivots = got.as_ref().map(|g| g.1 as f64);
+    let title = "strands in compression, P 0, ε 0.02: negative pivots against eigenvalues".to_owned();
+    rows.push(Row::new(title, SOURCE, reference, pivots, 0.0));
+    let title = "the same: there are some".to_owned();
+    rows.push(Row::new(title, SOURCE, 1.0, pivots.map(|n| n.min(1.0)), 0.0));
+    let noticed = got.as_ref().and_then(|g| g.0.unstable().first().copied());
+    let title = |what: &str| format!("the same: the first unstable step is noticed, {what}");
+    rows.push(Row::new(title("P (MPa)"), SOURCE, 0.0, noticed.map(|u| u.pressure_mpa), 0.0));
+    // One of the four contractions that were asked for.
+    let place = noticed.map(|u| u.contraction / 0.005);
+    let reference = noticed.map_or(f64::NAN, |u| u.step as f64);
+    rows.push(Row::new(title("ε over that of a step"), SOURCE, reference, place, 1e-12));
+    rows
+}

@@ -1,0 +1,92 @@
+//! F. The two-bar (von Mises) truss of the strands' own law, T = E A (λ − 1), and its snap-through.
+//!
+//! Two bars of length L0 = √(w² + h²) at rest rise from supports 2w apart to an apex at height h, which is pushed down by d:
+//!
+//!   P(d) = 2 E A (h − d) (1/l − 1/L0),  l² = w² + (h − d)²;  limit where l³ = w² L0
+//!
+//! Under the limit load the apex snaps to where P(d) is the same beyond d = 2h.
+
+use crate::element::tie::Tie;
+use crate::verification::Row;
+
+const SOURCE: &str = "F: von Mises truss, engineering strain (strands)";
+/// E·A in N.
+const EA: f64 = 1000.0;
+/// Half the width in mm.
+const W: f64 = 10.0;
+/// Height in mm.
+const H: f64 = 1.0;
+
+/// Load on the apex and its derivative in d: two strands in three dimensions, one from (−0.6, −0.8) w and one from its opposite.
+fn apex(d: f64, compression: bool) -> (f64, f64) {
+    let tie = Tie { length_mm: W.hypot(H), stiffness_n: EA, compression };
+    let (mut load, mut stiffness) = (0.0, 0.0);
+    for side in [1.0, -1.0] {
+        let at = [0.6 * side * W, 0.8 * side * W, H - d];
+        let here = tie.pull(at, 0.0, tie.pull(at, 0.0, 0.0).tension);
+        load -= here.tension * here.direction[2];
+        stiffness += here.tangent[2];
+    }
+    (load, stiffness)
+}
+
+fn exact(d: f64) -> f64 {
+    let (l0, l) = (W.hypot(H), W.hypot(H - d));
+    2.0 * EA * (H - d) * (1.0 / l - 1.0 / l0)
+}
+
+/// Newton's method on the load from `d` on.
+fn at_load(load: f64, mut d: f64) -> f64 {
+    for _ in 0..40 {
+        let (p, k) = apex(d, true);
+        d += (load - p) / k;
+    }
+    d
+}
+
+/// The rows of F with strands.
+pub fn snap() -> Vec<Row> {
+    let row = |what: String, reference: f64, ours: f64, tolerance: f64| {
+        Row::new(what, SOURCE, reference, Some(ours), tolerance)
+    };
+    let mut rows: Vec<Row> = [0.2, 0.7, 1.4, 2.3]
+        .into_iter()
+        .map(|d| row(format!("two strands, apex down by {d} mm: P (N)"), exact(d), apex(d, true).0, 1e-10))
+        .collect();
+    // The limit: Newton's method on the tangent, its slope by a central difference.
+    let mut d = 0.3 * H;
+    for _ in 0..40 {
+        let h = 1e-4;
+        let slope = (apex(d + h, true).1 - apex(d - h, true).1) / (2.0 * h);
+        d -= apex(d, true).1 / slope;
+    }
+    let l = (W * W * W.hypot(H)).cbrt();
+    let limit = H - (l * l - W * W).sqrt();
+    rows.push(row("two strands, limit point: d (mm)".into(), limit, d, 1e-9));
+    rows.push(row("two strands, limit load: P (N)".into(), exact(limit), apex(d, true).0, 1e-9));
+    // Where the formula has the limit load again, by bisection.
+    let (mut low, mut high) = (2.0 * H, 4.0 * H);
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if exact(middle) < exact(limit) { low = middle } else { high = middle }
+    }
+    let landed = at_load(exact(limit), 2.5 * H);
+    rows.push(row("two strands, snapped through under the limit load: d (mm)".into(), low, landed, 1e-9));
+    rows.push(row(
+        "two strands, stiffness there is positive".into(),
+        1.0,
+        apex(landed, true).1.signum(),
+        0.0,
+    ));
+    rows.push(row(
+        "two strands, stiffness before the limit, past it".into(),
+        0.0,
+        {
+            let before = apex(limit - 0.05, true).1.signum();
+            before + apex(limit + 0.05, true).1.signum()
+        },
+        0.0,
+    ));
+    rows.push(row("two tension-only strands pushed together: P (N)".into(), 0.0, apex(0.5, false).0, 0.0));
+    rows
+}
