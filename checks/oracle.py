@@ -64,7 +64,7 @@ def invariants(a, b, c):
 
 def mooney(a, b, c):
     i1, i2 = invariants(a, b, c)
-    return mpf("0.12") * (i1 - 3)
+    return mpf("0.112") * (i1 - 3)
 
 
 def neo(mu):
