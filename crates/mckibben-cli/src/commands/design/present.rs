@@ -250,7 +250,7 @@ fn candidates(outcome: &Outcome, p: Pressures) -> String {
     let braid =
         if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
     out.push_str(&format!(
-        "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{braid}. ±: 95 % of the model's error in the pull.\n"
+        "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{braid}.\n±: 95 % of the model's error in the pull, against what it was made from; muscles themselves scatter by some 5 %.\n"
     ));
     out.push_str(&list.first().map_or_else(String::new, doubt));
     out.push_str(&list.first().map_or_else(String::new, strain));
