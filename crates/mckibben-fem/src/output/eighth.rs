@@ -4,7 +4,7 @@
 //! σij → si sj σij with the signs s of the copy.
 
 use super::Shape;
-use super::vtu::{Grid, HEXAHEDRON, POLY_LINE, PointData};
+use super::vtu::{Grid, POLY_LINE, PointData};
 use crate::three_dimensional::{Field, NodeField, PlugField};
 use std::collections::HashMap;
 
@@ -23,6 +23,13 @@ pub enum Extent {
 struct Copy {
     node: usize,
     sign: [f64; 3],
+}
+
+impl Copy {
+    /// A place or a displacement of the node, as the copy has it.
+    fn mirrored(&self, x: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|i| x[i] * self.sign[i])
+    }
 }
 
 /// The grid of nodes that is shown, and where its nodes come from.
@@ -129,9 +136,8 @@ fn tube(field: &Field, l: &Lattice) -> Grid {
 
 /// Hexahedra between copies of nodes, with what is known of the nodes.
 fn grid(nodes: &[NodeField], copies: &[Copy], connectivity: Vec<i64>) -> Grid {
-    let mirrored = |x: [f64; 3], sign: [f64; 3]| [x[0] * sign[0], x[1] * sign[1], x[2] * sign[2]];
     let vector = |value: &dyn Fn(&NodeField) -> [f64; 3]| -> Vec<[f64; 3]> {
-        copies.iter().map(|c| mirrored(value(&nodes[c.node]), c.sign)).collect()
+        copies.iter().map(|c| c.mirrored(value(&nodes[c.node]))).collect()
     };
     let scalar = |name, value: &dyn Fn(&NodeField) -> f64| PointData {
         name,
@@ -159,15 +165,7 @@ fn grid(nodes: &[NodeField], copies: &[Copy], connectivity: Vec<i64>) -> Grid {
         scalar("stress_mises_mpa", &|n| mises(&n.stress_mpa)),
         scalar("rubber_pressure_mpa", &|n| -(n.stress_mpa[0] + n.stress_mpa[1] + n.stress_mpa[2]) / 3.0),
     ];
-    let cells = connectivity.len() / 8;
-    Grid {
-        kind: HEXAHEDRON,
-        points: vector(&|n| n.now_mm),
-        connectivity,
-        offsets: (1..=cells).map(|c| 8 * c as i64).collect(),
-        data,
-        field: vec![],
-    }
+    Grid::of_hexahedra(vector(&|n| n.now_mm), connectivity, data)
 }
 
 /// (σrr, σθθ) about the axis, in the present place.
@@ -203,8 +201,7 @@ fn braid(field: &Field, l: &Lattice) -> Grid {
     }
     let points = ends.iter().flatten().map(|&p| {
         let c = l.copies[p];
-        let x = field.nodes[c.node].now_mm;
-        [x[0] * c.sign[0], x[1] * c.sign[1], x[2] * c.sign[2]]
+        c.mirrored(field.nodes[c.node].now_mm)
     });
     let scalar = |name, value: &dyn Fn(&crate::three_dimensional::PieceField) -> f64| PointData {
         name,
@@ -250,6 +247,22 @@ mod tests {
         (model, field)
     }
 
+    /// Volume inside of a grid's surface with its points at `place`, by Gauss's theorem.
+    fn enclosed(grid: &Grid, place: impl Fn(usize) -> [f64; 3]) -> f64 {
+        let faces = super::super::skin::skin(grid, |_| true);
+        let one = |f: [usize; 4]| {
+            let p = f.map(&place);
+            // ∫ x·n dA of a bilinear face, exactly, by its two ways of being split into triangles.
+            let six = |a: usize, b: usize, c: usize| {
+                let (u, v, w) = (p[a], p[b], p[c]);
+                u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
+                    + u[2] * (v[0] * w[1] - v[1] * w[0])
+            };
+            0.5 * (six(0, 1, 2) + six(0, 2, 3) + six(0, 1, 3) + six(1, 2, 3)) / 6.0
+        };
+        faces.into_iter().map(one).sum()
+    }
+
     /// Volume inside of the surface by Gauss's theorem: incompressible rubber keeps that of the polygon's tube.
     #[test]
     fn the_whole_tube_has_eight_times_the_volume_of_one_eighth_and_keeps_it() {
@@ -261,18 +274,7 @@ mod tests {
                 let u = &moved.values[3 * i..3 * i + 3];
                 [0, 1, 2].map(|k| shape.tube.points[i][k] - if rest { u[k] } else { 0.0 })
             };
-            let mut sum = 0.0;
-            for f in super::super::skin::skin(&shape.tube, |_| true) {
-                let p = f.map(place);
-                // ∫ x·n dA of a bilinear face, exactly, by its two ways of being split into triangles.
-                let six = |a: usize, b: usize, c: usize| {
-                    let (u, v, w) = (p[a], p[b], p[c]);
-                    u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
-                        + u[2] * (v[0] * w[1] - v[1] * w[0])
-                };
-                sum += 0.5 * (six(0, 1, 2) + six(0, 2, 3) + six(0, 1, 3) + six(1, 2, 3)) / 6.0;
-            }
-            sum
+            enclosed(&shape.tube, place)
         };
         let (eighth, whole) = (volume(Extent::Eighth, false), volume(Extent::Whole, false));
         assert!((whole - 8.0 * eighth).abs() < 1e-9 * whole, "{whole} {eighth}");
@@ -302,17 +304,7 @@ mod tests {
                 let grid = shape.plug.clone().unwrap();
                 assert!(grid.data.iter().all(|d| d.values.iter().all(|v| v.is_finite())));
                 assert!(!shape.seen("max_stretch", false).unwrap().plug.is_empty());
-                let mut sum = 0.0;
-                for f in super::super::skin::skin(&grid, |_| true) {
-                    let p = f.map(|i| grid.points[i]);
-                    let six = |a: usize, b: usize, c: usize| {
-                        let (u, v, w) = (p[a], p[b], p[c]);
-                        u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
-                            + u[2] * (v[0] * w[1] - v[1] * w[0])
-                    };
-                    sum += 0.5 * (six(0, 1, 2) + six(0, 2, 3) + six(0, 1, 3) + six(1, 2, 3)) / 6.0;
-                }
-                sum
+                enclosed(&grid, |i| grid.points[i])
             };
             let (eighth, whole) = (volume(Extent::Eighth), volume(Extent::Whole));
             assert!((whole - 8.0 * eighth).abs() < 1e-9 * whole, "{whole} {eighth}");

@@ -1,6 +1,6 @@
 //! The whole tube: the half section mirrored at z = 0 and turned about the axis.
 
-use super::vtu::{Grid, HEXAHEDRON, PointData};
+use super::vtu::{Grid, PointData};
 use crate::axisymmetric::{Section, SectionNode};
 use std::f64::consts::TAU;
 
@@ -77,13 +77,5 @@ pub fn tube(section: &Section) -> Grid {
             }
         }
     }
-    let cells = connectivity.len() / 8;
-    Grid {
-        kind: HEXAHEDRON,
-        points: placed(&|n| n.now_mm),
-        connectivity,
-        offsets: (1..=cells).map(|c| 8 * c as i64).collect(),
-        data,
-        field: vec![],
-    }
+    Grid::of_hexahedra(placed(&|n| n.now_mm), connectivity, data)
 }

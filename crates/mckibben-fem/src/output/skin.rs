@@ -26,7 +26,7 @@ pub fn skin(grid: &Grid, kept: impl Fn(&[usize; 8]) -> bool) -> Vec<[usize; 4]> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::vtu::{Grid, HEXAHEDRON};
+    use super::super::vtu::Grid;
     use super::skin;
 
     /// Two cubes side by side: ten faces, 10 mm² in all, and their outward areas sum to nothing (a closed surface).
@@ -35,14 +35,7 @@ mod tests {
         let points: Vec<[f64; 3]> =
             (0..12).map(|i| [f64::from(i % 3), f64::from(i / 3 % 2), f64::from(i / 6)]).collect();
         let cube = |x: i64| [x, x + 1, x + 4, x + 3, x + 6, x + 7, x + 10, x + 9];
-        let grid = Grid {
-            kind: HEXAHEDRON,
-            points,
-            connectivity: [cube(0), cube(1)].concat(),
-            offsets: vec![8, 16],
-            data: vec![],
-            field: vec![],
-        };
+        let grid = Grid::of_hexahedra(points, [cube(0), cube(1)].concat(), vec![]);
         let faces = skin(&grid, |_| true);
         assert_eq!(faces.len(), 10);
         let mut volume = 0.0;

@@ -45,6 +45,12 @@ pub struct Grid {
 }
 
 impl Grid {
+    /// Hexahedra with eight points each in `connectivity`.
+    pub fn of_hexahedra(points: Vec<[f64; 3]>, connectivity: Vec<i64>, data: Vec<PointData>) -> Self {
+        let offsets = (1..=connectivity.len() / 8).map(|c| 8 * c as i64).collect();
+        Self { kind: HEXAHEDRON, points, connectivity, offsets, data, field: vec![] }
+    }
+
     /// The file; `about` is said in a comment at its head, `file` is named in errors.
     ///
     /// # Errors

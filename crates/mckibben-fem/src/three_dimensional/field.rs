@@ -7,7 +7,7 @@
 use super::engine::Engine;
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
-use super::results::{inverse, now};
+use super::results::now;
 use super::{Body, Discrete};
 use crate::axisymmetric::FemError;
 use crate::element::brick::ShapePoint;
@@ -189,7 +189,7 @@ fn stretches(f: &[[f64; 3]; 3], at: [f64; 3]) -> NodeField {
     NodeField {
         hoop_stretch: length(hoop),
         meridional_stretch: length([0.0, 0.0, 1.0]),
-        max_stretch: principal_axes(&left(f)).0.into_iter().fold(0.0, f64::max).sqrt(),
+        max_stretch: largest_principal(f),
         ..NodeField::default()
     }
 }
@@ -275,8 +275,22 @@ fn left(f: &[[f64; 3]; 3]) -> [f64; 6] {
     PAIRS.map(|(i, j)| dot(f[i], f[j]))
 }
 
+/// Largest principal stretch at F.
+pub(super) fn largest_principal(f: &[[f64; 3]; 3]) -> f64 {
+    principal_axes(&left(f)).0.into_iter().fold(0.0, f64::max).sqrt()
+}
+
+fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
+    let minor = |i: usize, j: usize| {
+        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
+        m[a][c] * m[b][d] - m[a][d] * m[b][c]
+    };
+    let det: f64 = (0..3).map(|j| m[0][j] * minor(0, j)).sum();
+    (det != 0.0).then(|| [0, 1, 2].map(|i| [0, 1, 2].map(|j| minor(j, i) / det)))
+}
+
 /// F at a point of a brick, and the place at rest.
-fn gradient<const NN: usize>(
+pub(super) fn gradient<const NN: usize>(
     body: &Body,
     nodes: &[u32],
     p: &ShapePoint<NN>,

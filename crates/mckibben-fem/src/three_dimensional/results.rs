@@ -4,13 +4,12 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::body::Body;
+use super::field::{gradient, largest_principal};
 use super::mesh::{Brick, BrickMesh};
 use super::saddle::share;
 use crate::axisymmetric::{Energies, FemError, ProfilePoint, Solution, StrandState, StretchAt};
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
-use crate::element::spatial::PAIRS;
-use crate::element::spatial_stretches::principal_axes;
 use crate::element::tie::{Pull, Tie};
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
@@ -172,34 +171,12 @@ fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> StretchAt {
     let mut largest = StretchAt { value: 1.0, rest_mm: [0.0; 2] };
     for nodes in &d.parts.bricks[d.materials[0].bricks.clone()] {
         for p in points {
-            let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
-            for (a, node) in nodes.iter().enumerate() {
-                let (x, y) = (d.parts.nodes[*node as usize], now(body, *node as usize));
-                for i in 0..3 {
-                    at[i] += p.n[a] * x[i];
-                    for j in 0..3 {
-                        rest[i][j] += x[i] * p.dn[a][j];
-                        here[i][j] += y[i] * p.dn[a][j];
-                    }
-                }
-            }
-            let Some(inverse) = inverse(&rest) else { continue };
-            let f = |i: usize, j: usize| (0..3).map(|k| here[i][k] * inverse[k][j]).sum::<f64>();
-            let b = PAIRS.map(|(i, j)| (0..3).map(|k| f(i, k) * f(j, k)).sum::<f64>());
-            let value = principal_axes(&b).0.into_iter().fold(0.0, f64::max).sqrt();
+            let Some((f, at)) = gradient(body, nodes, p) else { continue };
+            let value = largest_principal(&f);
             if value > largest.value {
                 largest = StretchAt { value, rest_mm: [at[0].hypot(at[1]), at[2]] };
             }
         }
     }
     largest
-}
-
-pub(super) fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
-    let minor = |i: usize, j: usize| {
-        let (a, b, c, d) = ((i + 1) % 3, (i + 2) % 3, (j + 1) % 3, (j + 2) % 3);
-        m[a][c] * m[b][d] - m[a][d] * m[b][c]
-    };
-    let det: f64 = (0..3).map(|j| m[0][j] * minor(0, j)).sum();
-    (det != 0.0).then(|| [0, 1, 2].map(|i| [0, 1, 2].map(|j| minor(j, i) / det)))
 }

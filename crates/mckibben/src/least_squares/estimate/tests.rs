@@ -120,3 +120,13 @@ fn a_model_that_ends_somewhere_is_followed_up_to_there() {
     let e = estimate(&edge, &unknowns, &[1.0; 12], Loss::Squares).unwrap();
     assert!((e.x[0] - 2f64.exp()).abs() < 1e-5 && (e.x[1] - 3.0).abs() < 1e-6, "{:?}", e.x);
 }
+
+/// Rosenbrock (1960): minimum 0 at (1, 1). The third point is met by any unknowns.
+#[test]
+fn rosenbrocks_valley_is_followed_to_its_end() {
+    let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], 0.0]);
+    let unknowns = [Unknown::free(0.0, 1.0), Unknown::free(0.0, 1.0)];
+    let found = estimate(&valley, &unknowns, &[1.0; 3], Loss::Squares).unwrap();
+    assert!((found.x[0] - 1.0).abs() < 1e-7 && (found.x[1] - 1.0).abs() < 1e-7, "{found:?}");
+    assert!(found.residuals.iter().map(|r| r * r).sum::<f64>() < 1e-14);
+}
