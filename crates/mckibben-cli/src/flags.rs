@@ -1,8 +1,17 @@
 //! Flags that commands share.
 
-use crate::kind::MeshFlags;
+use crate::failure::Failure;
+use crate::files;
+use crate::quantities::{quantity, ratio};
+use crate::word::word;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use mckibben::units::Dimension;
+use mckibben_app::words::PressureUnit;
+use mckibben_app::{
+    AskFields, Direction, Keep, MeshFields, ModelFields, MuscleFields, NamedStiffness, ProblemKind, Stiffness,
+    Terminal, TerminalMaterial,
+};
+use std::path::{Path, PathBuf};
 
 /// The muscle: a file, and flags that override it.
 #[derive(Debug, Clone, Default, Args)]
@@ -47,7 +56,7 @@ pub struct MuscleFlags {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Model")]
 pub struct ModelFlags {
-    /// Force model, or the JSON of a fitted formula [paper inside its box, else thick-wall]; `mckibben models` lists them
+    /// Force model, or the JSON of a fitted formula [fe]; `mckibben models` lists them
     #[arg(long, value_name = "NAME")]
     pub model: Option<String>,
     #[command(flatten)]
@@ -69,54 +78,114 @@ pub struct AskFlags {
     #[arg(long, value_name = "N or MxN:G")]
     pub mesh: Option<String>,
     /// What `fe3d` keeps where bricks with strands at ±θ0 do not fill the length
-    #[arg(long = "match", value_enum, value_name = "WHAT", default_value_t)]
-    pub keep: MatchWord,
+    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length")]
+    pub keep: Keep,
     /// Terminal of `fe3d`: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
     #[arg(long, value_name = "WORD:MM:MM")]
     pub terminal: Option<String>,
     /// Branch of the friction hysteresis (needs [friction] in the muscle file)
-    #[arg(long, value_enum, default_value_t = MotionWord::Mean)]
-    pub motion: MotionWord,
+    #[arg(long, value_parser = word::<Direction>(), default_value = "mean")]
+    pub motion: Direction,
 }
 
-impl AskFlags {
-    /// `--mesh`, `--match` and `--terminal`.
-    pub fn mesh_flags(&self) -> MeshFlags<'_> {
-        MeshFlags { text: self.mesh.as_deref(), keep: self.keep, terminal: self.terminal.as_deref() }
+impl MuscleFlags {
+    /// The muscle's fields; `file` stands in for `--muscle`.
+    pub fn fields(&self, file: Option<&Path>) -> Result<MuscleFields, Failure> {
+        let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
+        let file = file.or(self.muscle.as_deref());
+        Ok(MuscleFields {
+            muscle: file.map(files::text).transpose()?,
+            outer_diameter_mm: length("--outer-diameter", &self.outer_diameter)?,
+            wall_mm: length("--wall", &self.wall)?,
+            length_mm: length("--length", &self.length)?,
+            angle_deg: quantity("--angle", self.angle.as_deref(), Dimension::Angle)?,
+            rubber: self.rubber.clone(),
+            stiffness: self.stiffness.as_deref().map(stiffness).transpose()?,
+            end_factor: ratio("--end-factor", self.end_factor.as_deref())?,
+            cone_factor: ratio("--cone-factor", self.cone_factor.as_deref())?,
+            strand_length_mm: length("--strand-length", &self.strand_length)?,
+            turns: ratio("--turns", self.turns.as_deref())?,
+        })
     }
 }
 
-/// What the mesh of `fe3d` keeps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum MatchWord {
-    /// The length
-    #[default]
-    Length,
-    /// The braid angle; the length is a whole number of cells
-    Angle,
+/// A stiffness: a quantity or a word.
+pub fn stiffness(text: &str) -> Result<Stiffness, Failure> {
+    match text.trim() {
+        "inextensible" => Ok(Stiffness::Named(NamedStiffness::Inextensible)),
+        "paper" => Ok(Stiffness::Named(NamedStiffness::Paper)),
+        other => match mckibben::units::parse_quantity(other, Dimension::Stiffness) {
+            Ok(k) => Ok(Stiffness::NewtonPerMm(k)),
+            Err(e) => {
+                let message = format!("{e}, or `inextensible`, or `paper`");
+                Err(Failure::flag("--stiffness", ProblemKind::Quantity, message))
+            }
+        },
+    }
 }
 
-/// Which branch of the hysteresis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum MotionWord {
-    /// The mean of both branches
-    #[default]
-    Mean,
-    /// While the muscle shortens: friction takes from the pull
-    Contraction,
-    /// While it is lengthened: friction adds to the pull
-    Elongation,
+impl ModelFlags {
+    /// The model's fields.
+    pub fn fields(&self) -> Result<ModelFields, Failure> {
+        let formulas = self.model.as_deref().map(files::formula).transpose()?.flatten();
+        Ok(ModelFields {
+            model: self.model.clone(),
+            formulas: formulas.into_iter().collect(),
+            mesh: self.asking.mesh_fields()?,
+        })
+    }
+}
+
+impl AskFlags {
+    /// How the model is asked.
+    pub fn fields(&self) -> AskFields {
+        AskFields {
+            extrapolate: self.extrapolate,
+            two_sided: self.two_sided,
+            direction: self.motion,
+        }
+    }
+
+    /// The mesh's fields.
+    pub fn mesh_fields(&self) -> Result<MeshFields, Failure> {
+        mesh_fields(self.mesh.as_deref(), self.keep, self.terminal.as_deref())
+    }
+}
+
+/// `--mesh`, `--match` and `--terminal`.
+pub fn mesh_fields(mesh: Option<&str>, keep: Keep, terminal: Option<&str>) -> Result<MeshFields, Failure> {
+    Ok(MeshFields { mesh: mesh.map(Into::into), keep, terminal: terminal.map(self::terminal).transpose()?.flatten() })
+}
+
+/// none, rigid or aluminium, with the insertion and the radius of the nose behind: `aluminium:20mm:3mm`.
+fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
+    let wrong = || {
+        let message = format!(
+            "--terminal: \"{text}\" is no terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
+        );
+        Failure::input(ProblemKind::Terminal, message, "leave it out for a rigid plane")
+    };
+    let mut words = text.split(':');
+    let material = match words.next().map(str::trim) {
+        Some("none") if !text.contains(':') => return Ok(None),
+        Some("rigid") => TerminalMaterial::Rigid,
+        Some("aluminium" | "aluminum") => TerminalMaterial::Aluminium,
+        _ => return Err(wrong()),
+    };
+    let mut length = || quantity("--terminal", words.next(), Dimension::Length);
+    let (insertion_mm, nose_mm) = (length()?, length()?);
+    if words.next().is_some() {
+        return Err(wrong());
+    }
+    Ok(Some(Terminal { material, insertion_mm, nose_mm }))
 }
 
 /// What is printed, drawn and written.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct OutputFlags {
-    /// What is printed: text for people, json or csv for programs
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub format: Format,
     /// Unit of pressures in text and figures [the one you typed, else MPa]
-    #[arg(long, value_enum, value_name = "UNIT")]
+    #[arg(long, value_parser = word::<PressureUnit>(), value_name = "UNIT")]
     pub units: Option<PressureUnit>,
     /// Write the result to a file instead of standard output
     #[arg(short, long, value_name = "FILE")]
@@ -144,36 +213,13 @@ pub enum Format {
     Csv,
 }
 
-/// Units in which people are shown pressures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum PressureUnit {
-    /// bar
-    Bar,
-    /// kPa
-    Kpa,
-    /// psi
-    Psi,
-    /// MPa
-    Mpa,
-}
-
-impl PressureUnit {
-    /// Name and value of 1 MPa.
-    pub fn of_one_mpa(self) -> (&'static str, f64) {
-        match self {
-            PressureUnit::Bar => ("bar", 10.0),
-            PressureUnit::Kpa => ("kPa", 1000.0),
-            PressureUnit::Psi => ("psi", 1.0 / 0.006_894_757_293_168_361),
-            PressureUnit::Mpa => ("MPa", 1.0),
-        }
-    }
-
-    /// The unit that stands in what the user typed, if it is one of these.
-    pub fn typed(text: Option<&str>) -> Option<Self> {
-        let text = text?.trim().to_ascii_lowercase();
-        [("mpa", Self::Mpa), ("kpa", Self::Kpa), ("psi", Self::Psi), ("bar", Self::Bar)]
-            .into_iter()
-            .find(|(word, _)| text.ends_with(word) && !text.ends_with("mbar"))
-            .map(|(_, unit)| unit)
-    }
+/// The unit of pressures: the one that was asked for, else the one that was typed, else MPa.
+pub fn pressure_unit(asked: Option<PressureUnit>, typed: Option<&str>) -> PressureUnit {
+    let typed = || {
+        let text = typed?.trim().to_ascii_lowercase();
+        let units = [PressureUnit::Mpa, PressureUnit::Kpa, PressureUnit::Psi, PressureUnit::Bar];
+        let mut known = units.into_iter();
+        known.find(|unit| text.ends_with(&unit.name().to_ascii_lowercase()) && !text.ends_with("mbar"))
+    };
+    asked.or_else(typed).unwrap_or_default()
 }

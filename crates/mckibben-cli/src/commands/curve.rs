@@ -1,86 +1,85 @@
-//! `curve isometric|isotonic|isobaric`.
+//! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
-use crate::cli::{CurveArgs, TestWord};
-use crate::failure::{Failure, NO_ANSWER, NOT_CONVERGED, WRONG_INPUT};
-use crate::figure;
-use crate::flags::{Format, PressureUnit};
-use crate::output::text::{Pressures, muscle_line, number, percent, table};
-use crate::output::{csv, emit, json, warn};
-use crate::resolve;
-use mckibben::curve::{Curve, Test, curves};
-use mckibben::units::Dimension;
+use super::study;
+use crate::failure::{Failure};
+use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
+use crate::output::text::{PressureUnit, number, percent, table};
+use crate::output::{show, warn};
+use crate::plot;
+use crate::quantities::{contractions, forces, pressures};
+use crate::word::word;
+use clap::{Args, ValueEnum};
+use mckibben::curve::{Curve, Test};
+use mckibben_app::{CurveRequest};
 
-/// Runs the command.
-pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
-    figure::check(args.plot.plot.as_deref())?;
-    let test = match args.test {
-        Some(TestWord::Isotonic) => Test::Isotonic,
-        Some(TestWord::Isobaric) => Test::Isobaric,
-        _ => Test::Isometric,
-    };
-    let muscle = resolve::muscle(&args.muscle)?;
-    let default_p = if test == Test::Isobaric { "0.05..0.25:0.05" } else { "0..0.25:0.01" };
-    let default_e = if test == Test::Isobaric { "0..0.2:0.01" } else { "0..0.2:0.05" };
-    let p = resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, default_p, 25)?;
-    let e = resolve::contractions(args.contraction.as_deref(), default_e)?;
-    let f = resolve::points("--force", args.force.as_deref(), Dimension::Force, "20,80,150N", 5)?;
-    f.iter().try_for_each(|&f| resolve::pull("--force", f, &args.model.asking))?;
-    let ends = (p.iter().copied().fold(f64::INFINITY, f64::min), p.iter().copied().fold(0.0, f64::max));
-    let model = resolve::model(&args.model, &muscle, ends)?;
-    let (fixed, along) = match test {
-        Test::Isometric => (&e, &p),
-        Test::Isotonic => (&f, &p),
-        Test::Isobaric => (&p, &e),
-    };
-    if fixed.len().saturating_mul(along.len()) > mckibben::units::MAX_POINTS {
-        let points = fixed.len() * along.len();
-        let message = format!("{points} points are more than {}", mckibben::units::MAX_POINTS);
-        return Err(Failure::input("range", message, "take larger steps"));
-    }
-    let list = curves(model.as_ref(), test, fixed, along, resolve::options(&args.model.asking));
-    let failed = all_failed(&list);
-    let typed = PressureUnit::typed(args.pressure.as_deref());
-    let pressures = Pressures(args.output.units.or(typed).unwrap_or(PressureUnit::Mpa));
-    if let (Some(path), None) = (&args.plot.plot, &failed) {
-        figure::curves(model.as_ref(), test, &list, pressures).save(path)?;
-    }
-    let value = json::curves(model.name(), test, &list, &muscle);
-    let text = match args.output.format {
-        Format::Json => json::print(&value),
-        Format::Csv => csv::rows(value["points"].as_array().map_or(&[][..], |v| v))?,
-        Format::Text => {
-            if let Some(failure) = failed {
-                return Err(failure);
-            }
-            warnings(&list);
-            let head = format!("{} test, model {}\n{}\n\n", test.name(), model.name(), muscle_line(&muscle));
-            format!("{head}{}", as_table(test, &list, pressures))
-        }
-    };
-    emit(&text, args.output.output.as_deref())?;
-    Ok(failed.map_or(0, |f| f.exit))
+pub const EXAMPLES: &str = "Examples:
+  mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
+    --plot f.svg
+  mckibben curve isometric -p 0..2.5:0.1bar -e 0,10%,20% --format csv
+  mckibben curve isotonic -F 20,80,150N --model thick-wall
+  mckibben curve --study thickness --model thick-wall --plot study.svg";
+
+/// The studies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum StudyWord {
+    /// The paper's Figure 4: walls of 1 to 5 mm, isometric and isotonic, with its findings
+    Thickness,
 }
 
-/// Where every point fails, the first reason with the exit code it deserves.
-fn all_failed(list: &[Curve]) -> Option<Failure> {
-    let mut errors = list.iter().flat_map(|c| c.points.iter().map(|p| p.answer.as_ref().err()));
-    if !errors.clone().all(|e| e.is_some()) {
-        return None;
+/// `curve`.
+#[derive(Debug, Args)]
+pub struct CurveArgs {
+    /// Which test
+    #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
+    pub test: Option<Test>,
+    /// A study of the paper instead
+    #[arg(long, value_enum)]
+    pub study: Option<StudyWord>,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub model: ModelFlags,
+    /// Pressures [isobaric: 0.05..0.25:0.05, else 0..0.25:0.01]
+    #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
+    /// Contraction ratios [isometric: 0..0.2:0.05, isobaric: 0..0.2:0.01]
+    #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub contraction: Option<String>,
+    /// Pulls of an isotonic test [20,80,150N]
+    #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub force: Option<String>,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// Runs the command.
+pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
+    let Some(test) = args.test else { return study::run(args, format) };
+    let unit = pressure_unit(args.output.units, args.pressure.as_deref());
+    let mut answer = mckibben_app::curve(&CurveRequest {
+        test,
+        muscle: args.muscle.fields(None)?,
+        model: args.model.fields()?,
+        asking: args.model.asking.fields(),
+        pressures_mpa: pressures(args.pressure.as_deref(), 25)?,
+        contractions: contractions(args.contraction.as_deref())?,
+        forces_n: forces(args.force.as_deref())?,
+        figure: args.plot.plot.as_ref().map(|_| unit),
+    })?;
+    if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+        return Err(problem.into());
     }
-    let mut worst: Option<Failure> = None;
-    for error in errors.by_ref().flatten() {
-        let failure = Failure::from(error.clone());
-        let rank = |f: &Failure| match f.exit {
-            NOT_CONVERGED => 2,
-            WRONG_INPUT => 1,
-            NO_ANSWER => 0,
-            _ => 0,
-        };
-        if worst.as_ref().is_none_or(|w| rank(&failure) > rank(w)) {
-            worst = Some(failure);
-        }
-    }
-    worst
+    plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), args.plot.plot.as_deref())?;
+    let text = || {
+        warnings(&answer.curves);
+        let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line());
+        format!("{head}{}", as_table(test, &answer.curves, unit))
+    };
+    show(&answer, format, "points", text, args.output.output.as_deref())?;
+    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
 fn warnings(list: &[Curve]) {
@@ -105,8 +104,8 @@ fn warnings(list: &[Curve]) {
 }
 
 /// One row per value along the curves, one column per curve.
-fn as_table(test: Test, list: &[Curve], p: Pressures) -> String {
-    let along = if test == Test::Isobaric { "ε".to_owned() } else { format!("P [{}]", p.unit()) };
+fn as_table(test: Test, list: &[Curve], p: PressureUnit) -> String {
+    let along = if test == Test::Isobaric { "ε".to_owned() } else { format!("P [{}]", p.name()) };
     let fixed = |c: &Curve| match test {
         Test::Isometric => format!("F [N] at ε {}", percent(c.fixed)),
         Test::Isotonic => format!("ε at {} N", number(c.fixed, 5)),

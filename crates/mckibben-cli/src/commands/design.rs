@@ -1,107 +1,186 @@
 //! `design`: the main job.
 
-use crate::cli::{DesignArgs, ObjectiveWord, VerifyWord};
+mod text;
+
 use crate::failure::{Failure, NO_ANSWER};
-use crate::figure;
-use crate::flags::{Format, MuscleFlags, PressureUnit};
-use crate::kind::{Kind, MeshFlags};
-use crate::output::text::Pressures;
-use crate::output::{csv, emit, json, save};
-use crate::resolve;
-use mckibben::analysis::pressure_at;
-use mckibben::answer::Options;
-use mckibben::design::{
-    BraidChoice, Candidate, Limits, Objective, OperatingPoint, Outcome, Spec, Spread, Tolerances, design,
-    spread,
+use crate::files;
+use crate::flags::{Format, PlotFlag, pressure_unit, stiffness};
+use crate::output::text::PressureUnit;
+use crate::output::{save, show};
+use crate::plot;
+use crate::progress::Bar;
+use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
+use crate::word::word;
+use clap::Args;
+use mckibben::muscle::file::to_toml;
+use mckibben::units::{Dimension, Values};
+use mckibben_app::{
+    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields, Verify, Wanted,
 };
-use mckibben::model::{ForceModel, ModelKind};
-use mckibben::muscle::{Motion, Muscle, Tube, file};
-use mckibben::units::{Dimension, Values, parse_quantity};
-use mckibben_fem::axisymmetric::Axisymmetric;
+use std::path::PathBuf;
 
-mod present;
+pub const EXAMPLES: &str = "Examples:
+  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar
+  mckibben design --at 700N@15%,1200N@5% --max-pressure 2.5bar \\
+    --max-bulged-diameter 80mm --plot muscle.svg
+  mckibben design -F 300N --stroke 40mm --length 285 --max-pressure 3bar \\
+    -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
+  mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
+    --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml";
 
-/// Curves are drawn of so many candidates.
-const DRAWN: usize = 3;
+/// `design`.
+#[derive(Debug, Args)]
+pub struct DesignArgs {
+    /// Pull wanted
+    #[arg(
+        short = 'F',
+        long,
+        value_name = "FORCE",
+        allow_hyphen_values = true,
+        help_heading = "Specification"
+    )]
+    pub force: Option<String>,
+    /// Contraction ratio at which it is wanted
+    #[arg(
+        short = 'e',
+        long,
+        value_name = "RATIO",
+        allow_hyphen_values = true,
+        help_heading = "Specification"
+    )]
+    pub contraction: Option<String>,
+    /// Several operating points: 700N@15%,1200N@5%
+    #[arg(long, value_name = "F@E,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction"], help_heading = "Specification")]
+    pub at: Option<String>,
+    /// Pressure of the supply
+    #[arg(
+        short = 'p',
+        long,
+        value_name = "PRESSURE",
+        allow_hyphen_values = true,
+        alias = "pressure",
+        help_heading = "Specification"
+    )]
+    pub max_pressure: Option<String>,
+    /// Stroke in mm: with --contraction it sets the length, with --length the contraction
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Specification")]
+    pub stroke: Option<String>,
+    /// Largest outer diameter at the operating points
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Specification")]
+    pub max_bulged_diameter: Option<String>,
+    /// Least ratio of burst pressure to maximum pressure (needs the strands' strength)
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Specification")]
+    pub min_burst_margin: Option<String>,
+    /// Largest stretch of the rubber at the operating points (2 means twice its length)
+    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Specification")]
+    pub max_stretch: Option<String>,
+    /// What to rank by
+    #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
+    pub objective: ObjectiveWord,
+    /// Muscle file for what is not searched; flags override it
+    #[arg(long, value_name = "FILE", help_heading = "Search space")]
+    pub muscle: Option<PathBuf>,
+    /// Outer diameters at rest: a value, list, range or stepped range [5..80]
+    #[arg(
+        short = 'D',
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        help_heading = "Search space"
+    )]
+    pub outer_diameter: Option<String>,
+    /// Walls [0.5..10]
+    #[arg(
+        short = 's',
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        help_heading = "Search space"
+    )]
+    pub wall: Option<String>,
+    /// Braid angles [28deg]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, help_heading = "Search space")]
+    pub angle: Option<String>,
+    /// Sleeves as sold: length of strand per turn; the diameter then sets the angle
+    #[arg(
+        long,
+        value_name = "LIST",
+        allow_hyphen_values = true,
+        conflicts_with = "angle",
+        help_heading = "Search space"
+    )]
+    pub strand_length_per_turn: Option<String>,
+    /// Rubbers, by name [paper]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Search space")]
+    pub rubber: Vec<String>,
+    /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "Search space")]
+    pub stiffness: Option<String>,
+    /// Length between the terminals at rest [285mm]
+    #[arg(
+        short = 'L',
+        long,
+        value_name = "LENGTH",
+        allow_hyphen_values = true,
+        help_heading = "Search space"
+    )]
+    pub length: Option<String>,
+    /// Spread of the winner's pull for ± tolerances: wall=0.1mm,diameter=0.2mm,pressure=0.1bar
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
+    pub tolerance: Option<String>,
+    /// Force model [universal, and fe outside of its range]
+    #[arg(long, value_name = "NAME", help_heading = "Model")]
+    pub model: Option<String>,
+    /// Mesh of `fe` or `fe3d`, as for the other commands [chosen]
+    #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
+    pub mesh: Option<String>,
+    /// Answer outside of the model's range, with a warning
+    #[arg(long, help_heading = "Model")]
+    pub extrapolate: bool,
+    /// Compute the winner again by finite elements and show the difference
+    #[arg(long, value_parser = word::<Verify>(), default_value = "fe", help_heading = "Model")]
+    pub verify: Verify,
+    /// How many candidates to show
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Output")]
+    pub top: u16,
+    /// Unit of pressures in text and figures [the one you typed, else MPa]
+    #[arg(long, value_parser = word::<PressureUnit>(), value_name = "UNIT", help_heading = "Output")]
+    pub units: Option<PressureUnit>,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    /// No chart in the terminal
+    #[arg(long, help_heading = "Output")]
+    pub no_chart: bool,
+    /// Write the winner as a muscle file
+    #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
+    pub output: Option<PathBuf>,
+}
 
 /// Runs the command.
-pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
-    figure::check(args.plot.plot.as_deref())?;
-    let (spec, kind) = specification(args)?;
-    let build = |m: &Muscle| resolve::build(kind, m, Motion::Mean);
-    let outcome = design(&spec, &build)?;
-    let typed = PressureUnit::typed(args.max_pressure.as_deref());
-    let p = Pressures(args.units.or(typed).unwrap_or(PressureUnit::Mpa));
-    let spreads = match (&args.tolerance, outcome.candidates.first()) {
-        (Some(text), Some(winner)) => {
-            let tolerances = tolerances(text)?;
-            let one = |q: &mckibben::design::CandidatePoint| {
-                spread(&winner.muscle, &build, q.wanted, q.pressure_mpa, tolerances)
-            };
-            winner.points.iter().map(one).collect::<Result<Vec<Spread>, _>>()?
-        }
-        (Some(text), None) => {
-            tolerances(text)?;
-            vec![]
-        }
-        _ => vec![],
-    };
-    let checked = match (args.verify, outcome.candidates.first()) {
-        (VerifyWord::Fe, Some(winner)) if kind.name() != "fe" => verified(&spec, winner),
-        _ => vec![],
-    };
-    if let (Some(path), Some(winner)) = (&args.output, outcome.candidates.first()) {
-        save(path, file::to_toml(&winner.muscle).as_bytes())?;
+pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
+    let unit = pressure_unit(args.units, args.max_pressure.as_deref());
+    let chart = format == Format::Text && !args.no_chart;
+    let request = request(args, (chart || args.plot.plot.is_some()).then_some(unit))?;
+    let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
+    let figure = answer.figure.take();
+    let winner = answer.outcome.candidates.first().map(|c| &c.muscle);
+    if let (Some(path), Some(winner)) = (&args.output, winner) {
+        save(path, to_toml(winner).as_bytes())?;
     }
-    let drawn = drawn(&outcome, kind)?;
-    if let Some(path) = &args.plot.plot
-        && !drawn.is_empty()
-    {
-        picture(&spec, &drawn, p).save(path)?;
-    }
-    let text = match args.format {
-        Format::Json => json::print(&present::as_json(&spec, kind, &outcome, &spreads, &checked)),
-        Format::Csv => csv::rows(
-            &outcome.candidates.iter().map(|c| present::candidate_json(c, kind)).collect::<Vec<_>>(),
-        )?,
-        Format::Text => {
-            let mut text = present::as_text(&spec, kind, &outcome, &spreads, &checked, p);
-            if !drawn.is_empty() && !args.no_chart {
-                text.push('\n');
-                text.push_str(&picture(&spec, &drawn, p).to_text(100, 24, colour()));
-                text.push('\n');
-            }
-            if let (Some(path), Some(_)) = (&args.output, outcome.candidates.first()) {
-                text.push_str(&format!("\nThe winner is in {}.\n", path.display()));
-            }
-            text
+    let text = || {
+        let mut text = text::of(&answer, unit);
+        if let Some(figure) = figure.as_ref().filter(|_| chart) {
+            text.push_str(&format!("\n{}\n", figure.to_text(100, 24, colour())));
         }
+        if let (Some(path), Some(_)) = (&args.output, winner) {
+            text.push_str(&format!("\nThe winner is in {}.\n", path.display()));
+        }
+        text
     };
-    emit(&text, None)?;
-    Ok(if outcome.candidates.is_empty() { NO_ANSWER } else { 0 })
-}
-
-/// The winner at one operating point by finite elements.
-pub struct Checked {
-    /// The operating point.
-    pub wanted: OperatingPoint,
-    /// Pull at the maximum pressure in N, or why there is none.
-    pub available_n: Result<f64, String>,
-    /// Pressure it takes in MPa, where there is one.
-    pub pressure_mpa: Option<f64>,
-}
-
-fn verified(spec: &Spec, winner: &Candidate) -> Vec<Checked> {
-    let fe = match Axisymmetric::new(&winner.muscle) {
-        Ok(fe) => fe,
-        Err(_) => return vec![],
-    };
-    let one = |&wanted: &OperatingPoint| Checked {
-        wanted,
-        available_n: fe.force_n(spec.max_pressure_mpa, wanted.contraction).map_err(|e| e.to_string()),
-        pressure_mpa: pressure_at(&fe, wanted.force_n, wanted.contraction, true).ok(),
-    };
-    spec.points.iter().map(one).collect()
+    show(&answer, format, "candidates", text, None)?;
+    plot::save(figure.clone(), args.plot.plot.as_deref())?;
+    Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
 }
 
 /// Colour on a terminal that did not ask for none.
@@ -110,197 +189,81 @@ fn colour() -> bool {
     std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
-type Drawn<'a> = Vec<(&'a Candidate, Box<dyn ForceModel>)>;
-
-fn drawn<'a>(outcome: &'a Outcome, kind: Kind) -> Result<Drawn<'a>, Failure> {
-    let some = outcome.candidates.iter().take(DRAWN);
-    Ok(some.map(|c| Ok((c, kind.build(&c.muscle)?))).collect::<Result<_, mckibben::model::ModelError>>()?)
-}
-
-fn picture(spec: &Spec, drawn: &Drawn<'_>, p: Pressures) -> mckibben_report::Figure {
-    let options = Options { extrapolate: spec.extrapolate, two_sided: false };
-    figure::design(drawn, &spec.points, spec.max_pressure_mpa, options, p)
-}
-
-fn specification(args: &DesignArgs) -> Result<(Spec, Kind), Failure> {
-    let points = points(args)?;
-    let max_pressure_mpa =
-        resolve::required("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?;
-    let base = base(args)?;
-    let (base, points) = stroke(args, base, points)?;
-    let range = |flag, text: &Option<String>, dimension| resolve::values(flag, text.as_deref(), dimension);
-    let diameter = range("--outer-diameter", &args.outer_diameter, Dimension::Length)?;
-    let wall = range("--wall", &args.wall, Dimension::Length)?;
-    let angle = range("--angle", &args.angle, Dimension::Angle)?;
-    let per_turn = range("--strand-length-per-turn", &args.strand_length_per_turn, Dimension::Length)?;
-    let braid = match (per_turn, angle) {
-        (Some(Values::List(list)), _) => BraidChoice::StrandLengthPerTurn(list),
-        (Some(Values::Interval(..)), _) => {
+fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequest, Failure> {
+    let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
+    let choice = |flag, text: &Option<String>, dimension| -> Result<Option<Choice>, Failure> {
+        Ok(values(flag, text.as_deref(), dimension)?.map(Choice::from))
+    };
+    let sleeves = match values("--strand-length-per-turn", args.strand_length_per_turn.as_deref(), Dimension::Length)? {
+        Some(Values::List(list)) => list,
+        Some(Values::Interval(..)) => {
             let message = "--strand-length-per-turn: give the sleeves that are sold as a list";
-            return Err(Failure::input("range", message, "such as 90,110,130mm"));
+            return Err(Failure::input(ProblemKind::Range, message, "such as 90,110,130mm"));
         }
-        (None, Some(angle)) => BraidChoice::Angle(angle),
-        (None, None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+        None => vec![],
     };
-    let rubbers =
-        args.rubber.iter().map(|name| resolve::rubber(name.trim())).collect::<Result<Vec<_>, _>>()?;
-    let mut spec = Spec {
-        points,
-        max_pressure_mpa,
-        base,
-        outer_diameter_mm: diameter.clone().unwrap_or(Values::Interval(30.0, 50.0)),
-        wall_mm: wall.clone().unwrap_or(Values::Interval(1.0, 5.0)),
-        braid,
-        rubbers,
-        limits: limits(args)?,
-        objective: match args.objective {
-            ObjectiveWord::Diameter => Objective::Diameter,
-            ObjectiveWord::Pressure => Objective::Pressure,
-            ObjectiveWord::Air => Objective::Air,
-            ObjectiveWord::Margin => Objective::Margin,
+    let formula = args.model.as_deref().map(files::formula).transpose()?.flatten();
+    Ok(DesignRequest {
+        points: match &args.at {
+            Some(text) => text.split(',').map(|one| at(one.trim())).collect::<Result<_, _>>()?,
+            None => vec![],
         },
-        top: usize::from(args.top),
+        force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
+        contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
+        max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
+        stroke_mm: length("--stroke", &args.stroke)?,
+        max_bulged_diameter_mm: length("--max-bulged-diameter", &args.max_bulged_diameter)?,
+        min_burst_margin: ratio("--min-burst-margin", args.min_burst_margin.as_deref())?,
+        max_stretch: ratio("--max-stretch", args.max_stretch.as_deref())?,
+        objective: args.objective,
+        muscle: args.muscle.as_deref().map(files::text).transpose()?,
+        outer_diameter_mm: choice("--outer-diameter", &args.outer_diameter, Dimension::Length)?,
+        wall_mm: choice("--wall", &args.wall, Dimension::Length)?,
+        angle_deg: choice("--angle", &args.angle, Dimension::Angle)?,
+        strand_length_per_turn_mm: sleeves,
+        rubbers: args.rubber.clone(),
+        stiffness: args.stiffness.as_deref().map(stiffness).transpose()?,
+        length_mm: length("--length", &args.length)?,
+        tolerance: args.tolerance.as_deref().map(tolerances).transpose()?,
+        model: ModelFields {
+            model: args.model.clone(),
+            formulas: formula.into_iter().collect(),
+            mesh: MeshFields { mesh: args.mesh.clone(), ..MeshFields::default() },
+        },
         extrapolate: args.extrapolate,
-    };
-    let kind = match &args.model {
-        Some(name) => Kind::parse(name, &MeshFlags { text: args.mesh.as_deref(), ..MeshFlags::default() })?,
-        None if inside_paper(&spec) => Kind::Closed(ModelKind::Paper),
-        None => Kind::Proposing {
-            pressure_mpa: spec.max_pressure_mpa,
-            contraction: spec.points.iter().map(|q| q.contraction).fold(0.0, f64::max),
-        },
-    };
-    let (diameters, walls) = kind.sections().unwrap_or(((5.0, 80.0), (0.5, 10.0)));
-    spec.outer_diameter_mm = diameter.unwrap_or(Values::Interval(diameters.0, diameters.1));
-    spec.wall_mm = wall.unwrap_or(Values::Interval(walls.0, walls.1));
-    Ok((spec, kind))
+        verify: args.verify,
+        top: Some(usize::from(args.top)),
+        figure,
+    })
 }
 
-/// Whether the whole search stays in the box of the paper's formula.
-fn inside_paper(spec: &Spec) -> bool {
-    let corner = |d0: f64, s: f64| {
-        let BraidChoice::Angle(angles) = &spec.braid else { return false };
-        let (low, high) = angles.bounds();
-        [low, high].into_iter().all(|angle_deg| {
-            let braid = mckibben::muscle::Braid { angle_deg, ..spec.base.braid().clone() };
-            let muscle = spec.base.with_braid(braid).and_then(|m| m.with_section(d0, s));
-            muscle.is_ok_and(|m| ModelKind::default_for(&m, (0.0, spec.max_pressure_mpa)) == ModelKind::Paper)
-        })
-    };
-    let ((d_low, d_high), (s_low, s_high)) = (spec.outer_diameter_mm.bounds(), spec.wall_mm.bounds());
-    let all_paper = spec.rubbers.iter().all(mckibben::muscle::Rubber::is_paper);
-    let points = spec.points.iter().all(|q| q.contraction <= 0.2);
-    all_paper && points && corner(d_low, s_low) && corner(d_high, s_high)
-}
-
-fn points(args: &DesignArgs) -> Result<Vec<OperatingPoint>, Failure> {
-    if let Some(text) = &args.at {
-        return text.split(',').map(|one| at(one.trim())).collect();
-    }
-    let force_n = resolve::required("--force", args.force.as_deref(), Dimension::Force)?;
-    let contraction = resolve::contraction("--contraction", args.contraction.as_deref())?;
-    match (contraction, &args.stroke) {
-        (Some(contraction), _) => Ok(vec![OperatingPoint { force_n, contraction }]),
-        (None, Some(_)) => Ok(vec![OperatingPoint { force_n, contraction: f64::NAN }]),
-        (None, None) => Err(Failure::input(
-            "usage",
-            "--contraction is missing; expected a ratio such as 15% or 0.15",
-            "or give --stroke 40mm with --length",
-        )),
-    }
-}
-
-fn at(text: &str) -> Result<OperatingPoint, Failure> {
+fn at(text: &str) -> Result<Wanted, Failure> {
     let Some((force, contraction)) = text.split_once('@') else {
         let message = format!(
             "--at: \"{text}\" is no operating point; expected a pull at a contraction such as 700N@15%"
         );
-        return Err(Failure::input("quantity", message, ""));
+        return Err(Failure::input(ProblemKind::Quantity, message, ""));
     };
-    let force_n = parse_quantity(force, Dimension::Force).map_err(|e| Failure::flag("--at", &e))?;
-    let contraction = resolve::contraction("--at", Some(contraction))?.unwrap_or(0.0);
-    Ok(OperatingPoint { force_n, contraction })
+    let force_n = quantity("--at", Some(force), Dimension::Force)?.unwrap_or(0.0);
+    let contraction = contraction_ratio("--at", Some(contraction))?.unwrap_or(0.0);
+    Ok(Wanted { force_n, contraction })
 }
 
-/// The muscle around the search: file, flags and defaults. Diameter and wall are searched, so a file's are not checked
-/// against the flags' here.
-fn base(args: &DesignArgs) -> Result<Muscle, Failure> {
-    let flags = MuscleFlags {
-        muscle: args.muscle.clone(),
-        stiffness: args.stiffness.clone(),
-        length: args.length.clone(),
-        ..MuscleFlags::default()
-    };
-    resolve::muscle(&flags)
-}
-
-/// A stroke in mm sets the length where contractions are given, and the contraction where the length is given.
-fn stroke(
-    args: &DesignArgs,
-    base: Muscle,
-    mut points: Vec<OperatingPoint>,
-) -> Result<(Muscle, Vec<OperatingPoint>), Failure> {
-    let Some(stroke) = resolve::quantity("--stroke", args.stroke.as_deref(), Dimension::Length)? else {
-        return Ok((base, points));
-    };
-    if stroke <= 0.0 {
-        return Err(Failure::input(
-            "specification",
-            format!("--stroke is {stroke} mm; it must be above zero"),
-            "",
-        ));
-    }
-    let open = points.iter().any(|q| q.contraction.is_nan());
-    if open {
-        for point in &mut points {
-            point.contraction = stroke / base.length_mm();
-        }
-        return Ok((base, points));
-    }
-    let largest = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
-    if args.length.is_some() {
-        let have = largest * base.length_mm();
-        if have + 1e-9 < stroke {
-            let message = format!(
-                "--stroke {stroke} mm is more than the {have:.2} mm that the largest contraction makes of --length"
-            );
-            return Err(Failure::input("specification", message, "leave out --length or --contraction"));
-        }
-        return Ok((base, points));
-    }
-    let length_mm = stroke / largest;
-    if !length_mm.is_finite() {
-        let message = "a stroke needs a contraction above zero";
-        return Err(Failure::input("specification", message, ""));
-    }
-    let base = base.with_tube(Tube { length_mm, ..base.tube().clone() })?;
-    Ok((base, points))
-}
-
-fn limits(args: &DesignArgs) -> Result<Limits, Failure> {
-    let number = |flag, text: &Option<String>, dimension| resolve::quantity(flag, text.as_deref(), dimension);
-    Ok(Limits {
-        bulged_diameter_mm: number("--max-bulged-diameter", &args.max_bulged_diameter, Dimension::Length)?,
-        burst_margin: number("--min-burst-margin", &args.min_burst_margin, Dimension::Ratio)?,
-        stretch: number("--max-stretch", &args.max_stretch, Dimension::Ratio)?,
-    })
-}
-
-fn tolerances(text: &str) -> Result<Tolerances, Failure> {
-    let mut out = Tolerances::default();
+fn tolerances(text: &str) -> Result<ToleranceFields, Failure> {
+    let mut out = ToleranceFields::default();
     for part in text.split(',') {
         let wrong = || {
             let message = format!(
                 "--tolerance: \"{part}\" is no tolerance; expected wall=0.1mm, diameter=0.2mm or pressure=0.1bar"
             );
-            Failure::input("quantity", message, "")
+            Failure::input(ProblemKind::Quantity, message, "")
         };
         let (name, value) = part.split_once('=').ok_or_else(wrong)?;
         let dimension = if name.trim() == "pressure" { Dimension::Pressure } else { Dimension::Length };
-        let value = parse_quantity(value, dimension).map_err(|e| Failure::flag("--tolerance", &e))?;
+        let value = quantity("--tolerance", Some(value), dimension)?.unwrap_or(0.0);
         if value < 0.0 {
             let message = format!("--tolerance: {} is below zero; tolerances are ± half-widths", part.trim());
-            return Err(Failure::input("quantity", message, ""));
+            return Err(Failure::input(ProblemKind::Quantity, message, ""));
         }
         match name.trim() {
             "wall" => out.wall_mm = value,

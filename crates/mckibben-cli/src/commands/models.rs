@@ -1,23 +1,24 @@
 //! `models`: the force models.
 
-use crate::cli::ModelsArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
-use crate::kind::Kind;
-use crate::output::{csv, emit, json};
-use serde_json::json;
+use crate::flags::{Format, OutputFlags};
+use crate::output::show;
+use clap::Args;
+use mckibben_app::{ModelsRequest, models};
+
+/// `models`.
+#[derive(Debug, Args)]
+pub struct ModelsArgs {
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
 
 /// Lists the models.
-pub fn run(args: &ModelsArgs) -> Result<u8, Failure> {
-    let all = Kind::all();
-    let width = all.iter().map(|(name, _)| name.len()).max().unwrap_or(0);
-    let list: Vec<_> =
-        all.iter().map(|(name, about)| json!({ "name": name, "description": about })).collect();
-    let text = match args.output.format {
-        Format::Json => json::print(&json!({ "models": list })),
-        Format::Csv => csv::rows(&list)?,
-        Format::Text => all.iter().map(|(name, about)| format!("  {name:<width$}   {about}\n")).collect(),
-    };
-    emit(&text, args.output.output.as_deref())?;
+pub fn run(args: &ModelsArgs, format: Format) -> Result<u8, Failure> {
+    let answer = models(&ModelsRequest {});
+    let width = answer.models.iter().map(|m| m.name.len()).max().unwrap_or(0);
+    let line = |m: &mckibben_app::ModelEntry| format!("  {:<width$}   {}\n", m.name, m.description);
+    let text = || answer.models.iter().map(line).collect();
+    show(&answer, format, "models", text, args.output.output.as_deref())?;
     Ok(0)
 }

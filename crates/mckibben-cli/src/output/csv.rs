@@ -1,6 +1,7 @@
 //! CSV rows; columns carry their unit and are the same words as the JSON keys.
 
 use crate::failure::Failure;
+use mckibben_app::ProblemKind;
 use serde_json::Value;
 
 /// The objects of a JSON list as CSV, with the union of their scalar keys as columns in the order of their first appearance.
@@ -13,7 +14,7 @@ pub fn rows(list: &[Value]) -> Result<String, Failure> {
             }
         }
     }
-    let broken = |e: &dyn std::fmt::Display| Failure::new(2, "output", format!("cannot make CSV: {e}"), "");
+    let broken = |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer.write_record(&columns).map_err(|e| broken(&e))?;
     for object in list.iter().filter_map(Value::as_object) {

@@ -2,11 +2,11 @@
 
 use super::caption;
 use super::curves::line;
-use crate::output::text::{Pressures, number, percent};
+use crate::words::{PressureUnit, number, percent};
 use mckibben::answer::Options;
 use mckibben::curve::{Test, curves};
 use mckibben::design::{Candidate, OperatingPoint};
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 
 /// One colour a candidate: solid at the maximum pressure, dashed at the pressure it needs.
@@ -15,7 +15,7 @@ pub fn design(
     wanted: &[OperatingPoint],
     max_pressure_mpa: f64,
     options: Options,
-    p: Pressures,
+    p: PressureUnit,
 ) -> Figure {
     let mut panel =
         Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
@@ -26,11 +26,12 @@ pub fn design(
         let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.range().contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
         let needed = candidate.pressure_mpa;
+        let mut workspace = Workspace::new();
         for (pressure, style) in [(max_pressure_mpa, Style::Line), (needed, Style::Dashed)] {
             if pressure == needed && needed > 0.995 * max_pressure_mpa {
                 continue;
             }
-            for curve in curves(model.as_ref(), Test::Isobaric, &[pressure], &along, options) {
+            for curve in curves(model.as_ref(), &mut workspace, Test::Isobaric, &[pressure], &along, options) {
                 let label = format!("{name} at {}", p.show(pressure));
                 let points = line(&curve, Test::Isobaric, p);
                 panel = panel.series(Series::new(label, points).colour(i).style(style));

@@ -1,14 +1,14 @@
 //! A family of curves of one test.
 
 use super::caption;
-use crate::output::text::{Pressures, muscle_line, number, percent};
+use crate::muscle::MuscleSummary;
+use crate::words::{PressureUnit, number, percent};
 use mckibben::curve::{Curve, Test};
-use mckibben::model::ForceModel;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// The axes of a test.
-pub(super) fn axes(test: Test, p: Pressures) -> (Axis, Axis) {
-    let pressure = Axis::new(format!("pressure P [{}]", p.unit())).from_zero();
+pub(super) fn axes(test: Test, p: PressureUnit) -> (Axis, Axis) {
+    let pressure = Axis::new(format!("pressure P [{}]", p.name())).from_zero();
     let pull = Axis::new("pull F [N]").from_zero();
     let contraction = Axis::new("contraction ratio ε [–]").from_zero();
     match test {
@@ -19,13 +19,13 @@ pub(super) fn axes(test: Test, p: Pressures) -> (Axis, Axis) {
 }
 
 /// The points of a curve in the figure's units.
-pub(super) fn line(curve: &Curve, test: Test, p: Pressures) -> Vec<(f64, f64)> {
+pub(super) fn line(curve: &Curve, test: Test, p: PressureUnit) -> Vec<(f64, f64)> {
     let points = curve.line(test).into_iter();
     points.map(|(x, y)| if test == Test::Isobaric { (x, y) } else { (p.value(x), y) }).collect()
 }
 
 /// What is fixed along a curve, as its label.
-pub(super) fn label(test: Test, fixed: f64, p: Pressures) -> String {
+pub(super) fn label(test: Test, fixed: f64, p: PressureUnit) -> String {
     match test {
         Test::Isometric => format!("ε {}", percent(fixed)),
         Test::Isotonic => format!("{} N", number(fixed, 5)),
@@ -34,7 +34,7 @@ pub(super) fn label(test: Test, fixed: f64, p: Pressures) -> String {
 }
 
 /// The figure of `curve`.
-pub fn curves(model: &dyn ForceModel, test: Test, list: &[Curve], p: Pressures) -> Figure {
+pub fn curves(model: &str, muscle: &MuscleSummary, test: Test, list: &[Curve], p: PressureUnit) -> Figure {
     let (x, y) = axes(test, p);
     let mut panel = Panel::new(x, y);
     for curve in list {
@@ -51,6 +51,6 @@ pub fn curves(model: &dyn ForceModel, test: Test, list: &[Curve], p: Pressures) 
         Test::Isotonic => "Isotonic curves",
         Test::Isobaric => "Isobaric curves",
     };
-    let about = format!("Model {}. {}", model.name(), muscle_line(model.muscle()));
+    let about = format!("Model {model}. {}", muscle.line());
     Figure::new(title).caption(caption(about)).palette(Palette::Sequential).panel(panel)
 }

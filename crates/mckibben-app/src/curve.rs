@@ -1,0 +1,216 @@
+//! `curve isometric|isotonic|isobaric`: a family of curves.
+
+use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::figure;
+use crate::model::Purpose;
+use crate::muscle::MuscleSummary;
+use crate::point::{finite, no_ratio, pull};
+use crate::problem::{Problem, ProblemKind};
+use crate::question::Question;
+use crate::words::PressureUnit;
+use mckibben::analysis::AnalysisError;
+use mckibben::answer::Answer;
+use mckibben::curve::{Curve, CurvePoint, Test, curves};
+use mckibben::status::Status;
+use mckibben::units::MAX_POINTS;
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CurveRequest {
+    /// Which test.
+    pub test: Test,
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// Gauge pressures P in MPa; isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01 where they are left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Contraction ratios ε; isobaric 0 to 0.2 by 0.01, isometric 0 to 0.2 by 0.05 where they are left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contractions: Option<Vec<f64>>,
+    /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub forces_n: Option<Vec<f64>>,
+    /// The answer shall carry a figure, with pressures in this unit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub figure: Option<PressureUnit>,
+}
+
+/// A family of curves.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct CurveAnswer {
+    /// The model's name.
+    pub model: String,
+    /// Which test.
+    pub test: Test,
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// What is fixed along each curve: ε, F in N, or P in MPa.
+    pub fixed: Vec<f64>,
+    /// The points, curve after curve; all curves have the same number of points.
+    pub points: Vec<PointRow>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+    /// The curves themselves.
+    #[serde(skip)]
+    pub curves: Vec<Curve>,
+    /// Where no point has an answer: the reason.
+    #[serde(skip)]
+    pub problem: Option<Problem>,
+}
+
+/// A point of a curve: an answer, or why there is none.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum PointRow {
+    /// There is an answer.
+    Answered {
+        /// The answer.
+        #[serde(flatten)]
+        answer: Answer,
+        /// `ok`.
+        status: Status,
+    },
+    /// There is none.
+    Failed(FailedPoint),
+}
+
+/// A point without an answer.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FailedPoint {
+    /// Pressure asked for, MPa.
+    pub pressure_mpa: f64,
+    /// Contraction asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contraction: Option<f64>,
+    /// Pull asked for, N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wanted_force_n: Option<f64>,
+    /// How it ended.
+    pub status: Status,
+    /// Why.
+    pub cause: String,
+}
+
+impl From<&CurvePoint> for PointRow {
+    fn from(point: &CurvePoint) -> Self {
+        match &point.answer {
+            Ok(answer) => Self::Answered { answer: answer.clone(), status: Status::Ok },
+            Err(error) => Self::Failed(FailedPoint {
+                pressure_mpa: point.pressure_mpa,
+                contraction: point.contraction,
+                wanted_force_n: point.force_n,
+                status: error.into(),
+                cause: error.to_string(),
+            }),
+        }
+    }
+}
+
+/// A family of curves.
+///
+/// # Errors
+/// [`Problem`] for a wrong request; points without an answer carry their own status and cause.
+pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
+    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let isobaric = request.test == Test::Isobaric;
+    let pressures = list("pressures_mpa", &request.pressures_mpa, || {
+        if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }
+    })?;
+    let contractions = contractions(&request.contractions, || steps(if isobaric { 21 } else { 5 }, 0.0, 0.2))?;
+    let forces = forces(&request.forces_n, request.asking)?;
+    let (fixed, along) = match request.test {
+        Test::Isometric => (contractions, pressures),
+        Test::Isotonic => (forces, pressures),
+        Test::Isobaric => (pressures, contractions),
+    };
+    check_count(&[fixed.len(), along.len()], MAX_POINTS)?;
+    let (model, workspace) = (&*question.model, &mut question.workspace);
+    let list = curves(model, workspace, request.test, &fixed, &along, question.options);
+    let muscle = MuscleSummary::from(&question.muscle);
+    let figure = request.figure.map(|unit| figure::curves(model.name(), &muscle, request.test, &list, unit));
+    Ok(CurveAnswer {
+        model: model.name().into(),
+        test: request.test,
+        muscle,
+        fixed,
+        points: list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect(),
+        figure,
+        problem: all_failed(&list),
+        curves: list,
+    })
+}
+
+/// Evenly spaced values, both ends among them.
+pub(crate) fn steps(count: usize, low: f64, high: f64) -> Vec<f64> {
+    let last = count.saturating_sub(1).max(1) as f64;
+    (0..count).map(|i| low + (high - low) * (i as f64 / last)).collect()
+}
+
+/// Finite values, or what stands for them where none are given.
+pub(crate) fn list(
+    field: &str,
+    values: &Option<Vec<f64>>,
+    default: impl FnOnce() -> Vec<f64>,
+) -> Result<Vec<f64>, Problem> {
+    match values {
+        None => Ok(default()),
+        Some(values) if values.is_empty() => {
+            Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field))
+        }
+        Some(values) => values.iter().map(|&v| finite(field, v)).collect(),
+    }
+}
+
+/// Contraction ratios.
+pub(crate) fn contractions(
+    values: &Option<Vec<f64>>,
+    default: impl FnOnce() -> Vec<f64>,
+) -> Result<Vec<f64>, Problem> {
+    let values = list("contractions", values, default)?;
+    match values.iter().find(|e| e.abs() >= 1.0) {
+        Some(&e) => Err(no_ratio("contractions", e)),
+        None => Ok(values),
+    }
+}
+
+/// Pulls of an isotonic test.
+pub(crate) fn forces(values: &Option<Vec<f64>>, asking: AskFields) -> Result<Vec<f64>, Problem> {
+    let values = list("forces_n", values, || vec![20.0, 80.0, 150.0])?;
+    values.iter().try_for_each(|&f| pull(f, asking).map_err(|p| p.in_field("forces_n")))?;
+    Ok(values)
+}
+
+/// Refuses more points than `most`.
+pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<(), Problem> {
+    let points = counts.iter().fold(1usize, |a, b| a.saturating_mul(*b));
+    if points <= most {
+        return Ok(());
+    }
+    Err(Problem::new(ProblemKind::Range, format!("{points} points are more than {most}"), "take larger steps"))
+}
+
+/// Where every point fails: the first of the gravest reasons.
+fn all_failed(list: &[Curve]) -> Option<Problem> {
+    let mut errors: Vec<&AnalysisError> = vec![];
+    for point in list.iter().flat_map(|c| &c.points) {
+        errors.push(point.answer.as_ref().err()?);
+    }
+    let mut gravest: Option<Problem> = None;
+    for problem in errors.into_iter().map(|e| Problem::from(e.clone())) {
+        if gravest.as_ref().is_none_or(|g| problem.kind.ending() > g.kind.ending()) {
+            gravest = Some(problem);
+        }
+    }
+    gravest
+}

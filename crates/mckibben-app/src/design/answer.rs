@@ -1,0 +1,370 @@
+//! What a design answers with.
+
+use super::request::Wanted;
+use crate::muscle::MuscleSummary;
+use crate::words::{PressureUnit, number, percent};
+use mckibben::design::{
+    BraidChoice, Candidate, CandidatePoint, Closest, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread,
+};
+use mckibben::model::Response;
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// Ranked muscles, and why others fail.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct DesignAnswer {
+    /// The model.
+    pub model: String,
+    /// Pressure of the supply, MPa.
+    pub max_pressure_mpa: f64,
+    /// Muscles that were looked at.
+    pub looked_at: usize,
+    /// How many of them fit.
+    pub fitting: usize,
+    /// The best, best first.
+    pub candidates: Vec<CandidateAnswer>,
+    /// Muscles that just miss, or come closest.
+    pub rejected: Vec<RejectedAnswer>,
+    /// The winner by finite elements, point by point.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub verification: Option<Verified>,
+    /// Spread of the winner's pull under the tolerances, point by point.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tolerance: Vec<SpreadAnswer>,
+    /// Where nothing fits: the muscle that comes closest.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub closest: Option<ClosestAnswer>,
+    /// The figure, where it was asked for and something fits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+    /// The specification as it was searched.
+    #[serde(skip)]
+    pub spec: Spec,
+    /// What came out, muscles and all.
+    #[serde(skip)]
+    pub outcome: Outcome,
+}
+
+/// A muscle that fits.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct CandidateAnswer {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleSummary,
+    /// Largest pressure any point needs, MPa.
+    pub pressure_mpa: f64,
+    /// Least margin over the points: pull at the maximum pressure over the pull wanted, minus 1.
+    pub margin: f64,
+    /// Blocked force at the maximum pressure, N.
+    pub blocked_force_n: f64,
+    /// Free contraction at the maximum pressure.
+    pub free_contraction: Option<f64>,
+    /// Largest outer diameter over the points, mm.
+    pub bulged_diameter_mm: Option<f64>,
+    /// Stiffness ∂F/∂L at the first point, N/mm.
+    pub stiffness_n_per_mm: Option<f64>,
+    /// Largest air per stroke over the points, normal litres.
+    pub air_normal_litres: Option<f64>,
+    /// Work from ε = 0 to the largest contraction wanted at the maximum pressure, J.
+    pub work_j: Option<f64>,
+    /// Largest tension of one strand, N.
+    pub strand_tension_n: Option<f64>,
+    /// Largest tension of all strands together, N.
+    pub braid_tension_n: Option<f64>,
+    /// Largest stretch of the rubber.
+    pub max_stretch: Option<f64>,
+    /// Burst pressure, MPa, where the strands' strength is known.
+    pub burst_pressure_mpa: Option<f64>,
+    /// Largest 95 % half-width of the pull, N.
+    pub uncertainty_n: Option<f64>,
+    /// The operating points, in the order of the specification.
+    pub points: Vec<DesignPoint>,
+    /// Quantities that the model does not give and the thick-wall model gave instead.
+    pub from_thick_wall: Vec<String>,
+    /// The model that answered for this muscle.
+    pub model: String,
+}
+
+/// A candidate at one operating point.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct DesignPoint {
+    /// What the muscle is like there, at the pressure it takes.
+    #[serde(flatten)]
+    pub response: Response,
+    /// Pull at the maximum pressure, N.
+    pub force_at_max_pressure_n: f64,
+    /// That pull over the pull wanted, minus 1.
+    pub margin: f64,
+    /// Air from rest to this point, normal litres.
+    pub air_normal_litres: Option<f64>,
+    /// 95 % half-width of the pull, N.
+    pub uncertainty_n: Option<f64>,
+}
+
+/// A muscle that does not fit.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct RejectedAnswer {
+    /// Outer diameter D0, mm.
+    pub outer_diameter_mm: f64,
+    /// Wall s, mm.
+    pub wall_mm: f64,
+    /// Braid angle θ0, degrees.
+    pub angle_deg: f64,
+    /// Name of the rubber, where it has one.
+    pub rubber: Option<String>,
+    /// The bound it misses by most.
+    pub reason: String,
+}
+
+/// The muscle that comes closest, and what would make it fit.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ClosestAnswer {
+    /// The muscle and the bound it misses.
+    #[serde(flatten)]
+    pub rejected: RejectedAnswer,
+    /// Its length L0, mm.
+    pub length_mm: f64,
+    /// Limits that could give, each alone.
+    pub relaxations: Vec<RelaxationAnswer>,
+    /// Contractions that no braid of the search reaches, and the angle that would.
+    pub hint: Option<String>,
+}
+
+/// A limit to relax, and by how much.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(tag = "relax", rename_all = "snake_case")]
+pub enum RelaxationAnswer {
+    /// Supply this pressure.
+    MaxPressure {
+        /// MPa.
+        pressure_mpa: f64,
+        /// The model had to be asked outside of its range.
+        extrapolated: bool,
+    },
+    /// Accept these pulls.
+    Force {
+        /// The points that fall short, as they could be.
+        points: Vec<Wanted>,
+    },
+    /// Accept these contractions.
+    Contraction {
+        /// The points that fall short, as they could be.
+        points: Vec<Wanted>,
+    },
+    /// Take a wider tube with the same wall.
+    OuterDiameter {
+        /// mm.
+        outer_diameter_mm: f64,
+        /// The model that says so.
+        model: String,
+        /// The model of the search, to which that model was scaled because it lies outside of its range.
+        scaled_to: Option<String>,
+    },
+    /// Allow this diameter when bulged.
+    MaxBulgedDiameter {
+        /// mm.
+        bulged_diameter_mm: f64,
+    },
+    /// Allow this stretch of the rubber.
+    MaxStretch {
+        /// Largest principal stretch.
+        max_stretch: f64,
+    },
+    /// Accept this burst margin.
+    MinBurstMargin {
+        /// Burst pressure over maximum pressure.
+        burst_margin: f64,
+    },
+}
+
+/// A winner computed again.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Verified {
+    /// By which model.
+    pub model: String,
+    /// The operating points.
+    pub points: Vec<VerifiedPoint>,
+}
+
+/// The winner at one operating point by finite elements.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct VerifiedPoint {
+    /// Pull wanted, N.
+    pub force_n: f64,
+    /// At this contraction.
+    pub contraction: f64,
+    /// Pressure it takes, MPa, where there is one.
+    pub pressure_mpa: Option<f64>,
+    /// Pull at the maximum pressure, N.
+    pub force_at_max_pressure_n: Option<f64>,
+    /// Why there is none.
+    pub cause: Option<String>,
+}
+
+/// The pull at one operating point under tolerances.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct SpreadAnswer {
+    /// Pull wanted, N.
+    pub force_n: f64,
+    /// At this contraction.
+    pub contraction: f64,
+    /// And this pressure, MPa.
+    pub pressure_mpa: f64,
+    /// Least pull over all corners, N.
+    pub low_n: f64,
+    /// Largest pull over all corners, N.
+    pub high_n: f64,
+    /// What to expect where the tolerances are independent, ± N.
+    pub likely_n: f64,
+}
+
+impl DesignAnswer {
+    pub(super) fn new(
+        spec: Spec,
+        model: &str,
+        outcome: Outcome,
+        spreads: &[Spread],
+        verified: Vec<VerifiedPoint>,
+        figure: Option<Figure>,
+    ) -> Self {
+        Self {
+            model: model.into(),
+            max_pressure_mpa: spec.max_pressure_mpa,
+            looked_at: outcome.looked_at.0,
+            fitting: outcome.looked_at.1,
+            candidates: outcome.candidates.iter().map(CandidateAnswer::from).collect(),
+            rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
+            verification: (!verified.is_empty()).then(|| Verified { model: "fe".into(), points: verified }),
+            tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
+            closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
+            figure,
+            spec,
+            outcome,
+        }
+    }
+}
+
+impl From<&Candidate> for CandidateAnswer {
+    fn from(c: &Candidate) -> Self {
+        Self {
+            muscle: (&c.muscle).into(),
+            pressure_mpa: c.pressure_mpa,
+            margin: c.margin,
+            blocked_force_n: c.blocked_force_n,
+            free_contraction: c.free_contraction,
+            bulged_diameter_mm: c.bulged_diameter_mm(),
+            stiffness_n_per_mm: c.points.first().and_then(|q| q.response.stiffness_n_per_mm),
+            air_normal_litres: c.air_normal_litres(),
+            work_j: c.work_j,
+            strand_tension_n: c.largest(|q| q.response.strand_tension_n),
+            braid_tension_n: c.largest(|q| q.response.braid_tension_n),
+            max_stretch: c.largest(|q| q.response.max_stretch),
+            burst_pressure_mpa: c.burst_pressure_mpa,
+            uncertainty_n: c.largest(|q| q.uncertainty_n),
+            points: c.points.iter().map(DesignPoint::from).collect(),
+            from_thick_wall: c.from_thick_wall.iter().map(|&name| name.into()).collect(),
+            model: c.model.clone(),
+        }
+    }
+}
+
+impl From<&CandidatePoint> for DesignPoint {
+    fn from(q: &CandidatePoint) -> Self {
+        Self {
+            // The pressure of the response is the one it takes, its pull the one that is wanted.
+            response: Response { pressure_mpa: q.pressure_mpa, force_n: q.wanted.force_n, ..q.response },
+            force_at_max_pressure_n: q.available_n,
+            margin: q.margin,
+            air_normal_litres: q.air_normal_litres,
+            uncertainty_n: q.uncertainty_n,
+        }
+    }
+}
+
+impl From<&Rejected> for RejectedAnswer {
+    fn from(r: &Rejected) -> Self {
+        Self {
+            outer_diameter_mm: r.outer_diameter_mm,
+            wall_mm: r.wall_mm,
+            angle_deg: r.angle_deg,
+            rubber: r.rubber.clone(),
+            reason: r.reason.describe(|v| PressureUnit::Mpa.show(v)),
+        }
+    }
+}
+
+impl From<OperatingPoint> for Wanted {
+    fn from(q: OperatingPoint) -> Self {
+        Self { force_n: q.force_n, contraction: q.contraction }
+    }
+}
+
+impl From<&Relaxation> for RelaxationAnswer {
+    fn from(relaxation: &Relaxation) -> Self {
+        let wanted = |points: &[OperatingPoint]| points.iter().map(|&q| q.into()).collect();
+        match relaxation {
+            &Relaxation::Pressure { pressure_mpa, extrapolated } => {
+                Self::MaxPressure { pressure_mpa, extrapolated }
+            }
+            Relaxation::Force(points) => Self::Force { points: wanted(points) },
+            Relaxation::Contraction(points) => Self::Contraction { points: wanted(points) },
+            Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => Self::OuterDiameter {
+                outer_diameter_mm: *outer_diameter_mm,
+                model: model.clone(),
+                scaled_to: scaled_to.clone(),
+            },
+            &Relaxation::BulgedDiameter { diameter_mm } => {
+                Self::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }
+            }
+            &Relaxation::Stretch { stretch } => Self::MaxStretch { max_stretch: stretch },
+            &Relaxation::BurstMargin { margin } => Self::MinBurstMargin { burst_margin: margin },
+        }
+    }
+}
+
+impl From<&Spread> for SpreadAnswer {
+    fn from(s: &Spread) -> Self {
+        Self {
+            force_n: s.wanted.force_n,
+            contraction: s.wanted.contraction,
+            pressure_mpa: s.pressure_mpa,
+            low_n: s.low_n,
+            high_n: s.high_n,
+            likely_n: s.likely_n,
+        }
+    }
+}
+
+impl ClosestAnswer {
+    fn new(closest: &Closest, spec: &Spec) -> Self {
+        Self {
+            rejected: (&closest.rejected).into(),
+            length_mm: closest.muscle.length_mm(),
+            relaxations: closest.relaxations.iter().map(RelaxationAnswer::from).collect(),
+            hint: out_of_reach(spec),
+        }
+    }
+}
+
+/// Contractions that no braid of the search reaches, and the angle that would.
+fn out_of_reach(spec: &Spec) -> Option<String> {
+    let BraidChoice::Angle(angles) = &spec.braid else { return None };
+    let smallest = angles.bounds().0;
+    let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
+    let wanted = spec.points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+    if wanted < most(smallest) {
+        return None;
+    }
+    let cos = 1.0 / (3f64.sqrt() * (1.0 - wanted));
+    let reach = if cos < 1.0 {
+        format!("{} needs one well below {}°", percent(wanted), number(cos.acos().to_degrees().floor(), 3))
+    } else {
+        format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
+    };
+    let at = number(smallest, 4);
+    Some(format!(
+        "A braid at {at}° contracts by {} at most; {reach}.",
+        percent((most(smallest) * 1e3).floor() / 1e3)
+    ))
+}

@@ -1,0 +1,334 @@
+//! What is wanted, and what may be varied.
+
+use crate::fields::{ModelFields, MuscleFields, Stiffness, TextFile};
+use crate::model::{Model, Purpose};
+use crate::muscle::rubber;
+use crate::point::{finite, given, no_ratio};
+use crate::problem::{Problem, ProblemKind};
+use crate::words::PressureUnit;
+use mckibben::design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, Tolerances};
+use mckibben::model::{ForceModel, ModelError};
+use mckibben::muscle::{Muscle, Tube};
+use mckibben::units::Values;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A specification. Wanted are pulls at contractions, with at most a pressure; everything else has a default.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct DesignRequest {
+    /// Pull wanted, N.
+    pub force_n: Option<f64>,
+    /// Contraction ratio at which it is wanted.
+    pub contraction: Option<f64>,
+    /// Several operating points, in place of the two fields above.
+    pub points: Vec<Wanted>,
+    /// Pressure of the supply, MPa.
+    pub max_pressure_mpa: Option<f64>,
+    /// Stroke in mm: with contractions it sets the length, with a length the contraction.
+    pub stroke_mm: Option<f64>,
+    /// Largest outer diameter at the operating points, mm.
+    pub max_bulged_diameter_mm: Option<f64>,
+    /// Least ratio of burst pressure to maximum pressure; needs the strands' strength.
+    pub min_burst_margin: Option<f64>,
+    /// Largest stretch of the rubber at the operating points (2 means twice its length).
+    pub max_stretch: Option<f64>,
+    /// What to rank by.
+    pub objective: ObjectiveWord,
+    /// Muscle file (TOML) for what is not searched; the other fields override it.
+    pub muscle: Option<TextFile>,
+    /// Outer diameters D0 at rest, mm.
+    pub outer_diameter_mm: Option<Choice>,
+    /// Walls s at rest, mm.
+    pub wall_mm: Option<Choice>,
+    /// Braid angles θ0 at rest, degrees.
+    pub angle_deg: Option<Choice>,
+    /// Sleeves as sold: lengths of strand per turn, mm; the diameter then sets the angle.
+    pub strand_length_per_turn_mm: Vec<f64>,
+    /// Rubbers of the library.
+    pub rubbers: Vec<String>,
+    /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    pub stiffness: Option<Stiffness>,
+    /// Length L0 between the terminals at rest, mm.
+    pub length_mm: Option<f64>,
+    /// Tolerances of the workshop and the supply, for the spread of the winner's pull.
+    pub tolerance: Option<ToleranceFields>,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// Answer outside of the model's range.
+    pub extrapolate: bool,
+    /// With what the winner is computed again.
+    pub verify: Verify,
+    /// How many candidates and rejected muscles to report; 5 where it is left out.
+    pub top: Option<usize>,
+    /// The answer shall carry a figure, with pressures in this unit.
+    pub figure: Option<PressureUnit>,
+}
+
+/// An operating point that is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Wanted {
+    /// Pull, N.
+    pub force_n: f64,
+    /// Contraction ratio.
+    pub contraction: f64,
+}
+
+/// Values to search through: one, several, or all between two.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Choice {
+    /// One value.
+    One(f64),
+    /// These values.
+    Several(Vec<f64>),
+    /// An interval.
+    Between {
+        /// Its lower end.
+        low: f64,
+        /// Its upper end.
+        high: f64,
+    },
+}
+
+/// What is ranked first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ObjectiveWord {
+    /// Smallest outer diameter at rest.
+    #[default]
+    Diameter,
+    /// Lowest pressure needed.
+    Pressure,
+    /// Least air per stroke.
+    Air,
+    /// Most pull to spare at the maximum pressure.
+    Margin,
+}
+
+/// With what the winner of a design is computed again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verify {
+    /// Axisymmetric finite elements.
+    #[default]
+    Fe,
+    /// Nothing.
+    None,
+}
+
+/// Half-widths of what may vary, each ±.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ToleranceFields {
+    /// Wall, mm.
+    pub wall_mm: f64,
+    /// Outer diameter, mm.
+    pub outer_diameter_mm: f64,
+    /// Pressure, MPa.
+    pub pressure_mpa: f64,
+}
+
+/// A specification with the models that search it.
+pub(super) struct Search {
+    pub(super) spec: Spec,
+    pub(super) model: Searching,
+}
+
+/// Which model looks at a muscle of the search.
+#[derive(Debug, Clone)]
+pub(super) enum Searching {
+    /// The one that was named.
+    Named(Model),
+    /// `universal` where the muscle, the highest pressure and the largest contraction lie in its box, else `fe`.
+    Fastest { pressure_mpa: f64, contraction: f64, universal: Model },
+}
+
+impl Searching {
+    /// The name of the model that looks at most muscles.
+    pub(super) fn name(&self) -> &str {
+        match self {
+            Self::Named(model) | Self::Fastest { universal: model, .. } => model.name(),
+        }
+    }
+
+    /// The model of a muscle.
+    pub(super) fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        match self {
+            Self::Named(model) => model.build(muscle),
+            Self::Fastest { pressure_mpa, contraction, universal } => {
+                let model = universal.build(muscle)?;
+                match model.range().check(model.name(), *pressure_mpa, *contraction) {
+                    Ok(()) => Ok(model),
+                    Err(_) => Model::FE.build(muscle),
+                }
+            }
+        }
+    }
+}
+
+/// Diameters and walls in mm that are searched where nothing else is said.
+const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
+
+impl DesignRequest {
+    pub(super) fn search(&self) -> Result<Search, Problem> {
+        let wanted = self.wanted()?;
+        let max_pressure_mpa = given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
+        let (base, points) = self.with_stroke(wanted)?;
+        let model = Model::choose(&self.model, Purpose::Search)?;
+        let (diameters, walls) = model.sections().unwrap_or(SECTIONS);
+        let model = match self.model.model {
+            Some(_) => Searching::Named(model),
+            None => Searching::Fastest {
+                pressure_mpa: max_pressure_mpa,
+                contraction: points.iter().map(|q| q.contraction).fold(0.0, f64::max),
+                universal: model,
+            },
+        };
+        let braid = match (&self.strand_length_per_turn_mm[..], &self.angle_deg) {
+            ([], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+            ([], Some(angles)) => BraidChoice::Angle(angles.values("angle_deg")?),
+            (sleeves, None) => BraidChoice::StrandLengthPerTurn(sleeves.to_vec()),
+            (_, Some(_)) => {
+                let message = "`strand_length_per_turn_mm` sets the angle: leave out `angle_deg`";
+                return Err(Problem::new(ProblemKind::Usage, message, ""));
+            }
+        };
+        let between = |field, choice: &Option<Choice>, (low, high)| match choice {
+            Some(choice) => choice.values(field),
+            None => Ok(Values::Interval(low, high)),
+        };
+        let spec = Spec {
+            points,
+            max_pressure_mpa,
+            base,
+            outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
+            wall_mm: between("wall_mm", &self.wall_mm, walls)?,
+            braid,
+            rubbers: self.rubbers.iter().map(|name| rubber(name)).collect::<Result<_, _>>()?,
+            limits: Limits {
+                bulged_diameter_mm: self.max_bulged_diameter_mm,
+                burst_margin: self.min_burst_margin,
+                stretch: self.max_stretch,
+            },
+            objective: self.objective.into(),
+            top: self.top.unwrap_or(5).clamp(1, 1000),
+            extrapolate: self.extrapolate,
+        };
+        Ok(Search { spec, model })
+    }
+
+    /// The operating points; without a contraction where a stroke is to set it.
+    fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>, Problem> {
+        let ratio = |e: f64| if e.abs() < 1.0 { Ok(e) } else { Err(no_ratio("contraction", e)) };
+        if !self.points.is_empty() {
+            return self.points.iter().map(|w| Ok((w.force_n, Some(ratio(w.contraction)?)))).collect();
+        }
+        let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
+        match (self.contraction, self.stroke_mm) {
+            (Some(e), _) => Ok(vec![(force_n, Some(ratio(finite("contraction", e)?)?))]),
+            (None, Some(_)) => Ok(vec![(force_n, None)]),
+            (None, None) => Err(Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
+                .with_hint("or give `stroke_mm`, such as 40 mm, with `length_mm`")),
+        }
+    }
+
+    /// The muscle around the search, and the points: a stroke in mm sets the length where contractions are given, and the
+    /// contraction where they are not.
+    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<OperatingPoint>), Problem> {
+        let wrong = |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
+        let fields = MuscleFields {
+            muscle: self.muscle.clone(),
+            stiffness: self.stiffness,
+            length_mm: self.length_mm,
+            ..MuscleFields::default()
+        };
+        let base = fields.resolve()?;
+        let length = base.length_mm();
+        let stroke = self.stroke_mm;
+        if let Some(stroke) = stroke.filter(|s| !(s.is_finite() && *s > 0.0)) {
+            return Err(wrong(format!("{stroke} mm; it must be above zero"), "").in_field("stroke_mm"));
+        }
+        let point = |(force_n, contraction): &(f64, Option<f64>)| {
+            let contraction = contraction.or(stroke.map(|s| s / length)).unwrap_or(0.0);
+            OperatingPoint { force_n: *force_n, contraction }
+        };
+        let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
+        let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else { return Ok((base, points)) };
+        let largest = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+        if self.length_mm.is_some() {
+            let have = largest * length;
+            if have + 1e-9 < stroke {
+                let message = format!(
+                    "{stroke} mm is more than the {have:.2} mm that the largest contraction makes of `length_mm`"
+                );
+                return Err(wrong(message, "leave out `length_mm` or `contraction`").in_field("stroke_mm"));
+            }
+            return Ok((base, points));
+        }
+        if largest <= 0.0 {
+            return Err(wrong("a stroke needs a contraction above zero".into(), ""));
+        }
+        let tube = Tube { length_mm: stroke / largest, ..base.tube().clone() };
+        Ok((base.with_tube(tube)?, points))
+    }
+
+    pub(super) fn tolerances(&self) -> Result<Option<Tolerances>, Problem> {
+        let Some(t) = self.tolerance else { return Ok(None) };
+        for (name, value) in
+            [("wall", t.wall_mm), ("diameter", t.outer_diameter_mm), ("pressure", t.pressure_mpa)]
+        {
+            if !(value >= 0.0 && value.is_finite()) {
+                let message = format!("the tolerance of the {name} is {value}; tolerances are ± half-widths above zero");
+                return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("tolerance"));
+            }
+        }
+        Ok(Some(Tolerances {
+            wall_mm: t.wall_mm,
+            outer_diameter_mm: t.outer_diameter_mm,
+            pressure_mpa: t.pressure_mpa,
+        }))
+    }
+}
+
+impl Choice {
+    fn values(&self, field: &str) -> Result<Values, Problem> {
+        Ok(match self {
+            Self::One(value) => Values::List(vec![finite(field, *value)?]),
+            Self::Several(list) if list.is_empty() => {
+                return Err(Problem::new(ProblemKind::Range, "the list is empty", "").in_field(field));
+            }
+            Self::Several(list) => {
+                Values::List(list.iter().map(|&v| finite(field, v)).collect::<Result<_, _>>()?)
+            }
+            Self::Between { low, high } if low <= high => {
+                Values::Interval(finite(field, *low)?, finite(field, *high)?)
+            }
+            Self::Between { low, high } => {
+                let message = format!("the interval from {low} to {high} runs backwards");
+                return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
+            }
+        })
+    }
+}
+
+impl From<Values> for Choice {
+    fn from(values: Values) -> Self {
+        match values {
+            Values::List(list) => Self::Several(list),
+            Values::Interval(low, high) => Self::Between { low, high },
+        }
+    }
+}
+
+impl From<ObjectiveWord> for Objective {
+    fn from(word: ObjectiveWord) -> Self {
+        match word {
+            ObjectiveWord::Diameter => Self::Diameter,
+            ObjectiveWord::Pressure => Self::Pressure,
+            ObjectiveWord::Air => Self::Air,
+            ObjectiveWord::Margin => Self::Margin,
+        }
+    }
+}

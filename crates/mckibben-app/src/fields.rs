@@ -1,0 +1,171 @@
+//! Fields that requests share.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A file that a front end read, or that its user dropped in.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct TextFile {
+    /// What to call it in messages: a path or a name.
+    pub name: String,
+    /// What stands in it.
+    pub text: String,
+}
+
+/// A muscle: a muscle file, and values that take the place of what it says. What nobody says is that of the paper's
+/// prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MuscleFields {
+    /// Muscle file (TOML); the other fields override what it says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub muscle: Option<TextFile>,
+    /// Outer diameter D0 of the tube at rest, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outer_diameter_mm: Option<f64>,
+    /// Wall thickness s of the tube at rest, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall_mm: Option<f64>,
+    /// Length L0 between the terminals at rest, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_mm: Option<f64>,
+    /// Angle θ0 of the strands to the axis at rest, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<f64>,
+    /// A rubber of the library, as NAME or NAME:LAW.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rubber: Option<String>,
+    /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Stiffness>,
+    /// Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_factor: Option<f64>,
+    /// Cone factor kc, for the model conical-ends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cone_factor: Option<f64>,
+    /// Length of one strand measured on the muscle, mm, for the model belforte.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strand_length_mm: Option<f64>,
+    /// Turns of that strand.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub turns: Option<f64>,
+}
+
+/// Stiffness of one strand family.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Stiffness {
+    /// In N/mm.
+    NewtonPerMm(f64),
+    /// By name.
+    Named(NamedStiffness),
+}
+
+/// A stiffness by name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum NamedStiffness {
+    /// Strands that keep their length.
+    Inextensible,
+    /// The paper's braid, scaled to the diameter.
+    Paper,
+}
+
+/// Which model answers: `fe` unless another one is named.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ModelFields {
+    /// Name of the model, or of one of the formulas.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<String>,
+    /// Files of fitted formulas, which are models by the names of their files.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub formulas: Vec<TextFile>,
+    /// The mesh of finite elements.
+    #[serde(flatten)]
+    pub mesh: MeshFields,
+}
+
+/// The mesh of finite elements.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MeshFields {
+    /// Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal
+    /// behind (2x8:2); of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around x along
+    /// (2x12x39), with :quadratic or :circle behind.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<String>,
+    /// What `fe3d` keeps where bricks with strands at ±θ0 do not fill the length.
+    #[serde(rename = "match", skip_serializing_if = "is_default")]
+    pub keep: Keep,
+    /// Terminal of `fe3d` that is a body; without it a rigid plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub terminal: Option<Terminal>,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+/// What the mesh of `fe3d` keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Keep {
+    /// The length.
+    #[default]
+    Length,
+    /// The braid angle; the length is a whole number of cells.
+    Angle,
+}
+
+/// A terminal with a plug inside of the tube.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Terminal {
+    /// What the plug is made of.
+    pub material: TerminalMaterial,
+    /// How far the plug reaches into the tube, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub insertion_mm: Option<f64>,
+    /// Radius of its nose, mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nose_mm: Option<f64>,
+}
+
+/// What a plug is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TerminalMaterial {
+    /// Rigid.
+    Rigid,
+    /// Aluminium.
+    Aluminium,
+}
+
+/// How a model is asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct AskFields {
+    /// Answer outside of the model's range, with a warning.
+    #[serde(skip_serializing_if = "is_default")]
+    pub extrapolate: bool,
+    /// Negative force instead of slack where the muscle would have to push.
+    #[serde(skip_serializing_if = "is_default")]
+    pub two_sided: bool,
+    /// Branch of the friction hysteresis; needs the braid's friction.
+    #[serde(skip_serializing_if = "is_default")]
+    pub direction: Direction,
+}
+
+/// Which branch of the hysteresis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Direction {
+    /// The mean of both branches.
+    #[default]
+    Mean,
+    /// While the muscle shortens: friction takes from the pull.
+    Contraction,
+    /// While it is lengthened: friction adds to the pull.
+    Elongation,
+}

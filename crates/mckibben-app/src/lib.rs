@@ -1,0 +1,45 @@
+//! Every command of mckibben as a request and an answer.
+//!
+//! A front end (command line, page, Python, server) fills in a request, calls one function, and shows the answer:
+//!
+//! ```
+//! use mckibben_app::{ForceRequest, force};
+//!
+//! let request = ForceRequest { pressure_mpa: Some(0.25), contraction: Some(0.10), ..Default::default() };
+//! let answer = force(&request)?;
+//! assert_eq!(answer.point.model, "fe");
+//! assert!((answer.point.response.force_n - 491.43).abs() < 0.01);
+//! # Ok::<(), mckibben_app::Problem>(())
+//! ```
+//!
+//! Requests and answers are plain data with serde; their JSON is that of the command line, and [`schema`] describes it. A
+//! [`Problem`] says why there is no answer, in words that hold in every front end. Files are read by the front end and
+//! handed over as text ([`TextFile`]), so that all this runs without an operating system too; only campaigns, which live
+//! on disk, need the feature `files`.
+//!
+//! Which model answers is decided in one place, [`Model::choose`].
+//!
+//! Units: mm, MPa (= N/mm²), N.
+
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod curve;
+mod design;
+mod fields;
+mod figure;
+mod model;
+mod models;
+mod muscle;
+mod point;
+mod problem;
+mod question;
+pub mod words;
+
+pub use curve::*;
+pub use design::*;
+pub use fields::*;
+pub use model::{Model, ModelEntry, Purpose};
+pub use models::*;
+pub use muscle::{MuscleSummary, muscle_of, rubber};
+pub use point::*;
+pub use problem::*;

@@ -1,0 +1,242 @@
+//! Every model there is, by name, and the one policy of which of them answers.
+
+use crate::fields::{Direction, Keep, MeshFields, ModelFields, Terminal, TerminalMaterial, TextFile};
+use crate::problem::{Problem, ProblemKind};
+use mckibben::formula::{Document, Formula, FormulaModel, UniversalFormula};
+use mckibben::model::{ForceModel, ModelError, ModelKind, Universal};
+use mckibben::muscle::Muscle;
+use mckibben::nearest::nearest;
+use mckibben_fem::axisymmetric::MeshSpec;
+use mckibben_fem::simulation::Elements;
+use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec, Match, Plug, PlugMaterial};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::sync::Arc;
+
+/// A force model that is not yet bound to a muscle: a closed form, a fitted formula, or finite elements with their mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Model {
+    /// A closed form, `universal` with its built-in coefficients among them.
+    ClosedForm(ModelKind),
+    /// A formula that the paper's method or one least-squares problem fitted.
+    Formula(Arc<Formula>),
+    /// A universal formula with other coefficients than the built-in ones.
+    Universal(Arc<UniversalFormula>),
+    /// Finite elements.
+    Elements(Elements),
+}
+
+/// What a model is asked for; see [`Model::choose`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Purpose {
+    /// A number that somebody reads or builds on.
+    Answer,
+    /// A search through very many muscles, whose finds are settled by finite elements.
+    Search,
+}
+
+/// Name and one line of a model.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ModelEntry {
+    /// The word for `model`.
+    pub name: String,
+    /// What it is.
+    pub description: String,
+}
+
+/// Name and one line of the finite elements.
+const ELEMENTS: [(&str, &str); 2] = [
+    ("fe", "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; the default"),
+    ("fe3d", "three-dimensional finite elements: bricks and single strands; the reference for fe"),
+];
+
+impl Model {
+    /// Axisymmetric finite elements on the mesh that the program chooses.
+    pub const FE: Model = Model::Elements(Elements::Axisymmetric(MeshSpec {
+        through: None,
+        along: None,
+        grading: None,
+    }));
+
+    /// Every model there is.
+    pub fn all() -> Vec<ModelEntry> {
+        let entry = |(name, description): (&str, &str)| ModelEntry {
+            name: name.into(),
+            description: description.into(),
+        };
+        let closed = ModelKind::ALL.into_iter().map(|k| (k.name(), k.description()));
+        closed.chain(ELEMENTS).map(entry).collect()
+    }
+
+    /// Whether a word is the name of a model already.
+    pub fn is_taken(name: &str) -> bool {
+        Self::all().iter().any(|entry| entry.name == name.trim())
+    }
+
+    /// The model that answers a request, and the only rule about it: the one that is named; where none is, `fe`, and
+    /// `universal` where very many muscles are searched.
+    ///
+    /// # Errors
+    /// [`Problem`] of kind `model`, `mesh`, `terminal` or `formula`.
+    pub fn choose(fields: &ModelFields, purpose: Purpose) -> Result<Self, Problem> {
+        match (&fields.model, purpose) {
+            (Some(name), _) => Self::named(name, &fields.formulas, &fields.mesh),
+            (None, Purpose::Answer) => Self::named("fe", &[], &fields.mesh),
+            (None, Purpose::Search) => {
+                Self::named("universal", &[], &fields.mesh)
+            }
+        }
+    }
+
+    /// The model of a name: of one of the formulas, or of the list.
+    ///
+    /// # Errors
+    /// As [`Model::choose`].
+    pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self, Problem> {
+        let name = name.trim();
+        if name == "fe3d" {
+            return Ok(Self::Elements(Elements::ThreeDimensional(mesh.bricks()?)));
+        }
+        mesh.no_terminal()?;
+        let section = mesh.section()?;
+        if name == "fe" {
+            return Ok(Self::Elements(Elements::Axisymmetric(section)));
+        }
+        if let Some(file) = formulas.iter().find(|f| f.name == name) {
+            return Self::of_formula(file);
+        }
+        if let Ok(kind) = name.parse::<ModelKind>() {
+            return Ok(Self::ClosedForm(kind));
+        }
+        let names: Vec<String> = Self::all().into_iter().map(|entry| entry.name).collect();
+        let meant = nearest(name, names.iter().map(String::as_str))
+            .map_or_else(String::new, |name| format!(" (did you mean {name}?)"));
+        let given: String = name.chars().take(60).collect();
+        let message = format!("there is no model `{given}`{meant}; the models are {}", names.join(", "));
+        Err(Problem::new(ProblemKind::Model, message, ""))
+    }
+
+    /// The model of a formula's file.
+    ///
+    /// # Errors
+    /// [`Problem`] of kind `formula`.
+    pub fn of_formula(file: &TextFile) -> Result<Self, Problem> {
+        let read = Document::parse(&file.text).map_err(|e| e.of(std::path::Path::new(&file.name)))?;
+        Ok(match read {
+            Document::Section(formula) => Self::Formula(Arc::new(formula)),
+            Document::Universal(formula) => Self::Universal(Arc::new(formula)),
+        })
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::ClosedForm(kind) => kind.name(),
+            Self::Formula(formula) => &formula.name,
+            Self::Universal(formula) => &formula.name,
+            Self::Elements(elements) => elements.name(),
+        }
+    }
+
+    /// Outer diameters and walls in mm that it was made for, where it is bound to some.
+    pub fn sections(&self) -> Option<((f64, f64), (f64, f64))> {
+        match self {
+            Self::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
+            Self::ClosedForm(ModelKind::Paper) => Some(((30.0, 50.0), (1.0, 5.0))),
+            _ => None,
+        }
+    }
+
+    /// The model of a muscle.
+    ///
+    /// # Errors
+    /// [`ModelError`] where the muscle does not state what the model needs, or cannot be divided into elements.
+    pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        Ok(match self {
+            Self::ClosedForm(kind) => kind.build(muscle)?,
+            Self::Formula(formula) => Box::new(FormulaModel::new(Arc::clone(formula), muscle)),
+            Self::Universal(formula) => Box::new(Universal::new(Arc::clone(formula), muscle)),
+            Self::Elements(elements) => elements.force_model(muscle)?,
+        })
+    }
+}
+
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A mesh that cannot be made, as the problem of the field `mesh`.
+fn no_mesh(message: impl fmt::Display) -> Problem {
+    Problem::new(ProblemKind::Mesh, message.to_string(), "leave it out and the program chooses").in_field("mesh")
+}
+
+impl MeshFields {
+    /// Of `fe`.
+    fn section(&self) -> Result<MeshSpec, Problem> {
+        let Some(text) = &self.mesh else { return Ok(MeshSpec::default()) };
+        let spec = MeshSpec::parse(text).ok_or_else(|| {
+            no_mesh(format_args!(
+                "\"{text}\" is no mesh; expected elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal if you like (2x8:2)"
+            ))
+        })?;
+        // The numbers themselves are checked where the mesh is made; here only for the message.
+        spec.resolve(10.0, 1.0, 100.0).map_err(no_mesh)?;
+        Ok(spec)
+    }
+
+    /// Of `fe3d`.
+    fn bricks(&self) -> Result<BrickSpec, Problem> {
+        let (keep, plug) = (self.keep.into(), self.terminal.map(Plug::from));
+        let Some(text) = &self.mesh else { return Ok(BrickSpec { keep, plug, ..BrickSpec::default() }) };
+        let parsed = BrickSpec::parse(text).ok_or_else(|| {
+            no_mesh(format_args!(
+                "\"{text}\" is no mesh of fe3d; expected bricks around the quarter (12), through the wall x around (2x12), or through x around x along the half length (2x12x39), with :quadratic or :circle behind if you like"
+            ))
+        })?;
+        let spec = BrickSpec { keep, plug, ..parsed };
+        BrickMesh::check(&spec).map_err(no_mesh)?;
+        Ok(spec)
+    }
+
+    /// Refuses a terminal of models that have none.
+    fn no_terminal(&self) -> Result<(), Problem> {
+        if self.terminal.is_none() {
+            return Ok(());
+        }
+        let message = "only the model fe3d has a terminal that can be a body";
+        let hint = "the other models have rigid planes: leave it out";
+        Err(Problem::new(ProblemKind::Terminal, message, hint).in_field("terminal"))
+    }
+}
+
+impl From<Keep> for Match {
+    fn from(keep: Keep) -> Self {
+        match keep {
+            Keep::Length => Self::Length,
+            Keep::Angle => Self::Angle,
+        }
+    }
+}
+
+impl From<Terminal> for Plug {
+    fn from(terminal: Terminal) -> Self {
+        let material = match terminal.material {
+            TerminalMaterial::Rigid => PlugMaterial::Rigid,
+            TerminalMaterial::Aluminium => PlugMaterial::Aluminium,
+        };
+        Self { material, insertion_mm: terminal.insertion_mm, nose_mm: terminal.nose_mm }
+    }
+}
+
+/// Refuses a branch of the hysteresis of a muscle that does not state its friction.
+pub(crate) fn check_direction(direction: Direction, muscle: &Muscle) -> Result<(), Problem> {
+    if direction == Direction::Mean || muscle.friction().is_some() {
+        return Ok(());
+    }
+    let message = "`direction` needs the braid's friction, which this muscle does not state";
+    let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
+    Err(Problem::new(ProblemKind::MissingInput, message, hint))
+}

@@ -1,0 +1,132 @@
+//! From fields to a muscle, and a muscle in a few words.
+
+use crate::fields::{MuscleFields, NamedStiffness, Stiffness, TextFile};
+use crate::problem::{Problem, ProblemKind};
+use crate::words;
+use mckibben::muscle::file::parse_muscle;
+use mckibben::muscle::{BraidStiffness, EndFactor, MeasuredStrand, Muscle, Rubber};
+use mckibben::rubber::library;
+use schemars::JsonSchema;
+use serde::Serialize;
+use std::path::Path;
+
+impl MuscleFields {
+    /// The muscle that file and fields describe.
+    ///
+    /// # Errors
+    /// [`Problem`] of kind `file`, `rubber` or `muscle`.
+    pub fn resolve(&self) -> Result<Muscle, Problem> {
+        self.over(&match &self.muscle {
+            Some(file) => muscle_of(file)?,
+            None => Muscle::prototype(),
+        })
+    }
+
+    /// A muscle with the fields' values in place of its own.
+    ///
+    /// # Errors
+    /// As [`MuscleFields::resolve`].
+    pub fn over(&self, base: &Muscle) -> Result<Muscle, Problem> {
+        let mut tube = base.tube().clone();
+        let mut braid = base.braid().clone();
+        let mut terminals = base.terminals().clone();
+        tube.outer_diameter_mm = self.outer_diameter_mm.unwrap_or(tube.outer_diameter_mm);
+        tube.wall_mm = self.wall_mm.unwrap_or(tube.wall_mm);
+        tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
+        braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
+        if let Some(name) = &self.rubber {
+            tube.rubber = rubber(name)?;
+        }
+        if let Some(stiffness) = self.stiffness {
+            braid.stiffness = stiffness.into();
+        }
+        if let Some(k) = self.end_factor {
+            terminals.end_factor = Some(EndFactor::Constant(k));
+        }
+        if let Some(kc) = self.cone_factor {
+            terminals.cone_factor = Some(kc);
+        }
+        match (self.strand_length_mm, self.turns) {
+            (Some(strand_length_mm), Some(turns)) => {
+                braid.measured = Some(MeasuredStrand { strand_length_mm, turns });
+            }
+            (None, None) => {}
+            _ => {
+                let message = "`strand_length_mm` and `turns` belong together: give both";
+                return Err(Problem::new(ProblemKind::Usage, message, ""));
+            }
+        }
+        Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?)
+    }
+}
+
+impl From<Stiffness> for BraidStiffness {
+    fn from(stiffness: Stiffness) -> Self {
+        match stiffness {
+            Stiffness::NewtonPerMm(k) => Self::NewtonPerMm(k),
+            Stiffness::Named(NamedStiffness::Inextensible) => Self::Inextensible,
+            Stiffness::Named(NamedStiffness::Paper) => Self::Paper,
+        }
+    }
+}
+
+/// The muscle of a muscle file.
+///
+/// # Errors
+/// [`Problem`] of kind `file`, with line, column and key.
+pub fn muscle_of(file: &TextFile) -> Result<Muscle, Problem> {
+    Ok(parse_muscle(&file.text).map_err(|e| e.of(Path::new(&file.name)))?)
+}
+
+/// A rubber of the library.
+///
+/// # Errors
+/// [`Problem`] of kind `rubber`.
+pub fn rubber(name: &str) -> Result<Rubber, Problem> {
+    library::find(name.trim()).map_err(|e| Problem::new(ProblemKind::Rubber, e.to_string(), ""))
+}
+
+/// A muscle's measures.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MuscleSummary {
+    /// Outer diameter D0 at rest, mm.
+    pub outer_diameter_mm: f64,
+    /// Wall thickness s at rest, mm.
+    pub wall_mm: f64,
+    /// Length L0 between the terminals at rest, mm.
+    pub length_mm: f64,
+    /// Braid angle θ0 at rest, degrees.
+    pub angle_deg: f64,
+    /// The rubber, by name or law.
+    pub rubber: String,
+    /// The braid: `paper`, `inextensible`, its stiffness, or its strands.
+    pub braid: String,
+}
+
+impl From<&Muscle> for MuscleSummary {
+    fn from(m: &Muscle) -> Self {
+        Self {
+            outer_diameter_mm: m.outer_diameter_mm(),
+            wall_mm: m.wall_mm(),
+            length_mm: m.length_mm(),
+            angle_deg: m.braid().angle_deg,
+            rubber: words::rubber_name(m),
+            braid: words::braid_name(m),
+        }
+    }
+}
+
+impl MuscleSummary {
+    /// The muscle in one line.
+    pub fn line(&self) -> String {
+        format!(
+            "D0 {} mm, s {} mm, L0 {} mm, θ0 {}°, rubber {}, braid {}",
+            words::number(self.outer_diameter_mm, 5),
+            words::number(self.wall_mm, 4),
+            words::number(self.length_mm, 5),
+            words::number(self.angle_deg, 4),
+            self.rubber,
+            self.braid
+        )
+    }
+}

@@ -1,0 +1,166 @@
+//! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
+
+use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::problem::{Problem, ProblemKind};
+use crate::question::Question;
+use mckibben::answer::{self, Answer};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// F(P, ε): the pull at a pressure and contraction.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ForceRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// Gauge pressure P in MPa.
+    pub pressure_mpa: Option<f64>,
+    /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
+    pub contraction: Option<f64>,
+}
+
+/// P(F, ε): the pressure that gives a pull at a contraction.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct PressureRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// Pull F in N.
+    pub force_n: Option<f64>,
+    /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
+    pub contraction: Option<f64>,
+}
+
+/// ε(F, P): the contraction at which a pressure gives a pull.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ContractionRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// Pull F in N; 0 where it is left out.
+    pub force_n: Option<f64>,
+    /// Gauge pressure P in MPa.
+    pub pressure_mpa: Option<f64>,
+}
+
+/// One point: what the model knows of it, of which muscle, by which model.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct PointAnswer {
+    /// The point.
+    #[serde(flatten)]
+    pub point: Answer,
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// The model.
+    pub about: ModelAbout,
+}
+
+/// Where a model's numbers come from.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ModelAbout {
+    /// Where the formula comes from: author, year, equation.
+    pub source: String,
+    /// Against what its error was measured.
+    pub uncertainty_basis: String,
+}
+
+/// F(P, ε).
+///
+/// # Errors
+/// [`Problem`].
+pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
+    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
+    let contraction = ratio(request.contraction)?;
+    let point = answer::force(&*question.model, &mut question.workspace, pressure_mpa, contraction, question.options)?;
+    Ok(question.answered(point))
+}
+
+/// P(F, ε).
+///
+/// # Errors
+/// [`Problem`].
+pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
+    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
+    pull(force_n, request.asking)?;
+    let contraction = ratio(request.contraction)?;
+    let point = answer::pressure(&*question.model, &mut question.workspace, force_n, contraction, question.options)?;
+    Ok(question.answered(point))
+}
+
+/// ε(F, P).
+///
+/// # Errors
+/// [`Problem`].
+pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer, Problem> {
+    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
+    let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
+    pull(force_n, request.asking)?;
+    let point = answer::contraction(&*question.model, &mut question.workspace, force_n, pressure_mpa, question.options)?;
+    Ok(question.answered(point))
+}
+
+/// A number that must be there.
+pub(crate) fn given(field: &str, value: Option<f64>, expected: &str) -> Result<f64, Problem> {
+    finite(field, value.ok_or_else(|| Problem::missing(field, expected))?)
+}
+
+/// A number that is one.
+pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Problem> {
+    if value.is_finite() {
+        return Ok(value);
+    }
+    Err(Problem::new(ProblemKind::Quantity, format!("{value} is not a finite number"), "").in_field(field))
+}
+
+/// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.
+pub(crate) fn ratio(contraction: Option<f64>) -> Result<f64, Problem> {
+    let e = finite("contraction", contraction.unwrap_or(0.0))?;
+    if e.abs() < 1.0 { Ok(e) } else { Err(no_ratio("contraction", e)) }
+}
+
+/// A number that is no contraction ratio.
+pub(crate) fn no_ratio(field: &str, e: f64) -> Problem {
+    let message = format!("{e} is no contraction ratio ΔL/L0, which lies below 1");
+    let hint = if e > 1.0 && e < 100.0 {
+        format!("for {e} % write {}", e / 100.0)
+    } else {
+        "for 15 % write 0.15".to_owned()
+    };
+    Problem::new(ProblemKind::Quantity, message, hint).in_field(field)
+}
+
+/// Refuses a push where the muscle is allowed to lie slack instead.
+pub(crate) fn pull(force_n: f64, asking: AskFields) -> Result<(), Problem> {
+    if force_n >= 0.0 || asking.two_sided {
+        return Ok(());
+    }
+    let message = format!("{force_n} N is a push, and a muscle only pulls");
+    let hint = "`two_sided` gives the negative forces of the formula";
+    Err(Problem::new(ProblemKind::Quantity, message, hint).in_field("force_n"))
+}

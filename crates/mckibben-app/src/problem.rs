@@ -1,0 +1,266 @@
+//! Why a request has no answer: one type for every front end.
+
+use mckibben::analysis::AnalysisError;
+use mckibben::compare::MeasuredError;
+use mckibben::design::{SpecError, SpreadError};
+use mckibben::formula::FormulaError;
+use mckibben::model::ModelError;
+use mckibben::muscle::MuscleError;
+use mckibben::muscle::file::FileError;
+use mckibben::study::StudyError;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// What kind of problem it is, as a word for programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ProblemKind {
+    /// Fields that are missing or exclude each other.
+    Usage,
+    /// A value that is no quantity of the wanted kind.
+    Quantity,
+    /// A range or list that cannot be used.
+    Range,
+    /// A muscle that cannot be built.
+    Muscle,
+    /// A file that cannot be read or understood.
+    File,
+    /// A rubber that is not known.
+    Rubber,
+    /// A model that is not known.
+    Model,
+    /// A mesh that cannot be made.
+    Mesh,
+    /// A terminal that cannot be made.
+    Terminal,
+    /// Something that the model needs and the muscle does not state.
+    MissingInput,
+    /// Outside of what the model was made for.
+    OutOfRange,
+    /// The question has no answer.
+    NoAnswer,
+    /// The computation did not converge.
+    NotConverged,
+    /// The caller wanted the work to end.
+    Cancelled,
+    /// A specification that cannot be searched for.
+    Specification,
+    /// Tolerances that no muscle can have.
+    Tolerance,
+    /// A fit that cannot be made.
+    Fit,
+    /// A constant that cannot be identified in this way.
+    Parameter,
+    /// Measured points that cannot be used.
+    Data,
+    /// The file of a formula that cannot be used.
+    Formula,
+    /// A result that cannot be written.
+    Output,
+    /// An input deck that cannot be written.
+    Deck,
+    /// A quantity that cannot be shown.
+    Show,
+    /// A figure that cannot be drawn.
+    Plot,
+    /// A campaign of another plan or version.
+    OtherPlan,
+    /// A campaign that another process works on.
+    Locked,
+    /// A campaign's file that is damaged.
+    Damaged,
+    /// A campaign that is not finished.
+    Incomplete,
+}
+
+/// How a request ended that did not end well; the numbers are the exit codes of the command line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Ending {
+    /// No answer exists.
+    NoAnswer = 1,
+    /// The request is wrong.
+    WrongInput = 2,
+    /// The computation did not converge, or was cancelled.
+    NotConverged = 3,
+}
+
+impl ProblemKind {
+    /// How a request with this problem ended.
+    pub fn ending(self) -> Ending {
+        match self {
+            Self::NoAnswer => Ending::NoAnswer,
+            Self::NotConverged | Self::Cancelled => Ending::NotConverged,
+            _ => Ending::WrongInput,
+        }
+    }
+}
+
+impl fmt::Display for ProblemKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
+}
+
+/// The answer nearest to the one that does not exist.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Nearest {
+    /// Its pull in N.
+    pub force_n: f64,
+    /// Its pressure in MPa.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressure_mpa: Option<f64>,
+    /// Its contraction ratio.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contraction: Option<f64>,
+}
+
+/// Why a request has no answer.
+///
+/// Message and hint name fields of the request in backquotes (`` `pressure_mpa` ``), so that a front end can put its own
+/// word for them in place.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Problem {
+    /// A word for programs.
+    pub kind: ProblemKind,
+    /// What is wrong, in a sentence.
+    pub message: String,
+    /// What to do about it; may be empty.
+    pub hint: String,
+    /// The field of the request that is to blame, where it is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub field: Option<String>,
+    /// The nearest answer there is, where it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub nearest: Option<Nearest>,
+}
+
+impl Problem {
+    /// A problem.
+    pub fn new(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { kind, message: message.into(), hint: hint.into(), field: None, nearest: None }
+    }
+
+    /// The same with the field that is to blame.
+    pub fn in_field(mut self, field: impl Into<String>) -> Self {
+        self.field = Some(field.into());
+        self
+    }
+
+    /// The same with other words of advice.
+    pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
+        self.hint = hint.into();
+        self
+    }
+
+    /// A field that must be there and is not.
+    pub fn missing(field: &str, expected: &str) -> Self {
+        Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
+    }
+
+    /// The caller wanted the work to end.
+    pub fn cancelled() -> Self {
+        Self::new(ProblemKind::Cancelled, "cancelled before the end", "")
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(field) = &self.field {
+            write!(f, "{field}: ")?;
+        }
+        f.write_str(&self.message)
+    }
+}
+
+impl std::error::Error for Problem {}
+
+impl From<ModelError> for Problem {
+    fn from(error: ModelError) -> Self {
+        let message = error.to_string();
+        match error {
+            ModelError::OutOfRange { model, .. } => {
+                let other = if model == "paper" { ", and so do `fe` and thick-wall" } else { "" };
+                let hint = format!("`extrapolate` gives an answer with a warning{other}");
+                Self::new(ProblemKind::OutOfRange, message, hint)
+            }
+            ModelError::Missing { .. } => Self::new(ProblemKind::MissingInput, message, ""),
+            ModelError::Elements { .. } => Self::new(ProblemKind::Mesh, message, ""),
+            ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
+                Self::new(ProblemKind::NotConverged, message, "")
+            }
+            _ => Self::new(ProblemKind::NoAnswer, message, ""),
+        }
+    }
+}
+
+impl From<AnalysisError> for Problem {
+    fn from(error: AnalysisError) -> Self {
+        let message = error.to_string();
+        let (mut hint, mut nearest) = (String::new(), None);
+        match error {
+            AnalysisError::Model(error) => return error.into(),
+            AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. } => {
+                let pressure_mpa = Some(nearest_pressure_mpa);
+                nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa, contraction: None });
+            }
+            AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
+                if nearest_force_n > force_n {
+                    hint = format!(
+                        "it still pulls where the range of {model} ends; fe and thick-wall have no such limit"
+                    );
+                }
+                let contraction = Some(nearest_contraction);
+                nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
+            }
+            AnalysisError::Unknown { .. } => {}
+        }
+        Self { nearest, ..Self::new(ProblemKind::NoAnswer, message, hint) }
+    }
+}
+
+impl From<MuscleError> for Problem {
+    fn from(error: MuscleError) -> Self {
+        Self::new(ProblemKind::Muscle, error.to_string(), "")
+    }
+}
+
+impl From<FileError> for Problem {
+    fn from(error: FileError) -> Self {
+        Self::new(ProblemKind::File, error.to_string(), "")
+    }
+}
+
+impl From<SpecError> for Problem {
+    fn from(error: SpecError) -> Self {
+        Self::new(ProblemKind::Specification, error.to_string(), "")
+    }
+}
+
+impl From<SpreadError> for Problem {
+    fn from(error: SpreadError) -> Self {
+        Self::new(ProblemKind::Tolerance, error.to_string(), "take smaller tolerances")
+    }
+}
+
+impl From<FormulaError> for Problem {
+    fn from(error: FormulaError) -> Self {
+        Self::new(ProblemKind::Formula, error.to_string(), "")
+    }
+}
+
+impl From<MeasuredError> for Problem {
+    fn from(error: MeasuredError) -> Self {
+        Self::new(ProblemKind::Data, error.to_string(), "")
+    }
+}
+
+impl From<StudyError> for Problem {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::Model(error) => error.into(),
+            StudyError::Analysis(error) => error.into(),
+            StudyError::Muscle(error) => error.into(),
+        }
+    }
+}

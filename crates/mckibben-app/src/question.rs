@@ -1,0 +1,52 @@
+//! A model bound to its muscle, ready to be asked.
+
+use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::model::{Model, Purpose, check_direction};
+use crate::muscle::MuscleSummary;
+use crate::point::{ModelAbout, PointAnswer};
+use crate::problem::Problem;
+use mckibben::answer::{Answer, Options};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Muscle;
+
+/// A model bound to its muscle, with the workspace of this request.
+pub(crate) struct Question {
+    pub(crate) muscle: Muscle,
+    pub(crate) model: Box<dyn ForceModel>,
+    pub(crate) workspace: Workspace,
+    pub(crate) options: Options,
+}
+
+impl Question {
+    pub(crate) fn new(
+        muscle: &MuscleFields,
+        model: &ModelFields,
+        asking: AskFields,
+        purpose: Purpose,
+    ) -> Result<Self, Problem> {
+        let muscle = muscle.resolve()?;
+        let options = asking.options(&muscle)?;
+        let model = Model::choose(model, purpose)?.build(&muscle)?;
+        Ok(Self { muscle, model, workspace: Workspace::new(), options })
+    }
+
+    pub(crate) fn answered(&self, point: Answer) -> PointAnswer {
+        PointAnswer { point, muscle: (&self.muscle).into(), about: about(&*self.model) }
+    }
+}
+
+/// Where a model's numbers come from.
+pub(crate) fn about(model: &dyn ForceModel) -> ModelAbout {
+    ModelAbout {
+        source: model.source().into(),
+        uncertainty_basis: model.accuracy().basis.to_string(),
+    }
+}
+
+impl AskFields {
+    /// How a model of this muscle is asked.
+    pub(crate) fn options(self, muscle: &Muscle) -> Result<Options, Problem> {
+        check_direction(self.direction, muscle)?;
+        Ok(Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction })
+    }
+}
