@@ -34,6 +34,8 @@ pub mod least_squares;
 pub mod model;
 pub mod muscle;
 mod nearest;
+pub mod progress;
 pub mod rubber;
+pub mod status;
 pub mod study;
 pub mod units;
