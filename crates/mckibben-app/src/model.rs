@@ -122,7 +122,7 @@ impl Model {
     /// # Errors
     /// [`Problem`] of kind `formula`.
     pub fn of_formula(file: &TextFile) -> Result<Self, Problem> {
-        let read = Document::parse(&file.text).map_err(|e| e.of(std::path::Path::new(&file.name)))?;
+        let read = Document::parse(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?;
         Ok(match read {
             Document::Section(formula) => Self::Formula(Arc::new(formula)),
             Document::Universal(formula) => Self::Universal(Arc::new(formula)),
@@ -157,7 +157,7 @@ impl Model {
             Self::ClosedForm(kind) => kind.build(muscle)?,
             Self::Formula(formula) => Box::new(FormulaModel::new(Arc::clone(formula), muscle)),
             Self::Universal(formula) => Box::new(Universal::new(Arc::clone(formula), muscle)),
-            Self::Elements(elements) => elements.force_model(muscle)?,
+            Self::Elements(elements) => elements.build(muscle).map_err(|e| e.into_model(0.0, 0.0))?,
         })
     }
 }

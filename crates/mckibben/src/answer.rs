@@ -2,6 +2,7 @@
 
 use crate::analysis::{AnalysisError, contraction_at, free_contraction, pressure_at, start_pressure_mpa};
 use crate::model::{BlockedAt, ForceModel, ModelError, Response, Workspace};
+use serde::{Deserialize, Serialize};
 
 /// How questions are answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -13,21 +14,27 @@ pub struct Options {
 }
 
 /// One answered point.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Answer {
     /// The model's name.
     pub model: String,
     /// What the model knows; `force_n` is 0 where the muscle is slack.
+    #[serde(flatten)]
     pub response: Response,
     /// The muscle would have to push and lies slack instead.
     pub slack: bool,
     /// The model's own force in N, negative where the muscle would have to push.
+    #[serde(skip)]
     pub two_sided_force_n: f64,
     /// Where the muscle is slack: its free contraction at this pressure.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub free_contraction: Option<f64>,
     /// P′ at this contraction in MPa, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_pressure_mpa: Option<f64>,
     /// 95 % half-width of the force in N, where the model's error is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
     /// What the user should know, in sentences.
     pub warnings: Vec<String>,

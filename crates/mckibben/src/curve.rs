@@ -5,11 +5,14 @@
 //! - isobaric: P fixed, F(ε).
 
 use crate::analysis::AnalysisError;
+use serde::{Deserialize, Serialize};
 use crate::answer::{self, Answer, Options};
 use crate::model::{ForceModel, Workspace};
 
 /// Which test.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Test {
     /// ε fixed, F over P.
     Isometric,

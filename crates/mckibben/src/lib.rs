@@ -33,7 +33,7 @@ pub mod identify;
 pub mod least_squares;
 pub mod model;
 pub mod muscle;
-mod nearest;
+pub mod nearest;
 pub mod progress;
 pub mod rubber;
 pub mod status;

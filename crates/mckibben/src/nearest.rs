@@ -2,7 +2,7 @@
 
 /// The candidate closest to `word` by edit distance, where it is close enough to be a slip of the hand: at most two
 /// edits, or a third of the word; one inside the other (`thickness`, `wall_thickness`) counts too. Case does not matter.
-pub(crate) fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // Nobody mistypes a word into a novel; and the distance takes length² steps.
     if word.chars().count() > 60 {
         return None;

@@ -14,7 +14,7 @@ use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::analysis::pressure_at;
 use mckibben::answer::Options;
-use mckibben::design::{Candidate, Outcome, Spec, Spread, spread};
+use mckibben::design::{Candidate, Outcome, Spec, Spread, design_with, spread};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -30,8 +30,8 @@ const DRAWN: usize = 3;
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
     let Search { spec, model } = request.search()?;
     let build = |m: &Muscle| model.build(m);
-    let outcome = mckibben::design::design(&spec, &build, progress)?;
-    let spreads = spreads(request, &spec, &build, &outcome)?;
+    let outcome = design_with(&spec, &build, progress)?;
+    let spreads = spreads(request, &build, &outcome)?;
     let winner = outcome.candidates.first();
     let verified = match (request.verify, winner) {
         (Verify::Fe, Some(winner)) if model.name() != Model::FE.name() => verified(&spec, winner)?,
@@ -46,7 +46,6 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
 
 fn spreads(
     request: &DesignRequest,
-    _spec: &Spec,
     build: &mckibben::design::Build<'_>,
     outcome: &Outcome,
 ) -> Result<Vec<Spread>, Problem> {

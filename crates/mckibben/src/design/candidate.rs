@@ -33,6 +33,8 @@ pub struct CandidatePoint {
 pub struct Candidate {
     /// The muscle.
     pub muscle: Muscle,
+    /// Name of the model that looked at it.
+    pub model: String,
     /// The operating points in the order of the specification.
     pub points: Vec<CandidatePoint>,
     /// Largest pressure any point needs, in MPa.
@@ -324,6 +326,7 @@ pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Resu
         burst_pressure_mpa: burst,
         from_thick_wall,
         points,
+        model: model.name().into(),
         muscle: muscle.clone(),
     })
 }

@@ -14,6 +14,6 @@ mod tolerance;
 pub use candidate::{Candidate, CandidatePoint};
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
-pub use search::{Closest, Outcome, design};
+pub use search::{Closest, Outcome, design, design_with};
 pub use spec::{BraidChoice, Build, Limits, Objective, OperatingPoint, Spec, SpecError};
 pub use tolerance::{Spread, SpreadError, Tolerances, spread};

@@ -10,7 +10,9 @@ use super::relax::{Relaxation, relaxations};
 use super::spec::{BraidChoice, Build, Spec, SpecError};
 use crate::muscle::{Muscle, MuscleError, Rubber, Tube};
 use crate::units::Values;
+use crate::progress::{Progress, Silent};
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Halvings of a refinement; 20 mm/2^24 is a nanometre.
 const HALVINGS: usize = 24;
@@ -71,6 +73,9 @@ struct Search<'a> {
     spec: &'a Spec,
     build: &'a Build<'a>,
     rubbers: &'a [Rubber],
+    progress: &'a dyn Progress,
+    /// Walls that are done.
+    done: AtomicUsize,
 }
 
 /// What some of the muscles gave: the best that fit, and those that missed by least.
@@ -160,9 +165,13 @@ impl Search<'_> {
     /// All diameters for one wall and choice. An interval of diameters yields its best one only.
     fn line(&self, choice: Choice, s: f64) -> Harvest {
         let mut harvest = Harvest::default();
+        if self.progress.cancelled() {
+            return harvest;
+        }
+        self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         match &self.spec.outer_diameter_mm {
             Values::List(list) => {
-                for &d0 in list {
+                for &d0 in list.iter().take_while(|_| !self.progress.cancelled()) {
                     self.try_one(Pick { choice, d0, s }, &mut harvest);
                 }
             }
@@ -209,6 +218,20 @@ impl Search<'_> {
             }
         }
         (score, pick)
+    }
+
+    /// Walls of the whole search, as far as they are known before it.
+    fn walls(&self) -> usize {
+        let walls = match &self.spec.wall_mm {
+            Values::List(list) => list.len(),
+            Values::Interval(..) => WALL_SAMPLES,
+        };
+        let braids = match &self.spec.braid {
+            BraidChoice::StrandLengthPerTurn(list) => list.len(),
+            BraidChoice::Angle(Values::List(list)) => list.len(),
+            BraidChoice::Angle(Values::Interval(..)) => ANGLE_SAMPLES,
+        };
+        walls * braids * self.rubbers.len()
     }
 
     /// All walls for one choice.
@@ -274,11 +297,22 @@ impl Search<'_> {
 /// [`SpecError`] where the specification cannot be searched, also because none of its combinations is a muscle; that
 /// nothing fits is an [`Outcome`].
 pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
+    design_with(spec, build, &Silent)
+}
+
+/// [`design`], which tells how far it is and can be ended before it is done.
+///
+/// # Errors
+/// As [`design`]; [`SpecError::Cancelled`].
+pub fn design_with(spec: &Spec, build: &Build<'_>, progress: &dyn Progress) -> Result<Outcome, SpecError> {
     spec.check()?;
     let own = [spec.base.tube().rubber.clone()];
     let rubbers: &[Rubber] = if spec.rubbers.is_empty() { &own } else { &spec.rubbers };
-    let search = Search { spec, build, rubbers };
+    let search = Search { spec, build, rubbers, progress, done: AtomicUsize::new(0) };
     let mut harvest = search.gather((0..rubbers.len()).map(|rubber| search.book(rubber)));
+    if progress.cancelled() {
+        return Err(SpecError::Cancelled);
+    }
     if harvest.fits.is_empty()
         && harvest.misses.is_empty()
         && let Some(error) = harvest.invalid.take()

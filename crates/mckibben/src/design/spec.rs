@@ -83,7 +83,7 @@ pub struct Spec {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpecError {
     /// No operating point.
-    #[error("no operating point: give --force and --contraction, or --at 700N@15%")]
+    #[error("no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction")]
     NoPoint,
     /// A pull or contraction that is no operating point.
     #[error(
@@ -114,6 +114,9 @@ pub enum SpecError {
     /// No combination is a muscle at all.
     #[error("none of the combinations is a muscle: {0}")]
     NoMuscle(MuscleError),
+    /// The caller wanted the search to end.
+    #[error("cancelled before the end")]
+    Cancelled,
     /// Too many combinations.
     #[error("{0:.3e} combinations are too many; at most 5 million: take larger steps or fewer values")]
     TooMany(f64),

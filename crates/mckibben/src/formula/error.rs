@@ -63,7 +63,8 @@ impl FormulaError {
         Problem::Unreadable(error.to_string()).into()
     }
 
-    pub(super) fn in_file(mut self, path: &Path) -> Self {
+    /// The same error, in a file of this name.
+    pub fn in_file(mut self, path: &Path) -> Self {
         self.file = Some(path.to_owned());
         self
     }
