@@ -59,6 +59,7 @@ with tempfile.TemporaryDirectory() as folder:
             continue
         page = (folder / f"{name}.html").read_text()
         assert "http://" not in page.replace("http://www.w3.org/", "") and "https://" not in page, "the page asks the network"
+        assert "<script" not in page and page.count("<td>") > 20, "the page needs a script or lacks its table"
         for ending in ("svg", "html"):
             shot = folder / f"{name}-{ending}.png"
             flags = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-sync", "--disable-quic",

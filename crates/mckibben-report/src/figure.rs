@@ -1,6 +1,5 @@
 //! The description of a figure: panels, axes, series, marks.
 
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A figure: a title, a caption and one panel or a grid of panels.
@@ -17,7 +16,8 @@ use serde::{Deserialize, Serialize};
 /// assert!(figure.to_svg()?.starts_with("<svg"));
 /// # Ok::<(), mckibben_report::FigureError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct Figure {
     /// Title above the panels; may be empty.
@@ -36,7 +36,8 @@ pub struct Figure {
 }
 
 /// How the colour number of a series becomes a colour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Palette {
     /// Clearly different colours that stay apart for colour-blind readers (Okabe and Ito,
@@ -49,7 +50,8 @@ pub enum Palette {
 }
 
 /// One set of axes with its series and marks.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct Panel {
     /// Title above the axes; may be empty.
@@ -65,7 +67,8 @@ pub struct Panel {
 }
 
 /// An axis.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct Axis {
     /// Quantity and unit, such as `pull F [N]`.
@@ -79,13 +82,16 @@ pub struct Axis {
 /// A line or a set of points.
 ///
 /// A point with a coordinate that is not finite breaks the line and is not drawn.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct Series {
     /// Text of the legend; an empty text makes no legend entry. Series of one panel with
     /// the same label, style and colour share one entry.
     pub label: String,
-    /// The points (x, y), in the units of the axes.
+    /// The points (x, y), in the units of the axes; a coordinate that is not finite is `null` in JSON.
+    #[serde(with = "gaps")]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<(Option<f64>, Option<f64>)>"))]
     pub points: Vec<(f64, f64)>,
     /// How it is drawn.
     pub style: Style,
@@ -97,7 +103,8 @@ pub struct Series {
 }
 
 /// How a series is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Style {
     /// A line whose dash pattern goes with its colour number, so that lines stay apart
@@ -119,7 +126,8 @@ pub enum Style {
 }
 
 /// A marked operating point: a ringed dot with a label.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct Mark {
     /// Place on the horizontal axis, in its unit.
@@ -250,5 +258,22 @@ impl Mark {
     /// An operating point at (x, y), in the units of the axes.
     pub fn new(x: f64, y: f64, label: impl Into<String>) -> Self {
         Self { x, y, label: label.into() }
+    }
+}
+
+/// Points as data: what is not finite has no number in JSON and comes back as NaN.
+mod gaps {
+    use serde::{Deserialize as _, Deserializer, Serializer};
+
+    type Point = (Option<f64>, Option<f64>);
+
+    pub fn serialize<S: Serializer>(points: &[(f64, f64)], to: S) -> Result<S::Ok, S::Error> {
+        let finite = |v: f64| v.is_finite().then_some(v);
+        to.collect_seq(points.iter().map(|(x, y)| (finite(*x), finite(*y))))
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<(f64, f64)>, D::Error> {
+        let points = Vec::<Point>::deserialize(from)?;
+        Ok(points.into_iter().map(|(x, y)| (x.unwrap_or(f64::NAN), y.unwrap_or(f64::NAN))).collect())
     }
 }

@@ -1,8 +1,5 @@
 //! The embedded font and the width of texts set in it.
 
-use std::sync::Arc;
-
-use resvg::usvg::fontdb;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::{FontRef, MetadataProvider};
 
@@ -71,12 +68,4 @@ impl Metrics {
         }
         String::new()
     }
-}
-
-/// A font collection that holds the embedded font and nothing of the machine.
-pub(crate) fn collection() -> Arc<fontdb::Database> {
-    let mut fonts = fontdb::Database::new();
-    fonts.load_font_source(fontdb::Source::Binary(Arc::new(dejavu::sans::regular())));
-    fonts.set_sans_serif_family("DejaVu Sans");
-    Arc::new(fonts)
 }

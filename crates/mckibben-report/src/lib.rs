@@ -1,11 +1,13 @@
 //! Figures for papers, pages and the terminal.
 //!
-//! A [`Figure`] describes panels with axes, series and marks; the crate turns it into
-//! SVG ([`Figure::to_svg`]), PNG ([`Figure::to_png`]), a self-contained HTML page
-//! ([`Figure::to_html`]) or a chart of characters ([`Figure::to_text`]), or writes it to a
-//! file ([`Figure::save`]). It knows nothing about muscles: quantities and units are texts
-//! of the caller. The same description gives the same bytes on every machine; the font
-//! (DejaVu Sans) is part of the program.
+//! A [`Figure`] describes panels with axes, series and marks. It is plain data (serde), so that a page or another
+//! language can draw it by its own means; the crate turns it into SVG ([`Figure::to_svg`]), a self-contained HTML page
+//! ([`Figure::to_html`]) or a chart of characters ([`Figure::to_text`]). It knows nothing about muscles: quantities and
+//! units are texts of the caller. The same description gives the same bytes on every machine; the font (DejaVu Sans) is
+//! part of the program.
+//!
+//! Features, both on by default: `png` adds `to_png`, `files` adds `save`. Without them the crate needs no operating
+//! system and builds for `wasm32-unknown-unknown`.
 
 mod axes;
 mod curve;
@@ -18,8 +20,10 @@ mod layout;
 mod legend;
 mod line_labels;
 mod palette;
+#[cfg(feature = "png")]
 mod png;
 mod room;
+#[cfg(feature = "files")]
 mod save;
 mod scene;
 mod strokes;
@@ -27,7 +31,6 @@ mod svg;
 mod text;
 mod text_chart;
 mod text_legend;
-mod text_lines;
 mod ticks;
 mod xml;
 

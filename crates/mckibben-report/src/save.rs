@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::{Figure, FigureError};
+use crate::{Figure, FigureError, Scene};
 
 impl Figure {
     /// Writes the figure to `path`; the ending (`.svg`, `.png`, `.html`) names the format.
@@ -17,6 +17,7 @@ impl Figure {
     pub fn save(&self, path: &Path) -> Result<(), FigureError> {
         whole(path, |ending| match ending {
             "svg" => Some(self.to_svg().map(String::into_bytes)),
+            #[cfg(feature = "png")]
             "png" => Some(self.to_png()),
             "html" | "htm" => Some(self.to_html().map(String::into_bytes)),
             _ => None,
@@ -24,8 +25,23 @@ impl Figure {
     }
 }
 
+impl Scene {
+    /// Writes the picture; the ending (`.svg`, `.png`) names the format. The file appears whole or not at all.
+    ///
+    /// # Errors
+    /// Those of [`Figure::save`].
+    pub fn save(&self, path: &Path) -> Result<(), FigureError> {
+        whole(path, |ending| match ending {
+            "svg" => Some(self.to_svg().map(String::into_bytes)),
+            #[cfg(feature = "png")]
+            "png" => Some(self.to_png()),
+            _ => None,
+        })
+    }
+}
+
 /// Writes what `draw` gives for the ending of `path`, whole or not at all.
-pub(crate) fn whole(
+fn whole(
     path: &Path,
     draw: impl Fn(&str) -> Option<Result<Vec<u8>, FigureError>>,
 ) -> Result<(), FigureError> {

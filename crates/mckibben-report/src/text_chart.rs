@@ -9,10 +9,9 @@ use ratatui_core::symbols::Marker;
 use ratatui_core::widgets::Widget;
 use ratatui_widgets::canvas::{Canvas, Points};
 
-use crate::curve::{Frame, Rect};
+use crate::curve::{Frame, Rect, Spot};
 use crate::text::{columns_of, wrap};
 use crate::text_legend::{Key, mark_sign, marker};
-use crate::text_lines::{Cells, letters, set_in};
 use crate::ticks::{self, Scale};
 use crate::{Figure, FigureError, Panel, Series, Style, axes, layout, palette};
 
@@ -21,21 +20,8 @@ pub(crate) const PLAIN: Look = Look::new().fg(Color::Reset);
 
 /// A panel on a buffer `width` columns wide and about `height` lines high.
 pub(crate) fn panel(figure: &Figure, panel: &Panel, width: usize, height: usize, colour: bool) -> Buffer {
-    let mut sheet = Sheet { figure, panel, width, colour, colours: layout::colour_count(figure) };
-    // a text that finds no place on its line moves into the legend, which costs lines
-    let mut moved = BTreeSet::new();
-    for _ in 0..3 {
-        match sheet.draw(height, &moved) {
-            Ok((buffer, without_place)) if without_place.is_subset(&moved) => return buffer,
-            Ok((_, without_place)) => moved.extend(without_place),
-            Err(error) => return sheet.failed(&error),
-        }
-    }
-    moved = (0..panel.series.len()).collect();
-    match sheet.draw(height, &moved) {
-        Ok((buffer, _)) => buffer,
-        Err(error) => sheet.failed(&error),
-    }
+    let sheet = Sheet { figure, panel, width, colour, colours: layout::colour_count(figure) };
+    sheet.draw(height).unwrap_or_else(|error| sheet.failed(&error))
 }
 
 /// A panel with what its chart needs to know of the figure and the terminal.
@@ -71,7 +57,7 @@ impl Sheet<'_> {
     }
 
     /// The reason why there is no chart.
-    fn failed(&mut self, error: &FigureError) -> Buffer {
+    fn failed(&self, error: &FigureError) -> Buffer {
         let lines = wrap(&error.to_string(), self.width);
         let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, lines.len() as u16));
         for (y, line) in lines.iter().enumerate() {
@@ -80,15 +66,10 @@ impl Sheet<'_> {
         buffer
     }
 
-    /// Draws the panel; also tells whose end texts found no place.
-    fn draw(
-        &mut self,
-        height: usize,
-        moved: &BTreeSet<usize>,
-    ) -> Result<(Buffer, BTreeSet<usize>), FigureError> {
+    fn draw(&self, height: usize) -> Result<Buffer, FigureError> {
         let panel = self.panel;
         let (x_data, y_data) = axes::extents(panel);
-        let (keys, of_series) = self.keys(moved);
+        let (keys, of_series) = self.keys();
         let legend = self.legend_rows(&keys);
         let shown: Vec<usize> = (0..panel.marks.len())
             .filter(|i| panel.marks[*i].x.is_finite() && panel.marks[*i].y.is_finite())
@@ -111,7 +92,7 @@ impl Sheet<'_> {
         if cols < 8 {
             let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, 1));
             put(&mut buffer, 0, 0, "(too narrow)", PLAIN);
-            return Ok((buffer, BTreeSet::new()));
+            return Ok(buffer);
         }
         let cols = even(cols, &x, 8);
         let mut buffer = Buffer::empty(Area::new(0, 0, self.width as u16, (above + rows + below) as u16));
@@ -123,26 +104,25 @@ impl Sheet<'_> {
         // the ends of the axes lie in the middle of the outer cells
         let plot = Rect { x: 0.5, y: 1.5, w: (2 * cols - 2) as f64, h: (4 * rows - 4) as f64 };
         let frame = Frame { plot, x: &x, y: &y };
-        let mut cells = Cells::new(cols, rows);
         let area = Area::new(gutter as u16, above as u16, cols as u16, rows as u16);
-        self.lines(&mut buffer, area, &frame, &mut cells);
-        let at = |col: usize, row: usize| (gutter + col, above + row);
-        self.markers(&mut buffer, &at, &frame, &mut cells);
+        self.lines(&mut buffer, area, &frame);
+        if !self.colour {
+            self.letters(&mut buffer, area, &frame, &keys, &of_series);
+        }
+        for (i, series) in panel.series.iter().enumerate().filter(|(_, s)| palette::has_markers(s.style)) {
+            let number = number_of(series, i);
+            for spot in frame.markers(&series.points) {
+                put_at(&mut buffer, area, spot, marker(number), self.look(number));
+            }
+        }
         for (mark, sign) in panel.marks.iter().zip(&signs) {
             let Some(sign) = sign else { continue };
             for spot in frame.markers(&[(mark.x, mark.y)]) {
-                let (col, row) = cells.place(spot);
-                cells.take(col, row, 1);
-                let (x, y) = at(col, row);
-                put(&mut buffer, x, y, &sign.to_string(), PLAIN);
+                put_at(&mut buffer, area, spot, *sign, PLAIN);
             }
         }
-        let without_place = self.texts_on_lines(&mut buffer, &at, &frame, &mut cells);
-        if !self.colour {
-            self.letters(&mut buffer, &at, &frame, &mut cells, (&keys, &of_series));
-        }
         self.foot(&mut buffer, above + rows + 3, &legend, &marks);
-        Ok((buffer, without_place))
+        Ok(buffer)
     }
 
     fn axes(
@@ -183,25 +163,17 @@ impl Sheet<'_> {
         put(buffer, start, top + rows + 2, &label, PLAIN);
     }
 
-    fn lines(&self, buffer: &mut Buffer, area: Area, frame: &Frame<'_>, cells: &mut Cells) {
+    fn lines(&self, buffer: &mut Buffer, area: Area, frame: &Frame<'_>) {
         let (right, top) = (f64::from(2 * area.width - 1), f64::from(4 * area.height - 1));
         let mut all = Vec::new();
         for (i, series) in self.panel.series.iter().enumerate() {
-            let number = number_of(series, i);
-            // letters tell plain lines apart: dashes would only make them harder to see
+            // the legend tells plain lines apart: dashes would only make them harder to see
             let style = if series.style == Style::Auto { Style::Line } else { series.style };
             let Some(dash) = palette::dash(style, 0, self.figure.palette) else { continue };
-            let mut dots = BTreeSet::new();
-            for line in frame.line(&series.points) {
-                crate::text_lines::dots(&line, dash, |(x, y)| {
-                    dots.insert((x.round() as u16, y.round() as u16));
-                });
-            }
-            let dots = dots.iter().map(|(x, y)| (f64::from(*x), f64::from(*y)));
-            dots.clone().for_each(|dot| cells.own(dot, i));
-            let upward: Vec<_> = dots.map(|(x, y)| (x, top - y)).collect();
-            let colour = self.look(number).fg.unwrap_or(Color::Reset);
-            all.push((upward, colour));
+            let lines = frame.line(&series.points);
+            let spots: BTreeSet<_> = lines.iter().flat_map(|line| dots(line, dash)).map(dot).collect();
+            let upward: Vec<_> = spots.iter().map(|(x, y)| (f64::from(*x), top - f64::from(*y))).collect();
+            all.push((upward, self.look(number_of(series, i)).fg.unwrap_or(Color::Reset)));
         }
         Canvas::default()
             .marker(Marker::Braille)
@@ -215,78 +187,69 @@ impl Sheet<'_> {
             .render(area, buffer);
     }
 
-    fn markers(
-        &self,
-        buffer: &mut Buffer,
-        at: &dyn Fn(usize, usize) -> (usize, usize),
-        frame: &Frame<'_>,
-        cells: &mut Cells,
-    ) {
-        for (i, series) in self.panel.series.iter().enumerate() {
-            if !palette::has_markers(series.style) {
-                continue;
-            }
-            let number = number_of(series, i);
-            for spot in frame.markers(&series.points) {
-                let (col, row) = cells.place(spot);
-                cells.take(col, row, 1);
-                let (x, y) = at(col, row);
-                put(buffer, x, y, &marker(number).to_string(), self.look(number));
-            }
-        }
-    }
-
-    /// Sets the end texts into their lines; returns whose text found no place.
-    fn texts_on_lines(
-        &self,
-        buffer: &mut Buffer,
-        at: &dyn Fn(usize, usize) -> (usize, usize),
-        frame: &Frame<'_>,
-        cells: &mut Cells,
-    ) -> BTreeSet<usize> {
-        let mut without_place = BTreeSet::new();
-        for (i, series) in self.panel.series.iter().enumerate() {
-            let text = series.end_label.trim();
-            if text.is_empty() {
-                continue;
-            }
-            let line = frame.line(&series.points).pop().unwrap_or_default();
-            match set_in(&line, i, columns_of(text), cells) {
-                Some((col, row)) => {
-                    let (x, y) = at(col, row);
-                    put(buffer, x, y, text, self.look(number_of(series, i)));
-                }
-                None if series.label.trim().is_empty() && !line.is_empty() => {
-                    without_place.insert(i);
-                }
-                None => {}
-            }
-        }
-        without_place
-    }
-
+    /// Sets the letter of the legend on each line at even distances, each line at another phase.
     fn letters(
         &self,
         buffer: &mut Buffer,
-        at: &dyn Fn(usize, usize) -> (usize, usize),
+        area: Area,
         frame: &Frame<'_>,
-        cells: &mut Cells,
-        (keys, of_series): (&[Key], &[Option<usize>]),
+        keys: &[Key],
+        of_series: &[Option<usize>],
     ) {
-        let several = keys.iter().filter(|k| k.style != Style::Points).count() > 0;
-        for (i, series) in self.panel.series.iter().enumerate() {
-            let Some(key) = of_series.get(i).copied().flatten().filter(|_| several) else { continue };
-            if series.style == Style::Points {
-                continue;
-            }
+        for (series, key) in self.panel.series.iter().zip(of_series) {
+            let Some(key) = key.filter(|_| series.style != Style::Points) else { continue };
+            let phase = (key as f64 + 0.5) / keys.len() as f64;
             for line in frame.line(&series.points) {
-                for (col, row) in letters(&line, i, key, keys.len(), cells) {
-                    let (x, y) = at(col, row);
-                    put(buffer, x, y, &keys[key].sign.to_string(), PLAIN);
+                let way: Vec<Spot> = dots(&line, &[]).collect();
+                let count = (way.len() / LETTERS_EVERY).clamp(1, 6);
+                for k in 0..count {
+                    let at = ((k as f64 + phase) / count as f64 * way.len() as f64) as usize;
+                    put_at(buffer, area, way[at.min(way.len() - 1)], keys[key].sign, PLAIN);
                 }
             }
         }
     }
+}
+
+/// Places on a line from one letter to the next.
+const LETTERS_EVERY: usize = 160;
+
+/// Column and row of a place on the grid of dots; a cell is two dots wide and four dots high.
+fn dot((x, y): Spot) -> (u16, u16) {
+    (x.round().max(0.0) as u16, y.round().max(0.0) as u16)
+}
+
+/// Writes a character into the cell of a place.
+fn put_at(buffer: &mut Buffer, area: Area, spot: Spot, sign: char, look: Look) {
+    let (x, y) = dot(spot);
+    let (col, row) = ((x / 2).min(area.width - 1), (y / 4).min(area.height - 1));
+    put(buffer, (area.x + col) as usize, (area.y + row) as usize, &sign.to_string(), look);
+}
+
+/// The drawn places of a line in steps of half a dot; dashes are in dots.
+fn dots(line: &[Spot], dash: &[f64]) -> impl Iterator<Item = Spot> {
+    let period: f64 = dash.iter().sum();
+    let drawn = move |way: f64| {
+        let mut left = if period > 0.0 { way % period } else { return true };
+        for (i, part) in dash.iter().enumerate() {
+            if left < *part {
+                return i % 2 == 0;
+            }
+            left -= part;
+        }
+        true
+    };
+    let only = line.first().copied().filter(|_| line.len() == 1);
+    let mut start = 0.0;
+    let along = line.windows(2).flat_map(move |pair| {
+        let (a, b, from) = (pair[0], pair[1], start);
+        let length = (b.0 - a.0).hypot(b.1 - a.1);
+        start += length;
+        let steps = (2.0 * length).ceil().max(1.0);
+        let parts = (0..=steps as usize).map(move |i| i as f64 / steps);
+        parts.map(move |t| (from + t * length, (a.0 + t * (b.0 - a.0), a.1 + t * (b.1 - a.1))))
+    });
+    only.into_iter().chain(along.filter(move |(way, _)| drawn(*way)).map(|(_, spot)| spot))
 }
 
 /// The horizontal scale with as many ticks as their texts allow.

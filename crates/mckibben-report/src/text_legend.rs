@@ -1,7 +1,5 @@
 //! What stands below a chart of characters: the legend and the operating points.
 
-use std::collections::BTreeSet;
-
 use ratatui_core::buffer::Buffer;
 
 use crate::text::{columns_of, wrap};
@@ -25,15 +23,15 @@ type Row = Vec<(String, String, usize)>;
 
 impl Sheet<'_> {
     /// The entries of the legend, and the entry of each series.
-    pub fn keys(&self, moved: &BTreeSet<usize>) -> (Vec<Key>, Vec<Option<usize>>) {
+    pub fn keys(&self) -> (Vec<Key>, Vec<Option<usize>>) {
         let mut keys: Vec<Key> = Vec::new();
         let mut of_series = Vec::new();
         for (i, series) in self.panel.series.iter().enumerate() {
             let colour = number_of(series, i);
             let label = series.label.trim();
-            let name = if label.is_empty() && moved.contains(&i) { series.end_label.trim() } else { label };
+            let name = if label.is_empty() { series.end_label.trim() } else { label };
             let alike = |k: &Key| k.colour == colour && k.style == series.style;
-            let known = keys.iter().position(|k| alike(k) && (name.is_empty() || k.name == name));
+            let known = keys.iter().position(|k| alike(k) && (label.is_empty() || k.name == name));
             if known.is_some() || name.is_empty() {
                 of_series.push(known);
                 continue;

@@ -7,11 +7,11 @@
 mod camera;
 mod draw;
 
-use crate::{Axis, FigureError, png, save};
-use std::path::Path;
+use crate::{Axis, FigureError};
+use serde::{Deserialize, Serialize};
 
 /// Four corners in space, counter-clockwise seen from outside; seen from inside the face is not drawn.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Face {
     /// Corners (x, y, z), any unit of length; z runs from left to right in the picture, x upwards.
     pub corners: [[f64; 3]; 4],
@@ -20,7 +20,7 @@ pub struct Face {
 }
 
 /// A line in space, drawn where no face hides it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Thread {
     /// Its points, as those of [`Face::corners`].
     pub points: Vec<[f64; 3]>,
@@ -32,7 +32,7 @@ pub struct Thread {
 }
 
 /// From where a body is seen.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct View {
     /// Turn about the upward axis in degrees; 0 looks along −y, positive shows more of the right end.
     pub azimuth_deg: f64,
@@ -47,7 +47,7 @@ impl Default for View {
 }
 
 /// A picture of a body.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// Title above the picture.
     pub title: String,
@@ -75,25 +75,5 @@ impl Scene {
     /// are no numbers, [`FigureError::PaperSize`], [`FigureError::AxisRange`].
     pub fn to_svg(&self) -> Result<String, FigureError> {
         draw::svg(self)
-    }
-
-    /// The same as PNG, 10 pixels a millimetre.
-    ///
-    /// # Errors
-    /// Those of [`Scene::to_svg`]; [`FigureError::Raster`] if the renderer fails.
-    pub fn to_png(&self) -> Result<Vec<u8>, FigureError> {
-        png::render(&self.to_svg()?)
-    }
-
-    /// Writes the picture; the ending (`.svg`, `.png`) names the format. The file appears whole or not at all.
-    ///
-    /// # Errors
-    /// Those of [`Scene::to_png`] and of writing.
-    pub fn save(&self, path: &Path) -> Result<(), FigureError> {
-        save::whole(path, |ending| match ending {
-            "svg" => Some(self.to_svg().map(String::into_bytes)),
-            "png" => Some(self.to_png()),
-            _ => None,
-        })
     }
 }

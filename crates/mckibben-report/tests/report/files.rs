@@ -89,8 +89,7 @@ fn texts_cannot_break_out_of_the_page() {
             .mark(Mark::new(0.5, 1.5, nasty)),
     );
     let html = figure.to_html().unwrap();
-    assert!(!html.contains("<script>alert"));
-    assert_eq!(html.matches("</script>").count(), 2);
+    assert!(!html.contains("<script"));
 }
 
 #[test]
@@ -103,10 +102,24 @@ fn the_table_holds_the_data_in_plain_numbers() {
     assert!(html.contains("<td>0.3</td><td>-2</td>"));
     assert!(html.contains("<td>1e-7</td><td>5</td>"));
     assert!(!html.contains("NaN"));
-    let many: Vec<_> = (0..100_000).map(|i| (f64::from(i), f64::from(i % 7))).collect();
-    let long =
-        Figure::new("t").panel(Panel::new(Axis::new("x"), Axis::new("y")).series(Series::new("s", many)));
-    let html = long.to_html().unwrap();
-    assert!(html.contains("Long series are thinned evenly here."));
-    assert!(html.matches("<tr>").count() <= 602);
+}
+
+#[test]
+fn a_figure_comes_back_from_its_data() {
+    for (name, figure) in figures::all() {
+        let json = serde_json::to_string(&figure).unwrap();
+        assert_eq!(serde_json::from_str::<Figure>(&json).unwrap(), figure, "{name}");
+    }
+}
+
+#[test]
+fn gaps_are_null_in_the_data_and_few_keys_make_a_figure() {
+    let gap = Series::new("s", vec![(0.0, 1.0), (1.0, f64::NAN)]);
+    let json = serde_json::to_value(&gap).unwrap();
+    assert_eq!(json["points"], serde_json::json!([[0.0, 1.0], [1.0, null]]));
+    let back: Series = serde_json::from_value(json).unwrap();
+    assert!(back.points[1].1.is_nan());
+    let few =
+        r#"{"panels": [{"x": {"label": "x [mm]"}, "series": [{"points": [[0, 1]], "style": "dash-dot"}]}]}"#;
+    assert!(serde_json::from_str::<Figure>(few).unwrap().to_svg().unwrap().contains("x [mm]"));
 }
