@@ -1,8 +1,10 @@
 //! From answers to figures: data, which `mckibben-report` or a page draws.
 
+mod compare;
 mod curves;
 mod design;
 
+pub(crate) use compare::compare;
 pub(crate) use curves::curves;
 pub(crate) use design::design;
 
