@@ -23,6 +23,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod commands;
 mod compare;
 mod curve;
 mod design;
@@ -40,6 +41,7 @@ mod study;
 mod validate;
 pub mod words;
 
+pub use commands::{COMMANDS, CommandEntry, ask, schema};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;

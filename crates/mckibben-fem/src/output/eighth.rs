@@ -85,7 +85,13 @@ impl Shape {
     pub fn of_field(field: &Field, extent: Extent) -> Self {
         let lattice = Lattice::new(field, extent);
         let plug = field.plug.as_ref().map(|p| plug(p, extent));
-        Self { tube: tube(field, &lattice), braid: braid(field, &lattice), plug }
+        Self {
+            tube: tube(field, &lattice),
+            braid: braid(field, &lattice),
+            plug,
+            strands_drawn: None,
+            for_display: false,
+        }
     }
 }
 
