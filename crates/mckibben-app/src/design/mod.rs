@@ -34,7 +34,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let spreads = spreads(request, &build, &outcome)?;
     let winner = outcome.candidates.first();
     let verified = match (request.verify, winner) {
-        (Verify::Fe, Some(winner)) if model.name() != Model::FE.name() => verified(&spec, winner)?,
+        (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => verified(&spec, winner)?,
         _ => vec![],
     };
     let figure = match request.figure {
