@@ -12,7 +12,7 @@ use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 
-const SOURCE: &str = "Tondu 2012, Fig. 3, mean of the branches";
+const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
 const POINTS: &str = include_str!("../../../data/tondu2012/static_force_20deg.csv");
 
 type Build = fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>;

@@ -258,7 +258,7 @@ fn measured(text: &'static str) -> Vec<csv::StringRecord> {
         .collect()
 }
 
-/// Validation: the Festo presets against other specimens of the same sizes (Martens & Boblan 2017), points that pull.
+/// Validation: the Festo presets against other specimens of the same sizes (Martens & Boblan 2017 \[martens2017\]), points that pull.
 #[test]
 fn festo_presets_against_measured_maps() {
     let ten = include_str!("../../../data/martens_boblan_2017/DMSP-10-250_force_map.csv");
@@ -290,7 +290,7 @@ fn between(points: &[(f64, f64)], x: f64) -> f64 {
     pair[0].1 + (pair[1].1 - pair[0].1) * (x - pair[0].0) / (pair[1].0 - pair[0].0)
 }
 
-/// Validation: on the mean of both branches measured on the 20° muscle of Tondu (2012), the best constant end factor is
+/// Validation: on the mean of both branches measured on the 20° muscle of Tondu (2012) \[tondu2012\], the best constant end factor is
 /// 1.29. (Over all points read from the figure, which are denser on the upper branch, it is 1.278.)
 #[test]
 fn tondu_lopez_on_the_muscle_of_tondu_2012() {

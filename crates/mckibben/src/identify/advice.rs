@@ -311,7 +311,7 @@ fn pattern(points: &[Fitted]) -> Option<String> {
         return None;
     }
     let rho = pairs.iter().map(|p| p.0 * p.1).sum::<f64>() / square;
-    // Without a pattern ρ is normal with 1/√n (Bartlett 1946).
+    // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
     if rho < 3.0 / (pairs.len() as f64).sqrt() {
         return None;
     }

@@ -16,7 +16,7 @@ pub(super) struct Family {
     pub exponent: f64,
 }
 
-/// β where nothing is known: between the 0.57 and 0.82 seen by Tondu (2012).
+/// β where nothing is known: between the 0.57 and 0.82 seen by Tondu (2012) \[tondu2012\].
 const FRICTION_EXPONENT: f64 = 0.6;
 
 /// A muscle that is tried.

@@ -51,7 +51,7 @@ impl ForceModel for Belforte {
     }
 
     fn source(&self) -> &str {
-        "Belforte et al.; the paper's (3) with its squares restored"
+        "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its squares restored"
     }
 
     fn range(&self) -> ModelRange {

@@ -21,7 +21,7 @@ impl Hysteresis {
             Motion::Shortening => "branch of shortening",
             Motion::Lengthening => "branch of lengthening",
         };
-        let source = format!("{}; braid friction C·P^β (Tondu 2012), {branch}", inner.source());
+        let source = format!("{}; braid friction C·P^β (Tondu 2012 [tondu2012]), {branch}", inner.source());
         Self { inner, friction, motion, source }
     }
 }

@@ -5,7 +5,7 @@
 //!          F = −P dV/dL,  V = (B² − L²) L/(4π N²),  B = L0/cosθ0,  N = L0 tanθ0/(π D0)
 //!   (4)    ε = 1 − √{ (1 + 4 sin²θ0 F/(π D0² P)) / (3 cos²θ0) }
 //!
-//! Sources: Gaylord (1958); Schulte (1961); Chou & Hannaford (1996); Tondu & Lopez (2000). Equation numbers are those
+//! Sources: Gaylord (1958) \[gaylord1958\]; Schulte (1961) \[schulte1961\]; Chou & Hannaford (1996) \[chou1996\]; Tondu & Lopez (2000) \[tondu2000\]. Equation numbers are those
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
 use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
@@ -61,7 +61,7 @@ impl ForceModel for Ideal {
     }
 
     fn source(&self) -> &str {
-        "Chou & Hannaford 1996; the paper's (1)"
+        "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)"
     }
 
     fn range(&self) -> ModelRange {

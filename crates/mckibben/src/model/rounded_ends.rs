@@ -1,6 +1,6 @@
 //! Rounded ends: quarter circles from the terminals to the bulge shorten the cylinder between them.
 //!
-//! Kothera & Wereley (2009) put the effective length L − 2(r − r0) in place of L in the force balance: each end rounds
+//! Kothera & Wereley (2009) \[kothera2009\] put the effective length L − 2(r − r0) in place of L in the force balance: each end rounds
 //! off with a quarter circle of radius r − r0 and so takes r − r0 of the muscle's length. The pull is the same in every
 //! cross-section, so it is that of the cylinder in the middle. What is measured is the whole length,
 //!
@@ -80,7 +80,7 @@ impl ForceModel for RoundedEnds {
     }
 
     fn source(&self) -> &str {
-        "effective length of Kothera & Wereley 2009 in the force balance"
+        "effective length of Kothera & Wereley 2009 [kothera2009] in the force balance"
     }
 
     fn range(&self) -> ModelRange {

@@ -5,7 +5,7 @@ use super::error::{MuscleError, not_negative};
 /// Half the width of the hysteresis loop, C·P^β.
 ///
 /// The pull is higher by C·P^β while the muscle is lengthened and lower while it shortens. Measured exponents are
-/// 0.57 (20° muscle) and 0.82 (30°) in Tondu (2012), Fig. 3.
+/// 0.57 (20° muscle) and 0.82 (30°) in Tondu (2012) \[tondu2012\], Fig. 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction {
     /// C in N/MPa^β: the half-width at 1 MPa.

@@ -11,7 +11,7 @@
 //!   F = F_ideal(outer D0) + dW/dλ.
 //!
 //! Strands carry no compression unless the braid says so: where the tube alone would not reach the braid, they are left
-//! out. Sources: Liu & Rahn (2003); Soleymani & Khajehsaeid (2020) for inextensible strands; derived here for strands
+//! out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
 //! that stretch.
 
 mod equilibrium;
@@ -30,7 +30,7 @@ use std::f64::consts::PI;
 ///
 /// Valid for long muscles: the terminals cost the paper's prototype (L0/D0 9.5) 3 % of the force at ε = 0 and 10 % at .10. The
 /// rubber is taken as incompressible. An end factor of the terminals multiplies ε in the pressure term and the wall
-/// energy alike (Tondu & Lopez 2000).
+/// energy alike (Tondu & Lopez 2000 \[tondu2000\]).
 #[derive(Debug, Clone)]
 pub struct ThickWall {
     muscle: Muscle,
@@ -124,7 +124,7 @@ impl ForceModel for ThickWall {
     }
 
     fn source(&self) -> &str {
-        "energy of the endless muscle: Liu & Rahn 2003 for rigid strands, extended here to strands that stretch"
+        "energy of the endless muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch"
     }
 
     fn range(&self) -> ModelRange {
