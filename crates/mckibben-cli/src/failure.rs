@@ -1,7 +1,7 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code.
 
 use mckibben::analysis::AnalysisError;
-use mckibben::compare::{FitError, MeasuredError};
+use mckibben::compare::MeasuredError;
 use mckibben::design::{SpecError, SpreadError};
 use mckibben::formula::FormulaError;
 use mckibben::identify::{IdentifyError, ParameterError};
@@ -213,16 +213,6 @@ impl From<TensionFitError> for Failure {
                 Self::input("fit", message, "take a law with fewer constants, or leave --up-to out")
             }
             _ => Self::input("fit", message, ""),
-        }
-    }
-}
-
-impl From<FitError> for Failure {
-    fn from(error: FitError) -> Self {
-        match error {
-            FitError::NotConverged { .. } => Self::new(NOT_CONVERGED, "not_converged", error.to_string(), ""),
-            FitError::Start(model) => model.into(),
-            _ => Self::input("fit", error.to_string(), ""),
         }
     }
 }

@@ -4,9 +4,9 @@ use crate::failure::Failure;
 use crate::flags::{AskFlags, ModelFlags, MotionWord, MuscleFlags};
 use crate::kind::{Kind, MeshFlags};
 use mckibben::answer::Options;
-use mckibben::model::{ForceModel, Hysteresis, ModelError, ModelKind};
+use mckibben::model::{ForceModel, ModelKind};
 use mckibben::muscle::file::read_muscle;
-use mckibben::muscle::{BraidStiffness, EndFactor, MeasuredStrand, Motion, Muscle, Rubber};
+use mckibben::muscle::{BraidStiffness, Direction, EndFactor, MeasuredStrand, Muscle, Rubber};
 use mckibben::rubber::library;
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
 
@@ -167,32 +167,22 @@ pub fn kind(
     }
 }
 
-/// The model of a muscle with the hysteresis branch that was asked for.
-pub fn build(kind: Kind, muscle: &Muscle, motion: Motion) -> Result<Box<dyn ForceModel>, ModelError> {
-    let model = kind.build(muscle)?;
-    Ok(match muscle.friction() {
-        Some(&friction) if motion != Motion::Mean => Box::new(Hysteresis::new(model, friction, motion)),
-        _ => model,
-    })
-}
-
 /// The model that the flags ask for.
 pub fn model(
     flags: &ModelFlags,
     muscle: &Muscle,
     pressure_mpa: (f64, f64),
 ) -> Result<Box<dyn ForceModel>, Failure> {
-    let motion = motion(&flags.asking, muscle)?;
-    Ok(build(kind(flags.model.as_deref(), &flags.asking, muscle, pressure_mpa)?, muscle, motion)?)
+    motion(&flags.asking, muscle)?;
+    Ok(kind(flags.model.as_deref(), &flags.asking, muscle, pressure_mpa)?.build(muscle)?)
 }
 
 /// The hysteresis branch; refuses one that the muscle knows nothing of.
-pub fn motion(flags: &AskFlags, muscle: &Muscle) -> Result<Motion, Failure> {
-    let motion = match flags.motion {
-        MotionWord::Mean => return Ok(Motion::Mean),
-        MotionWord::Contraction => Motion::Shortening,
-        MotionWord::Elongation => Motion::Lengthening,
-    };
+pub fn motion(flags: &AskFlags, muscle: &Muscle) -> Result<Direction, Failure> {
+    let motion = Direction::from(flags.motion);
+    if motion.is_mean() {
+        return Ok(motion);
+    }
     if muscle.friction().is_none() {
         let hint = "add [friction] with coefficient (N at 1 MPa) and exponent to the muscle file";
         return Err(Failure::input(
@@ -206,5 +196,15 @@ pub fn motion(flags: &AskFlags, muscle: &Muscle) -> Result<Motion, Failure> {
 
 /// How the model is asked.
 pub fn options(flags: &AskFlags) -> Options {
-    Options { extrapolate: flags.extrapolate, two_sided: flags.two_sided }
+    Options { extrapolate: flags.extrapolate, two_sided: flags.two_sided, direction: flags.motion.into() }
+}
+
+impl From<MotionWord> for Direction {
+    fn from(word: MotionWord) -> Self {
+        match word {
+            MotionWord::Mean => Direction::Mean,
+            MotionWord::Contraction => Direction::Contraction,
+            MotionWord::Elongation => Direction::Elongation,
+        }
+    }
 }

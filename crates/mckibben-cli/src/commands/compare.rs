@@ -9,11 +9,13 @@ use crate::output::text::{Pressures, muscle_line, number, percent, table};
 use crate::output::{csv, emit, json};
 use crate::resolve;
 use mckibben::answer::Options;
-use mckibben::compare::{
-    Branch, Comparison, Fit, FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured,
+use mckibben::compare::{Comparison, MeasuredPoint, compare, mean_of_branches, read_measured};
+use mckibben::identify::{
+    DataPoint, Identification, Identified, Parameter, Request, Target, identify, matters, own_value,
 };
-use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::{Motion, Muscle};
+use mckibben::least_squares::Loss;
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::units::Dimension;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -24,7 +26,7 @@ type Skipped = (&'static str, Failure);
 struct Row {
     model: Box<dyn ForceModel>,
     comparison: Comparison,
-    fit: Option<Fit>,
+    fit: Option<Identification>,
 }
 
 /// Runs the command.
@@ -32,7 +34,7 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
     figure::check(args.plot.plot.as_deref())?;
     let muscle = resolve::muscle(&args.muscle)?;
     let kinds = kinds(args)?;
-    let motion = resolve::motion(&args.asking, &muscle)?;
+    resolve::motion(&args.asking, &muscle)?;
     let options = resolve::options(&args.asking);
     let measured = match &args.data {
         Some(path) => Some(chosen_branch(read(path)?, args.branch, path)?),
@@ -42,8 +44,8 @@ pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
     let p = Pressures(p_unit.unwrap_or(PressureUnit::Mpa));
     let (pressures, contractions) = grid(args, measured.as_deref())?;
     let (rows, skipped) = match &measured {
-        Some(points) => against_points(args, &kinds, &muscle, motion, options, points)?,
-        None => against_first(&kinds, &muscle, motion, options, &pressures, &contractions),
+        Some(points) => against_points(args, &kinds, &muscle, options, points)?,
+        None => against_first(&kinds, &muscle, options, &pressures, &contractions),
     };
     if rows.is_empty() {
         let first = skipped.into_iter().next().map(|s| s.1);
@@ -110,10 +112,10 @@ fn chosen_branch(
 ) -> Result<Vec<MeasuredPoint>, Failure> {
     let wanted = match word {
         BranchWord::Mean => return Ok(mean_of_branches(&points)),
-        BranchWord::Contraction => Branch::Contraction,
-        BranchWord::Elongation => Branch::Elongation,
+        BranchWord::Contraction => Direction::Contraction,
+        BranchWord::Elongation => Direction::Elongation,
     };
-    let list: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == Some(wanted)).collect();
+    let list: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == wanted).collect();
     if list.is_empty() {
         let message = format!("{} has no points of that branch", path.display());
         return Err(Failure::input(
@@ -153,18 +155,31 @@ fn against_points(
     args: &CompareArgs,
     kinds: &[Kind],
     muscle: &Muscle,
-    motion: Motion,
     options: Options,
     points: &[MeasuredPoint],
 ) -> Result<(Vec<Row>, Vec<Skipped>), Failure> {
-    let parameters = parameters(&args.fit)?;
+    let targets = targets(&args.fit)?;
     let one = |kind: Kind| -> Result<Row, Failure> {
+        let build = |m: &Muscle| kind.build(m);
+        let data: Vec<DataPoint> =
+            points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: options.direction, ..*p })).collect();
         let mut fitted = None;
-        if !parameters.is_empty() && kind.takes(&parameters) {
-            fitted = Some(fit(muscle, &parameters, points, |m| resolve::build(kind, m, motion))?);
+        if !targets.is_empty() && targets.iter().all(|t| matters(muscle, *t, &data, build)) {
+            let start = |t: &Target| Some(own_value(muscle, *t).unwrap_or(STIFF));
+            let free: Vec<Parameter> =
+                targets.iter().map(|t| Parameter { start: start(t), ..Parameter::free(*t) }).collect();
+            let request = Request {
+                muscle,
+                free: &free,
+                fixed: &[],
+                points: &data,
+                loss: Loss::Squares,
+                two_sided: true,
+            };
+            fitted = Some(identify(&request, build)?);
         }
-        let model = resolve::build(kind, fitted.as_ref().map_or(muscle, |f| &f.muscle), motion)?;
-        let comparison = compare(model.as_ref(), &mut Workspace::new(), points, options.extrapolate)?;
+        let model = kind.build(fitted.as_ref().map_or(muscle, |f| &f.muscle))?;
+        let comparison = compare(model.as_ref(), &mut Workspace::new(), points, options)?;
         Ok(Row { model, comparison, fit: fitted })
     };
     let (mut rows, mut skipped) = (vec![], vec![]);
@@ -177,32 +192,19 @@ fn against_points(
     Ok((rows, skipped))
 }
 
-/// Whether fitting these constants changes a model's answer.
-trait Takes {
-    fn takes(self, parameters: &[FitParameter]) -> bool;
-}
+/// k in N/mm from which a fit begins where the strands do not stretch.
+const STIFF: f64 = 1e5;
 
-impl Takes for Kind {
-    fn takes(self, parameters: &[FitParameter]) -> bool {
-        use ModelKind::{KluteHannaford, ThickWall, TonduLopez};
-        parameters.iter().all(|p| {
-            matches!(
-                (p, self),
-                (FitParameter::Modulus, Kind::Closed(ThickWall | KluteHannaford))
-                    | (FitParameter::EndFactor, Kind::Closed(ThickWall | TonduLopez))
-                    | (FitParameter::Stiffness, Kind::Closed(ThickWall))
-                    | (FitParameter::Modulus | FitParameter::Stiffness, Kind::Fe(_))
-            )
-        })
-    }
-}
+/// What `--fit` takes.
+const FITTED: [(&str, Target); 3] =
+    [("modulus", Target::Modulus), ("end-factor", Target::EndFactor), ("stiffness", Target::Stiffness)];
 
-fn parameters(words: &[String]) -> Result<Vec<FitParameter>, Failure> {
-    let known: Vec<&str> = FitParameter::NAMES.iter().map(|n| n.0).collect();
+fn targets(words: &[String]) -> Result<Vec<Target>, Failure> {
+    let known: Vec<&str> = FITTED.iter().map(|n| n.0).collect();
     words
         .iter()
         .map(|word| {
-            FitParameter::NAMES.iter().find(|n| n.0 == word.trim()).map(|n| n.1).ok_or_else(|| {
+            FITTED.iter().find(|n| n.0 == word.trim()).map(|n| n.1).ok_or_else(|| {
                 Failure::input(
                     "usage",
                     format!("--fit: \"{word}\" cannot be fitted"),
@@ -217,7 +219,6 @@ fn parameters(words: &[String]) -> Result<Vec<FitParameter>, Failure> {
 fn against_first(
     kinds: &[Kind],
     muscle: &Muscle,
-    motion: Motion,
     options: Options,
     pressures: &[f64],
     contractions: &[f64],
@@ -226,14 +227,14 @@ fn against_first(
     let mut points: Vec<MeasuredPoint> = vec![];
     for &kind in kinds {
         let one = || -> Result<(Row, Vec<MeasuredPoint>), Failure> {
-            let model = resolve::build(kind, muscle, motion)?;
+            let model = kind.build(muscle)?;
             // The first model that answers is what the others are held against.
             let reference = if rows.is_empty() {
                 answers(model.as_ref(), pressures, contractions, options)?
             } else {
                 points.clone()
             };
-            let comparison = compare(model.as_ref(), &mut Workspace::new(), &reference, options.extrapolate)?;
+            let comparison = compare(model.as_ref(), &mut Workspace::new(), &reference, options)?;
             Ok((Row { model, comparison, fit: None }, reference))
         };
         match one() {
@@ -260,7 +261,7 @@ fn answers(
         for &contraction in contractions {
             let force_n =
                 mckibben::answer::point(model, w, pressure_mpa, contraction, options)?.response.force_n;
-            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
+            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean });
         }
     }
     Ok(points)
@@ -278,11 +279,11 @@ fn as_json(row: &Row) -> Value {
         "cause": c.unanswered.as_ref().map(|u| u.1.clone()),
     });
     if let (Some(map), Some(fit)) = (out.as_object_mut(), &row.fit) {
-        for (parameter, value) in &fit.values {
-            let key = match parameter {
-                FitParameter::Modulus => "fitted_modulus_factor",
-                FitParameter::EndFactor => "fitted_end_factor",
-                FitParameter::Stiffness => "fitted_stiffness_n_per_mm",
+        for Identified { target, value, .. } in &fit.parameters {
+            let key = match target {
+                Target::Modulus => "fitted_modulus_factor",
+                Target::EndFactor => "fitted_end_factor",
+                _ => "fitted_stiffness_n_per_mm",
             };
             map.insert(key.into(), json!(value));
         }
@@ -346,11 +347,11 @@ fn as_text(
     out
 }
 
-fn fit_text(fit: &Fit) -> String {
-    let one = |(parameter, value): &(FitParameter, f64)| match parameter {
-        FitParameter::Modulus => format!("modulus × {}", number(*value, 4)),
-        FitParameter::EndFactor => format!("end factor {}", number(*value, 4)),
-        FitParameter::Stiffness => format!("stiffness {} N/mm", number(*value, 4)),
+fn fit_text(fit: &Identification) -> String {
+    let one = |Identified { target, value, .. }: &Identified| match target {
+        Target::Modulus => format!("modulus × {}", number(*value, 4)),
+        Target::EndFactor => format!("end factor {}", number(*value, 4)),
+        _ => format!("stiffness {} N/mm", number(*value, 4)),
     };
-    fit.values.iter().map(one).collect::<Vec<_>>().join(", ")
+    fit.parameters.iter().map(one).collect::<Vec<_>>().join(", ")
 }

@@ -15,7 +15,7 @@ use mckibben::design::{
     spread,
 };
 use mckibben::model::{ForceModel, ModelKind, Workspace};
-use mckibben::muscle::{Motion, Muscle, Tube, file};
+use mckibben::muscle::{Muscle, Tube, file};
 use mckibben::units::{Dimension, Values, parse_quantity};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
@@ -28,7 +28,7 @@ const DRAWN: usize = 3;
 pub fn run(args: &DesignArgs) -> Result<u8, Failure> {
     figure::check(args.plot.plot.as_deref())?;
     let (spec, kind) = specification(args)?;
-    let build = |m: &Muscle| resolve::build(kind, m, Motion::Mean);
+    let build = |m: &Muscle| kind.build(m);
     let outcome = design(&spec, &build)?;
     let typed = PressureUnit::typed(args.max_pressure.as_deref());
     let p = Pressures(args.units.or(typed).unwrap_or(PressureUnit::Mpa));
@@ -100,7 +100,7 @@ fn verified(spec: &Spec, winner: &Candidate) -> Vec<Checked> {
     let one = |&wanted: &OperatingPoint| Checked {
         wanted,
         available_n: fe.force_n(w, spec.max_pressure_mpa, wanted.contraction).map_err(|e| e.to_string()),
-        pressure_mpa: pressure_at(&fe, w, wanted.force_n, wanted.contraction, true).ok(),
+        pressure_mpa: pressure_at(&fe, w, wanted.force_n, wanted.contraction, Options::extrapolating()).ok(),
     };
     spec.points.iter().map(one).collect()
 }
@@ -119,7 +119,7 @@ fn drawn<'a>(outcome: &'a Outcome, kind: Kind) -> Result<Drawn<'a>, Failure> {
 }
 
 fn picture(spec: &Spec, drawn: &Drawn<'_>, p: Pressures) -> mckibben_report::Figure {
-    let options = Options { extrapolate: spec.extrapolate, two_sided: false };
+    let options = Options { extrapolate: spec.extrapolate, ..Options::default() };
     figure::design(drawn, &spec.points, spec.max_pressure_mpa, options, p)
 }
 

@@ -65,16 +65,16 @@ fn characteristics(
     let model = resolve::model(&args.model, muscle, (pressure_mpa, pressure_mpa))?;
     let model = model.as_ref();
     let w = &mut Workspace::new();
-    let extrapolate = args.model.asking.extrapolate;
-    check_range(model, pressure_mpa, 0.0, resolve::options(&args.model.asking))?;
-    let blocked_force_n = blocked_force_n(model, w, pressure_mpa)?;
-    let free = free_contraction(model, w, pressure_mpa, extrapolate).ok();
+    let options = resolve::options(&args.model.asking);
+    check_range(model, pressure_mpa, 0.0, options)?;
+    let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
+    let free = free_contraction(model, w, pressure_mpa, options).ok();
     Ok(Characteristics {
         model: model.name().into(),
         pressure_mpa,
         blocked_force_n,
         free_contraction: free,
-        work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e).ok()),
+        work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
         air: free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok()),
         burst_pressure_mpa: burst_pressure_mpa(model, w, 0.0).ok().flatten(),
     })

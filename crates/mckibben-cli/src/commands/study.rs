@@ -15,10 +15,10 @@ use serde_json::{Value, json};
 pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
     figure::check(args.plot.plot.as_deref())?;
     let base = resolve::muscle(&args.muscle)?;
-    let motion = resolve::motion(&args.model.asking, &base)?;
+    resolve::motion(&args.model.asking, &base)?;
     let kind = resolve::kind(args.model.model.as_deref(), &args.model.asking, &base, (0.0, 0.25))?;
     let options = resolve::options(&args.model.asking);
-    let study = thickness(&base, options, |m| resolve::build(kind, m, motion))?;
+    let study = thickness(&base, options, |m| kind.build(m))?;
     let p = Pressures(args.output.units.unwrap_or(PressureUnit::Mpa));
     if let Some(path) = &args.plot.plot {
         let about =

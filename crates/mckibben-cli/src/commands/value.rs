@@ -6,6 +6,7 @@ use crate::flags::{Format, OutputFlags, PressureUnit};
 use crate::output::text::{Pressures, muscle_line, number, pairs, percent, plus_minus};
 use crate::output::{csv, emit, json, warn};
 use crate::resolve;
+use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::units::Dimension;
@@ -81,7 +82,7 @@ fn text(model: &dyn ForceModel, a: &Answer, p: Pressures) -> String {
     };
     let mut list = vec![
         ("muscle", muscle_line(model.muscle())),
-        ("model", format!("{} ({})", a.model, model.source())),
+        ("model", format!("{} ({})", a.model, source_of(model, a.direction))),
         ("pressure", p.show(r.pressure_mpa)),
         (
             "contraction",

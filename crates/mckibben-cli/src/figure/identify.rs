@@ -2,10 +2,10 @@
 
 use super::caption;
 use crate::output::text::{Pressures, number, percent};
-use mckibben::compare::Branch;
+use mckibben::analysis::force_on;
 use mckibben::identify::{Fitted, Identification};
 use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::muscle::{Motion, Muscle};
+use mckibben::muscle::{Direction, Muscle};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 type Built = Result<Box<dyn ForceModel>, ModelError>;
@@ -32,11 +32,11 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
 }
 
-fn word(branch: Option<Branch>) -> &'static str {
+fn word(branch: Direction) -> &'static str {
     match branch {
-        None => "points",
-        Some(Branch::Contraction) => "shortening",
-        Some(Branch::Elongation) => "lengthening",
+        Direction::Mean => "points",
+        Direction::Contraction => "shortening",
+        Direction::Elongation => "lengthening",
     }
 }
 
@@ -58,7 +58,8 @@ pub fn identified(
     }
     let left = |x: fn(&Fitted) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new("model less data [N]").from_zero());
-        for (n, branch) in [None, Some(Branch::Contraction), Some(Branch::Elongation)].into_iter().enumerate()
+        for (n, branch) in
+            [Direction::Mean, Direction::Contraction, Direction::Elongation].into_iter().enumerate()
         {
             let mine = found.points.iter().filter(|f| f.point.at.branch == branch);
             let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), f.residual_n)).collect();
@@ -135,8 +136,8 @@ fn fit(
         let Some(model) = &model else { continue };
         let ends = on.iter().map(|f| if isobaric { f.point.at.contraction } else { f.point.at.pressure_mpa });
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
-        let mut branches: Vec<Option<Branch>> = on.iter().map(|f| f.point.at.branch).collect();
-        branches.sort_by_key(|b| b.map(|b| b as u8));
+        let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.branch).collect();
+        branches.sort_by_key(|b| *b as u8);
         branches.dedup();
         for branch in branches {
             let points = (0..=40).filter_map(|i| {
@@ -145,7 +146,7 @@ fn fit(
                 let force = pulled(model.as_ref(), found, pressure, contraction, branch)?;
                 Some((if isobaric { x } else { p.value(x) }, force))
             });
-            let style = if branch == Some(Branch::Elongation) { Style::Dashed } else { Style::Line };
+            let style = if branch == Direction::Elongation { Style::Dashed } else { Style::Line };
             panel = panel.series(Series::new("", points.collect::<Vec<_>>()).style(style).colour(n));
         }
     }
@@ -153,12 +154,7 @@ fn fit(
 }
 
 /// The model's pull at a contraction of the data, on a branch.
-fn pulled(m: &dyn ForceModel, found: &Identification, p: f64, e: f64, branch: Option<Branch>) -> Option<f64> {
-    let motion = match branch {
-        None => Motion::Mean,
-        Some(Branch::Contraction) => Motion::Shortening,
-        Some(Branch::Elongation) => Motion::Lengthening,
-    };
-    let friction = m.muscle().friction().map_or(0.0, |f| f.force_n(p, motion));
-    Some(m.force_n(&mut Workspace::new(), p, e + found.candidate.contraction_offset).ok()? + friction)
+fn pulled(m: &dyn ForceModel, found: &Identification, p: f64, e: f64, branch: Direction) -> Option<f64> {
+    let e = e + found.candidate.contraction_offset;
+    force_on(m, &mut Workspace::new(), p, e, branch).ok()
 }
