@@ -1,7 +1,7 @@
 //! A muscle with values for the parameters: what is tried, and what comes out.
 
-use super::data::Section;
 use super::parameter::Target;
+use crate::measured::Section;
 use crate::muscle::{BraidStiffness, EndFactor, Friction, Muscle, MuscleError};
 use crate::rubber::RubberLaw;
 

@@ -8,7 +8,6 @@
 
 mod advice;
 mod candidate;
-mod data;
 mod error;
 mod parameter;
 mod problem;
@@ -16,14 +15,14 @@ mod result;
 mod run;
 mod unasked;
 
+pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
 pub use candidate::{Candidate, own_value};
-pub use data::{DataPoint, Quantity, Section, mean_of_branches, read_data};
 pub use error::IdentifyError;
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
 pub use result::{Fitted, Identification, Identified, Spread};
 pub use run::{Request, identify};
-pub use unasked::{default_targets, identify_default};
+pub use unasked::{default_targets, identify_default, matters};
 
 #[cfg(test)]
 mod tests;

@@ -113,16 +113,9 @@ impl ForceModel for ConicalEnds {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        match self.pull(contraction) {
-            Ok((pull, _, _)) => (pull > 0.0).then(|| Ok(force_n / pull)),
-            Err(error) => Some(Err(error)),
-        }
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        let (pull, _, _) = self.pull(contraction).ok()?;
+        (pull > 0.0).then(|| force_n / pull)
     }
 }
 

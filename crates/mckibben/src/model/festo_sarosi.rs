@@ -148,14 +148,9 @@ impl ForceModel for FestoSarosi {
         })
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         let (rest, slope) = self.line(contraction);
-        (slope > 0.0 && rest.is_finite()).then(|| Ok((force_n - rest) / slope / BAR_PER_MPA))
+        (slope > 0.0 && rest.is_finite()).then(|| (force_n - rest) / slope / BAR_PER_MPA)
     }
 }
 

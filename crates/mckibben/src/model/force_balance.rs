@@ -105,16 +105,9 @@ impl ForceModel for ForceBalance {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        match balance(&self.braid, contraction) {
-            Ok(b) => (b.f > 0.0).then(|| Ok(force_n / b.f)),
-            Err(error) => Some(Err(error)),
-        }
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        let b = balance(&self.braid, contraction).ok()?;
+        (b.f > 0.0).then(|| force_n / b.f)
     }
 }
 

@@ -107,24 +107,14 @@ impl ForceModel for Ideal {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         let per_pressure = self.pull(1.0, contraction);
-        (per_pressure > 0.0).then(|| Ok(force_n / per_pressure))
+        (per_pressure > 0.0).then(|| force_n / per_pressure)
     }
 
     /// Formula (4).
-    fn contraction_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let inside = (1.0 + force_n / (self.area * pressure_mpa)) / (3.0 * self.cos2);
-        (pressure_mpa > 0.0 && inside > 0.0).then(|| Ok(1.0 - inside.sqrt()))
+        (pressure_mpa > 0.0 && inside > 0.0).then(|| 1.0 - inside.sqrt())
     }
 }

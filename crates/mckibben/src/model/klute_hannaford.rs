@@ -118,14 +118,9 @@ impl ForceModel for KluteHannaford {
         Ok(response)
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         self.braid.at(contraction).ok()?;
-        self.ideal.pressure_in_closed_form(workspace, force_n - self.elastic_pull(contraction), contraction)
+        self.ideal.exact_pressure(force_n - self.elastic_pull(contraction), contraction)
     }
 }
 

@@ -227,22 +227,12 @@ impl ForceModel for Paper {
         }
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        self.section.pressure_mpa(force_n, contraction).map(Ok)
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        self.section.pressure_mpa(force_n, contraction)
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        self.section.contraction(force_n, pressure_mpa).map(Ok)
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        self.section.contraction(force_n, pressure_mpa)
     }
 }
 

@@ -59,7 +59,7 @@ impl RoundedEnds {
         if !(contraction < highest && length(self.turn).0 > 0.0) {
             return Err(error);
         }
-        let lm = rising_root(1e-12, self.turn, l.min(self.turn), length).ok_or(error)?;
+        let lm = rising_root(1e-12, self.turn, l.min(self.turn), 0.0, length).ok_or(error)?;
         Ok((lm, 1.0 / length(lm).1))
     }
 
@@ -111,16 +111,9 @@ impl ForceModel for RoundedEnds {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        match self.balance(contraction) {
-            Ok((b, _)) => (b.f > 0.0).then(|| Ok(force_n / b.f)),
-            Err(error) => Some(Err(error)),
-        }
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        let (b, _) = self.balance(contraction).ok()?;
+        (b.f > 0.0).then(|| force_n / b.f)
     }
 }
 

@@ -82,27 +82,16 @@ impl ForceModel for TonduLopez {
         .with_braid_tension(tension, self.muscle().braid().strands.map(|s| s.count)))
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         match self.factor {
-            EndFactor::Constant(k) => self.ideal.pressure_in_closed_form(workspace, force_n, k * contraction),
+            EndFactor::Constant(k) => self.ideal.exact_pressure(force_n, k * contraction),
             EndFactor::OfPressure { .. } => None,
         }
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let k = self.factor.at(pressure_mpa);
-        let middle = self.ideal.contraction_in_closed_form(workspace, force_n, pressure_mpa)?;
-        Some(middle.map(|e| e / k))
+        self.ideal.exact_contraction(force_n, pressure_mpa).map(|e| e / k)
     }
 }
 

@@ -6,9 +6,9 @@ use crate::flags::MuscleFlags;
 use crate::kind::{Kind, MeshFlags};
 use crate::resolve;
 use mckibben::compare::MeasuredPoint;
-use mckibben::identify::{DataPoint, Section, mean_of_branches, read_data};
+use mckibben::identify::{DataPoint, Section, mean_of_data, read_data};
 use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::units::Dimension;
 use std::path::Path;
 
@@ -65,7 +65,7 @@ pub fn read(
     }
     weigh(args, &mut points, origin.len())?;
     if args.branches == BranchesWord::Mean {
-        points = mean_of_branches(&points);
+        points = mean_of_data(&points);
     }
     Ok((points, origin.join(", ")))
 }
@@ -105,7 +105,7 @@ fn formula(
             for &contraction in &contractions {
                 for &pressure_mpa in &pressures {
                     let force_n = model.force_n(w, pressure_mpa, contraction)?;
-                    let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: None };
+                    let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
                     points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::of(at) });
                 }
             }

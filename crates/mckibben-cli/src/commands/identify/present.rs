@@ -2,8 +2,8 @@
 
 use crate::output::json;
 use crate::output::text::{muscle_line, number, table};
-use mckibben::compare::Branch;
 use mckibben::identify::{Fitted, Identification, Identified, Quantity};
+use mckibben::muscle::Direction;
 use serde_json::{Map, Value, json};
 
 fn finite(v: f64) -> Value {
@@ -66,9 +66,9 @@ fn row(f: &Fitted) -> Value {
     put("contraction", json!(at.contraction));
     put("force_n", json!(at.force_n));
     match at.branch {
-        Some(Branch::Contraction) => put("branch", json!("contraction")),
-        Some(Branch::Elongation) => put("branch", json!("elongation")),
-        None => {}
+        Direction::Contraction => put("branch", json!("contraction")),
+        Direction::Elongation => put("branch", json!("elongation")),
+        Direction::Mean => {}
     }
     let (word, key) = match p.measured {
         Quantity::Force => ("force", "model_force_n"),

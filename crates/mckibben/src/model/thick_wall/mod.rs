@@ -114,6 +114,18 @@ impl ThickWall {
     }
 }
 
+impl ThickWall {
+    /// The pressure of the equilibrium with a given pull: in closed form where strands do not stretch, else by Newton's
+    /// method for the radius.
+    fn pressure_of(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        if matches!(self.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
+            return None;
+        }
+        let (l, _, _) = self.stretch(0.0, contraction);
+        self.pressure_for(force_n, l)
+    }
+}
+
 impl ForceModel for ThickWall {
     fn name(&self) -> &str {
         "thick-wall"
@@ -183,16 +195,11 @@ impl ForceModel for ThickWall {
         Ok(self.state(pressure_mpa, l)?.force)
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        if matches!(self.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
-            return None;
-        }
-        let (l, _, _) = self.stretch(0.0, contraction);
-        self.pressure_for(force_n, l).map(Ok)
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        if self.k.is_none() { self.pressure_of(force_n, contraction) } else { None }
+    }
+
+    fn pressure_under_load(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        self.pressure_of(force_n, contraction)
     }
 }
