@@ -113,7 +113,7 @@ fn as_json(m: &Muscle) -> Value {
     let sheet = m.build_sheet();
     let law = &m.tube().rubber.law;
     let constants: Map<String, Value> =
-        law.constants().into_iter().map(|(name, value, _)| (name, json!(value))).collect();
+        law.constants().into_iter().map(|c| (c.name, json!(c.value))).collect();
     let mut out = json::muscle(m);
     let more = json!({
         "law": law.name(),

@@ -8,14 +8,14 @@ use super::result::Identification;
 use super::run::{Request, distinct, identify};
 use crate::compare::Branch;
 use crate::muscle::Muscle;
-use crate::rubber::RubberLaw;
 
 /// The law's modulus (its one constant, or a factor on all of them), the stiffness of strands that stretch, and the friction
 /// where both branches were measured.
 pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
     let constants = muscle.tube().rubber.law.constants();
-    let moduli: Vec<usize> =
-        (0..constants.len()).filter(|&i| constants[i].2 == "MPa" && constants[i].1 != 0.0).collect();
+    let moduli: Vec<usize> = (0..constants.len())
+        .filter(|&i| constants[i].constant.is_modulus() && constants[i].value != 0.0)
+        .collect();
     let mut out = vec![match moduli.as_slice() {
         [one] => Target::Law(*one),
         _ => Target::Modulus,
