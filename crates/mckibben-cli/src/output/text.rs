@@ -3,7 +3,7 @@
 use crate::flags::PressureUnit;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben::muscle::{BraidStiffness, Muscle};
-use mckibben::rubber::{Law, RubberLaw};
+use mckibben::rubber::Law;
 
 /// How people are shown pressures.
 #[derive(Debug, Clone, Copy)]

@@ -25,6 +25,7 @@ pub use terms::products;
 use super::error::FitError;
 use mckibben::formula::{Provenance, UniversalErrors, UniversalFormula, UniversalSummary};
 use mckibben::model::{Deficit, EndPoint, ForceModel, Form, Universal, UniversalRange, UniversalTerm};
+use mckibben::rubber::RubberLaw;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
 use std::sync::Arc;
