@@ -93,4 +93,5 @@ laws! {
     yeoh::Yeoh,
     ogden::Ogden,
     gent::Gent,
+    arruda_boyce::ArrudaBoyce,
 }
