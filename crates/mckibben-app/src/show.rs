@@ -130,7 +130,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
     Ok(MuscleShowAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
-        constants_mpa: law.constants().into_iter().map(|(name, value, _)| (name, value)).collect(),
+        constants_mpa: law.constants().into_iter().map(|c| (c.name, c.value)).collect(),
         shear_modulus_mpa: law.shear_modulus_mpa(),
         bulk_modulus_mpa: match muscle.tube().rubber.bulk {
             Bulk::Incompressible => None,

@@ -78,10 +78,7 @@ pub fn law_text(law: &Law) -> String {
     let constants: Vec<String> = law
         .constants()
         .into_iter()
-        .map(|(name, value, unit)| {
-            let space = if unit.is_empty() { "" } else { " " };
-            format!("{name} {}{space}{unit}", number(value, 4))
-        })
+        .map(|c| format!("{} {} {}", c.name, number(c.value, 4), c.constant.unit()).trim_end().to_owned())
         .collect();
     format!("{} ({})", law.name(), constants.join(", "))
 }

@@ -4,7 +4,6 @@ use super::plan::{Inputs, Plan, constants, rounded};
 use crate::Row;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::rubber::RubberLaw;
 use mckibben_fem::axisymmetric::{FemError, TangentPoint};
 
 /// There is an answer.

@@ -15,7 +15,7 @@ use mckibben::identify::{DataPoint, Parameter, Request, Section, Target, identif
 use mckibben::least_squares::Loss;
 use mckibben::model::{Coefficients, ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
-use mckibben::rubber::{Law, MooneyRivlin, RubberLaw};
+use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.
@@ -50,7 +50,7 @@ pub struct Constants {
 impl Constants {
     /// Those of the rubber and braid `paper`.
     pub fn shipped() -> Self {
-        let c10_mpa = Rubber::paper().law.constants().first().map_or(0.0, |c| c.1);
+        let c10_mpa = Rubber::paper().law.values().first().copied().unwrap_or(0.0);
         let (stiffness_at_40_n_per_mm, exponent) = (Braid::PAPER_AT_40_N_PER_MM, Braid::PAPER_EXPONENT);
         Self { c10_mpa, stiffness_at_40_n_per_mm, exponent }
     }

@@ -92,9 +92,8 @@ fn entry_json(entry: &RubberEntry, is_taken: &dyn Fn(&RubberFit) -> bool) -> Val
             let mut map = Map::new();
             map.insert("law".into(), json!(fit.law.name()));
             map.insert("taken".into(), json!(is_taken(fit)));
-            for (name, value, unit) in fit.law.constants() {
-                let key = if unit == "MPa" { format!("{name}_mpa") } else { name };
-                map.insert(key, json!(value));
+            for c in fit.law.constants() {
+                map.insert(c.column(), json!(c.value));
             }
             map.insert("shear_modulus_mpa".into(), json!(fit.law.shear_modulus_mpa()));
             map.insert("up_to_strain".into(), json!(fit.up_to_strain));

@@ -11,7 +11,7 @@ use super::equilibrium::Body;
 use super::error::FemError;
 use super::mesh::Mesh;
 use mckibben::muscle::Muscle;
-use mckibben::rubber::{Law, RubberLaw};
+use mckibben::rubber::Law;
 
 /// ∂F of one constant or measure.
 #[derive(Debug, Clone, PartialEq)]
@@ -110,8 +110,9 @@ pub fn of(
         out.push(Sensitivity { name, value, unit, force_n_per_unit: body.force_change(&mut change) });
         Ok::<(), FemError>(())
     };
-    for (index, (name, value, unit)) in law.constants().into_iter().enumerate() {
-        add(format!("tube.material.{name}"), value, unit, &|h| (changed(&law, index, h), here))?;
+    for (index, c) in law.constants().into_iter().enumerate() {
+        let name = format!("tube.material.{}", c.name);
+        add(name, c.value, c.constant.unit(), &|h| (changed(&law, index, h), here))?;
     }
     let same = |to: Measures| (law.clone(), to);
     if let Some(k) = here.stiffness {

@@ -13,7 +13,7 @@
 //! p (J − 1).
 
 use super::stretches::ByStretches;
-use mckibben::rubber::{InvariantLaw, Law};
+use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// Deformation gradient of an axisymmetric state.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -194,22 +194,29 @@ pub trait PlaneVisitor {
     fn with<L: PlaneLaw>(self, law: &L) -> Self::Output;
 }
 
-/// Runs `visitor` with the concrete law: laws in the invariants take the short way, Ogden the way through principal
-/// stretches.
+/// Runs `visitor` with the concrete law: laws in the invariants take the short way, others the way through
+/// principal stretches.
 pub fn visit<V: PlaneVisitor>(law: &Law, visitor: V) -> V::Output {
-    match law {
-        Law::MooneyRivlin(l) => visitor.with(&ByInvariants(l)),
-        Law::NeoHookean(l) => visitor.with(&ByInvariants(l)),
-        Law::Yeoh(l) => visitor.with(&ByInvariants(l)),
-        Law::Gent(l) => visitor.with(&ByInvariants(l)),
-        Law::Ogden(l) => visitor.with(&ByStretches(l)),
+    law.visit(InPlane(visitor))
+}
+
+struct InPlane<V>(V);
+
+impl<V: PlaneVisitor> LawVisitor for InPlane<V> {
+    type Output = V::Output;
+
+    fn law<L: RubberLaw>(self, law: &L) -> V::Output {
+        self.0.with(&ByStretches(law))
+    }
+
+    fn invariant_law<L: InvariantLaw>(self, law: &L) -> V::Output {
+        self.0.with(&ByInvariants(law))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mckibben::rubber::{Gent, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 
     #[test]
     fn the_inverse_cube_root_is_one() {
@@ -228,21 +235,11 @@ mod tests {
         }
     }
 
-    fn laws() -> Vec<Law> {
-        vec![
-            Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }),
-            Law::NeoHookean(NeoHookean { mu_mpa: 0.24 }),
-            Law::Yeoh(Yeoh { c10_mpa: 0.1789, c20_mpa: -0.001219, c30_mpa: 3.678e-5 }),
-            Law::Gent(Gent { mu_mpa: 0.24, jm: 30.0 }),
-            Law::Ogden(Ogden { terms: vec![(0.6178, 1.3), (0.001177, 5.0), (-0.009807, -2.0)] }),
-        ]
-    }
-
     /// Every law: stress is the derivative of the energy, the tangent that of the stress, also where two stretches are one.
     #[test]
     fn stress_and_tangent_are_those_of_finite_differences() {
         let states = [[1.3, 0.2, -0.3, 0.7, 1.2], [0.8, 0.0, 0.0, 0.8, 1.5], [1.0, 0.0, 0.0, 1.0, 1.0]];
-        for law in laws() {
+        for law in Law::examples() {
             for x in states {
                 let p = 0.3;
                 let at = |x: [f64; 5]| {

@@ -13,7 +13,7 @@
 
 use super::lanes::Real;
 use super::spatial_stretches::ByStretches;
-use mckibben::rubber::{InvariantLaw, Law};
+use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// A symmetric tensor.
 pub type Symmetric<R> = [R; 6];
@@ -79,7 +79,7 @@ pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
 #[derive(Debug, Clone, Copy)]
 pub struct ByInvariants<'a, L>(pub &'a L);
 
-impl<L: InvariantLaw + Sync> SpatialLaw for ByInvariants<'_, L> {
+impl<L: InvariantLaw> SpatialLaw for ByInvariants<'_, L> {
     #[inline(always)]
     fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, j: R) -> Spatial<R> {
         let s = R::splat;
@@ -179,14 +179,22 @@ pub trait SpatialVisitor {
     fn with<L: SpatialLaw>(self, law: &L) -> Self::Output;
 }
 
-/// Runs `visitor` with the concrete law: laws in the invariants take the short way, Ogden the way through principal
-/// stretches.
+/// Runs `visitor` with the concrete law: laws in the invariants take the short way, others the way through
+/// principal stretches.
 pub fn visit<V: SpatialVisitor>(law: &Law, visitor: V) -> V::Output {
-    match law {
-        Law::MooneyRivlin(l) => visitor.with(&ByInvariants(l)),
-        Law::NeoHookean(l) => visitor.with(&ByInvariants(l)),
-        Law::Yeoh(l) => visitor.with(&ByInvariants(l)),
-        Law::Gent(l) => visitor.with(&ByInvariants(l)),
-        Law::Ogden(l) => visitor.with(&ByStretches(l)),
+    law.visit(InSpace(visitor))
+}
+
+struct InSpace<V>(V);
+
+impl<V: SpatialVisitor> LawVisitor for InSpace<V> {
+    type Output = V::Output;
+
+    fn law<L: RubberLaw>(self, law: &L) -> V::Output {
+        self.0.with(&ByStretches(law))
+    }
+
+    fn invariant_law<L: InvariantLaw>(self, law: &L) -> V::Output {
+        self.0.with(&ByInvariants(law))
     }
 }

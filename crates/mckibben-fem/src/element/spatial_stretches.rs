@@ -89,7 +89,7 @@ fn one<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
     out
 }
 
-impl<L: RubberLaw + Sync> SpatialLaw for ByStretches<'_, L> {
+impl<L: RubberLaw> SpatialLaw for ByStretches<'_, L> {
     fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, _: R) -> Spatial<R> {
         let mut out = Spatial::<R>::zero();
         for l in 0..R::LANES {

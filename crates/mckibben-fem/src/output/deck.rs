@@ -24,7 +24,7 @@ const CONTRACTION: f64 = 0.005;
 #[derive(Debug, Error)]
 pub enum DeckError {
     /// A law that decks do not know.
-    #[error("an input deck has no law \"{law}\"; it has mooney-rivlin, neo-hookean, yeoh and ogden")]
+    #[error("an input deck has no law \"{law}\"; it has {}", known())]
     Law {
         /// Its name.
         law: &'static str,
@@ -265,26 +265,21 @@ fn rubber(out: &mut String, law: &Law, bulk: Bulk) -> Result<(), DeckError> {
             "** the rubber is incompressible; here its bulk modulus is {BULK} times the shear modulus"
         );
     }
-    let d = 2.0 / k;
-    let (head, numbers) = match law {
-        Law::MooneyRivlin(l) => ("MOONEY-RIVLIN", vec![l.c10_mpa, l.c01_mpa, d]),
-        Law::NeoHookean(l) => ("NEO HOOKE", vec![0.5 * l.mu_mpa, d]),
-        Law::Yeoh(l) => ("YEOH", vec![l.c10_mpa, l.c20_mpa, l.c30_mpa, d, 0.0, 0.0]),
-        Law::Ogden(l) => {
-            let n = l.terms.len();
-            // Σ μi/αi (…) = Σ 2 μ'i/αi² (…) with μ'i = μi αi/2.
-            let pairs = l.terms.iter().flat_map(|&(mu, alpha)| [0.5 * mu * alpha, alpha]);
-            let more = std::iter::repeat_n(0.0, n.saturating_sub(1));
-            let numbers: Vec<f64> = pairs.chain([d]).chain(more).collect();
-            let _ = writeln!(out, "*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, OGDEN, N={n}");
-            write_numbers(out, &numbers);
-            return Ok(());
-        }
-        Law::Gent(_) => return Err(DeckError::Law { law: law.name() }),
-    };
-    let _ = writeln!(out, "*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {head}");
+    let card = law.card().ok_or(DeckError::Law { law: law.name() })?;
+    // One constant of compression counts, D1 = 2/K.
+    let more = std::iter::repeat_n(0.0, card.compressions.saturating_sub(1));
+    let numbers: Vec<f64> = card.constants.into_iter().chain([2.0 / k]).chain(more).collect();
+    let _ = writeln!(out, "*MATERIAL, NAME=RUBBER\n*HYPERELASTIC, {}", card.form);
     write_numbers(out, &numbers);
     Ok(())
+}
+
+/// Names of the laws that decks know.
+fn known() -> String {
+    let laws = Law::examples();
+    let mut names: Vec<&str> = laws.iter().filter(|l| l.card().is_some()).map(Law::name).collect();
+    let last = names.pop().unwrap_or_default();
+    format!("{} and {last}", names.join(", "))
 }
 
 fn write_numbers(out: &mut String, numbers: &[f64]) {

@@ -44,7 +44,7 @@ pub fn numerics() -> Vec<Row> {
             (Bulk::Modulus(50.0), BraidStiffness::NewtonPerMm(321.0)),
             (Bulk::Incompressible, BraidStiffness::Inextensible),
         ] {
-            let name = mckibben::rubber::RubberLaw::name(&law);
+            let name = law.name();
             let error = muscle_body(law.clone(), bulk, stiffness).and_then(|mut w| {
                 w.walk(0.2, -0.08 * 142.5, 1.0).ok()?;
                 w.solve(Control::Length(-0.08 * 142.5)).ok()?;

@@ -2,7 +2,6 @@
 
 use crate::model::RangeViolation;
 use crate::muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube};
-use crate::rubber::RubberLaw;
 
 /// Stiffness k of one strand family of the muscles of a formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,11 +37,8 @@ pub struct Made {
 
 /// Constants of a law with their unit in the name.
 fn constants(muscle: &Muscle) -> Vec<(String, f64)> {
-    let name = |(name, value, unit): (String, f64, &str)| match unit {
-        "MPa" if !name.ends_with("_mpa") => (format!("{name}_mpa").to_lowercase(), value),
-        _ => (name.to_lowercase(), value),
-    };
-    muscle.tube().rubber.law.constants().into_iter().map(name).collect()
+    let constants = muscle.tube().rubber.law.constants();
+    constants.into_iter().map(|c| (c.column(), c.value)).collect()
 }
 
 fn close(a: f64, b: f64) -> bool {

@@ -3,7 +3,6 @@
 use super::parameter::Target;
 use crate::measured::Section;
 use crate::muscle::{BraidStiffness, EndFactor, Friction, Muscle, MuscleError};
-use crate::rubber::RubberLaw;
 
 /// k = k₀ (D0/D0₀)ⁿ of one strand family.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +32,7 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
     let tube = muscle.tube();
     let friction = muscle.friction();
     Some(match target {
-        Target::Law(i) => tube.rubber.law.constants().get(i)?.1,
+        Target::Law(i) => *tube.rubber.law.values().get(i)?,
         Target::Modulus => 1.0,
         Target::Stiffness => muscle.family_stiffness_n_per_mm()?,
         // Of k at twice the diameter: 0 for a stated k, −1 for a strand count, that of the braid `paper`.

@@ -2,14 +2,14 @@
 
 use crate::muscle::Muscle;
 use crate::nearest::nearest;
-use crate::rubber::RubberLaw;
+use crate::rubber::{ConstantValue, RubberLaw};
 use crate::units::{Dimension, QuantityError, parse_quantity};
 use thiserror::Error;
 
 /// A constant or measure that data may tell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Target {
-    /// A constant of the rubber law, by its place in [`RubberLaw::constants`].
+    /// A constant of the rubber law, by its place in [`Law::constants`](crate::rubber::Law::constants).
     Law(usize),
     /// One factor on all moduli of the law.
     Modulus,
@@ -108,7 +108,7 @@ fn meant(nearest: Option<&str>) -> String {
 impl Target {
     /// All that a muscle has.
     pub fn all(muscle: &Muscle) -> Vec<Target> {
-        let laws = (0..muscle.tube().rubber.law.constants().len()).map(Law);
+        let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
         let mut out: Vec<Target> = laws.collect();
         for (_, target) in NAMES {
             if !out.contains(&target) {
@@ -121,8 +121,7 @@ impl Target {
     /// The name, as in the muscle file.
     pub fn name(self, muscle: &Muscle) -> String {
         if let Law(i) = self {
-            let constants = muscle.tube().rubber.law.constants();
-            return constants.get(i).map_or_else(String::new, |c| format!("tube.material.{}", c.0));
+            return constant(muscle, i).map_or_else(String::new, |c| format!("tube.material.{}", c.name));
         }
         NAMES.iter().find(|n| n.1 == self).map_or_else(String::new, |n| n.0.to_owned())
     }
@@ -152,7 +151,7 @@ impl Target {
     /// Its unit; empty for a plain number.
     pub fn unit(self, muscle: &Muscle) -> &'static str {
         match self {
-            Law(i) => muscle.tube().rubber.law.constants().get(i).map_or("", |c| c.2),
+            Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
             Stiffness => "N/mm",
             Angle => "deg",
             OuterDiameter | Wall | Length => "mm",
@@ -162,26 +161,19 @@ impl Target {
     }
 
     fn dimension(self, muscle: &Muscle) -> Dimension {
-        match self.unit(muscle) {
-            "MPa" => Dimension::Pressure,
-            "mm" => Dimension::Length,
-            "deg" => Dimension::Angle,
-            "N/mm" => Dimension::Stiffness,
+        match self {
+            Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
+            Stiffness => Dimension::Stiffness,
+            Angle => Dimension::Angle,
+            OuterDiameter | Wall | Length => Dimension::Length,
             _ => Dimension::Ratio,
         }
     }
 
     /// Bounds where none are stated: what a muscle can have at all.
     pub(super) fn natural_bounds(self, muscle: &Muscle) -> (f64, f64) {
-        let law = &muscle.tube().rubber.law;
         match self {
-            // The only modulus of its law, or a limit, lies above zero; C01, C20 and exponents may have either sign.
-            Law(i) => {
-                let constants = law.constants();
-                let name = constants.get(i).map_or("", |c| c.0.as_str());
-                let positive = name == "jm" || (name == "mu" && constants.len() <= 2);
-                (if positive { 0.0 } else { f64::NEG_INFINITY }, f64::INFINITY)
-            }
+            Law(i) => constant(muscle, i).map_or((f64::NEG_INFINITY, f64::INFINITY), |c| c.constant.bounds),
             StiffnessExponent => (-5.0, 5.0),
             Angle => (1.0, crate::muscle::NEUTRAL_ANGLE_DEG - 0.5),
             FrictionExponent => (0.0, 3.0),
@@ -197,7 +189,9 @@ impl Target {
     /// against half of themselves; what is measured with a ruler more tightly.
     pub(super) fn limit(self, muscle: &Muscle, v: f64) -> f64 {
         match self {
-            Law(_) if self.unit(muscle) == "MPa" => 0.5 * muscle.tube().rubber.law.shear_modulus_mpa(),
+            Law(i) if constant(muscle, i).is_some_and(|c| c.constant.is_modulus()) => {
+                0.5 * muscle.tube().rubber.law.shear_modulus_mpa()
+            }
             StiffnessExponent => 1.0,
             FrictionExponent => 0.5,
             ContractionOffset => 0.02,
@@ -212,6 +206,11 @@ impl Target {
     pub(super) fn is_geometry(self) -> bool {
         matches!(self, Angle | OuterDiameter | Wall | Length)
     }
+}
+
+/// Constant number `i` of the muscle's law.
+fn constant(muscle: &Muscle, i: usize) -> Option<ConstantValue> {
+    muscle.tube().rubber.law.constants().into_iter().nth(i)
 }
 
 /// A parameter that is free, with what was said of it.

@@ -16,7 +16,6 @@ use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::{BraidStiffness, Direction, Muscle};
-use crate::rubber::RubberLaw;
 use rayon::prelude::*;
 
 /// Makes the model of a muscle.
@@ -246,8 +245,8 @@ impl<'a, B: Build> Problem<'a, B> {
                     let constants = muscle.tube().rubber.law.constants();
                     constants
                         .iter()
-                        .filter(|c| c.2 == "MPa")
-                        .for_each(|c| add(format!("tube.material.{}", c.0)));
+                        .filter(|c| c.constant.is_modulus())
+                        .for_each(|c| add(format!("tube.material.{}", c.name)));
                 }
                 Target::StiffnessExponent => add("braid.stiffness".into()),
                 Target::OuterDiameter => {
@@ -284,8 +283,8 @@ impl<'a, B: Build> Problem<'a, B> {
         let one = |(&target, &v): (&Target, &f64)| match target {
             Target::Modulus => {
                 let constants = muscle.tube().rubber.law.constants();
-                let moduli = constants.iter().filter(|c| c.2 == "MPa");
-                moduli.map(|c| c.1 / v * of(&format!("tube.material.{}", c.0))).sum()
+                let moduli = constants.iter().filter(|c| c.constant.is_modulus());
+                moduli.map(|c| c.value / v * of(&format!("tube.material.{}", c.name))).sum()
             }
             Target::Stiffness => {
                 let at = candidate.family().map_or(1.0, |f| f.ratio(d).powf(f.exponent));

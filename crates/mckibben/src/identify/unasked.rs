@@ -10,7 +10,6 @@ use crate::measured::DataPoint;
 use crate::model::Workspace;
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
-use crate::rubber::RubberLaw;
 
 /// A stiffness in N/mm of strands that do not stretch.
 const STIFF: f64 = 1e5;
@@ -19,8 +18,9 @@ const STIFF: f64 = 1e5;
 /// where both branches were measured.
 pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
     let constants = muscle.tube().rubber.law.constants();
-    let moduli: Vec<usize> =
-        (0..constants.len()).filter(|&i| constants[i].2 == "MPa" && constants[i].1 != 0.0).collect();
+    let moduli: Vec<usize> = (0..constants.len())
+        .filter(|&i| constants[i].constant.is_modulus() && constants[i].value != 0.0)
+        .collect();
     let mut out = vec![match moduli.as_slice() {
         [one] => Target::Law(*one),
         _ => Target::Modulus,

@@ -11,7 +11,6 @@
 use super::pantograph::Pantograph;
 use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
-use crate::rubber::Law;
 use std::f64::consts::PI;
 
 /// The ideal muscle with a thin rubber tube of one hoop stretch, that of the braid.
@@ -38,16 +37,11 @@ impl KluteHannaford {
     /// # Errors
     /// [`ModelError::Missing`] where the rubber is neither Mooney–Rivlin nor neo-Hookean.
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
-        let (c10, c01) = match &muscle.tube().rubber.law {
-            Law::MooneyRivlin(law) => (law.c10_mpa, law.c01_mpa),
-            Law::NeoHookean(law) => (0.5 * law.mu_mpa, 0.0),
-            _ => {
-                return Err(ModelError::Missing {
-                    model: "klute-hannaford",
-                    missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
-                });
-            }
-        };
+        let law = muscle.tube().rubber.law.as_mooney_rivlin().ok_or(ModelError::Missing {
+            model: "klute-hannaford",
+            missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
+        })?;
+        let (c10, c01) = (law.c10_mpa, law.c01_mpa);
         Ok(Self { ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
     }
 
@@ -129,7 +123,7 @@ mod tests {
     use super::*;
     use crate::model::ThickWall;
     use crate::muscle::{Braid, BraidStiffness, Rubber, Tube};
-    use crate::rubber::{MooneyRivlin, Yeoh};
+    use crate::rubber::{Law, MooneyRivlin, Yeoh};
 
     fn muscle(wall_mm: f64) -> Muscle {
         let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }));

@@ -12,7 +12,7 @@
 use super::quadrature::rule;
 use super::wall_mooney::Mooney;
 use crate::muscle::Tube;
-use crate::rubber::{Law, LawVisitor, RubberLaw};
+use crate::rubber::{Law, LawVisitor, MooneyRivlin, RubberLaw};
 use std::f64::consts::PI;
 
 /// W and its derivatives in λ and ro at one state; W in N (N·mm per mm of length at rest).
@@ -122,11 +122,7 @@ impl Wall {
 
     #[inline(always)]
     fn closed(&self, law: &Law) -> Option<Mooney> {
-        let (c10_mpa, c01_mpa) = match law {
-            Law::NeoHookean(law) => (0.5 * law.mu_mpa, 0.0),
-            Law::MooneyRivlin(law) => (law.c10_mpa, law.c01_mpa),
-            _ => return None,
-        };
+        let MooneyRivlin { c10_mpa, c01_mpa } = law.as_mooney_rivlin()?;
         Some(Mooney { c10_mpa, c01_mpa, ro2: self.ro2, section: self.section(), span: self.span })
     }
 
@@ -154,7 +150,7 @@ struct Integral<'a> {
 impl LawVisitor for Integral<'_> {
     type Output = WallEnergy;
 
-    fn with<L: RubberLaw>(self, law: &L) -> WallEnergy {
+    fn law<L: RubberLaw>(self, law: &L) -> WallEnergy {
         let Integral { wall, lambda, r } = self;
         let v = lambda * lambda;
         let mut sum = WallEnergy::default();

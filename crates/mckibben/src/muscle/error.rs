@@ -1,6 +1,7 @@
 //! Why parts do not make a muscle.
 
 use crate::rubber::LawError;
+use std::borrow::Cow;
 use thiserror::Error;
 
 /// What is wrong with a muscle; every variant carries the value that was given.
@@ -93,20 +94,18 @@ pub enum MuscleError {
 
 impl MuscleError {
     /// The keys of the muscle file that can be at fault, the likeliest first.
-    pub fn keys(&self) -> Vec<&'static str> {
-        match self {
+    pub fn keys(&self) -> Vec<Cow<'static, str>> {
+        let keys: Vec<&'static str> = match self {
             // A key may carry an explanation behind it: "terminals.end_factor at 0 MPa (a + b)".
             MuscleError::NotPositive { key, .. } | MuscleError::Negative { key, .. } => {
                 vec![key.split(' ').next().unwrap_or(key)]
             }
             MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
             MuscleError::Angle { .. } => vec!["braid.angle"],
-            MuscleError::Rubber(LawError::NotStiff { .. }) => {
-                vec!["tube.material.c10", "tube.material.mu", "tube.material"]
+            MuscleError::Rubber(error) => {
+                let constant = error.constant().map(|name| Cow::from(format!("tube.material.{name}")));
+                return constant.into_iter().chain(["tube.material".into()]).collect();
             }
-            MuscleError::Rubber(LawError::Limit { .. }) => vec!["tube.material.jm", "tube.material"],
-            MuscleError::Rubber(LawError::Terms) => vec!["tube.material.alpha", "tube.material"],
-            MuscleError::Rubber(LawError::NotFinite { .. }) => vec!["tube.material"],
             MuscleError::StiffnessTwice => vec!["braid.stiffness"],
             MuscleError::StrandsIncomplete { .. } => {
                 vec!["braid.strand_area", "braid.strand_modulus", "braid.strands"]
@@ -115,7 +114,8 @@ impl MuscleError {
             MuscleError::StrengthWithoutCount => vec!["braid.strand_strength"],
             MuscleError::StrandTooShort { .. } => vec!["braid.strand_length"],
             MuscleError::ConeFactor { .. } => vec!["terminals.cone_factor"],
-        }
+        };
+        keys.into_iter().map(Cow::from).collect()
     }
 }
 

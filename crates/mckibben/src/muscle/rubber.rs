@@ -2,26 +2,76 @@
 
 use super::error::{MuscleError, positive};
 use crate::rubber::{Law, MooneyRivlin};
+use serde::{Deserialize, Serialize};
 
 /// How a rubber answers to a change of volume.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// As data (serde): `"incompressible"`, or the bulk modulus in MPa.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(into = "WrittenBulk", from = "WrittenBulk")]
 pub enum Bulk {
     /// Volume stays.
+    #[default]
     Incompressible,
     /// Bulk modulus in MPa.
     Modulus(f64),
 }
 
-/// A rubber with its origin.
-#[derive(Debug, Clone, PartialEq)]
+/// [`Bulk`] as muscle files have it.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged, expecting = "\"incompressible\", or a bulk modulus in MPa")]
+enum WrittenBulk {
+    Word(Incompressible),
+    Modulus(f64),
+}
+
+#[derive(Serialize, Deserialize)]
+enum Incompressible {
+    #[serde(rename = "incompressible")]
+    Word,
+}
+
+impl From<Bulk> for WrittenBulk {
+    fn from(bulk: Bulk) -> Self {
+        match bulk {
+            Bulk::Incompressible => Self::Word(Incompressible::Word),
+            Bulk::Modulus(k) => Self::Modulus(k),
+        }
+    }
+}
+
+impl From<WrittenBulk> for Bulk {
+    fn from(written: WrittenBulk) -> Self {
+        match written {
+            WrittenBulk::Word(Incompressible::Word) => Self::Incompressible,
+            WrittenBulk::Modulus(k) => Self::Modulus(k),
+        }
+    }
+}
+
+/// A rubber with its origin. As data (serde) it is what stands in `[tube.material]` of a muscle file, moduli in MPa:
+///
+/// ```
+/// use mckibben::muscle::Rubber;
+/// let text = r#"{"name":"mine","law":"gent","mu":0.2,"jm":50.0,"bulk_modulus":"incompressible"}"#;
+/// let rubber: Rubber = serde_json::from_str(text)?;
+/// assert_eq!(rubber.law.name(), "gent");
+/// assert_eq!(serde_json::to_string(&rubber)?, text);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Rubber {
     /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// The law and its constants.
+    #[serde(flatten)]
     pub law: Law,
     /// Incompressible, or a bulk modulus. The closed-form models take every rubber as incompressible.
+    #[serde(rename = "bulk_modulus", default)]
     pub bulk: Bulk,
     /// Largest stretch of the data the constants were fitted to, where it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fitted_to_stretch: Option<f64>,
 }
 

@@ -1,6 +1,6 @@
 //! Laws written in the invariants I1 = λ1²+λ2²+λ3², I2 = λ1²λ2²+λ2²λ3²+λ3²λ1².
 
-use super::{Biaxial, Principal, RubberLaw};
+use super::{Biaxial, LawVisitor, Principal, RubberLaw};
 
 /// w(I1, I2) and its derivatives, in MPa.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -19,27 +19,19 @@ pub struct InvariantDerivatives {
     pub w22: f64,
 }
 
+impl InvariantDerivatives {
+    /// What a law gives at and beyond the stretch at which its chains lock.
+    pub const LOCKED: Self =
+        Self { w: f64::INFINITY, w1: f64::NAN, w2: 0.0, w11: f64::NAN, w12: 0.0, w22: 0.0 };
+}
+
 /// A law that is a function of I1 and I2 alone; [`RubberLaw`] follows by the chain rule.
-pub trait InvariantLaw {
-    /// Name as written in muscle files.
-    const NAME: &'static str;
-
-    /// Names, values and units of the constants.
-    fn constant_list(&self) -> Vec<(String, f64, &'static str)>;
-
+pub trait InvariantLaw: Sync {
     /// w and its derivatives at (I1, I2).
     fn invariant(&self, i1: f64, i2: f64) -> InvariantDerivatives;
 }
 
 impl<T: InvariantLaw> RubberLaw for T {
-    fn name(&self) -> &'static str {
-        T::NAME
-    }
-
-    fn constants(&self) -> Vec<(String, f64, &'static str)> {
-        self.constant_list()
-    }
-
     /// μ = 2(∂w/∂I1 + ∂w/∂I2) at rest.
     fn shear_modulus_mpa(&self) -> f64 {
         let d = self.invariant(3.0, 3.0);
@@ -85,5 +77,9 @@ impl<T: InvariantLaw> RubberLaw for T {
             uv: second(a_u, a_v, b_u, b_v) + f.w1 * a_uv + f.w2,
             vv: second(a_v, a_v, b_v, b_v) + f.w1 * a_vv + f.w2 * b_vv,
         }
+    }
+
+    fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output {
+        visitor.invariant_law(self)
     }
 }

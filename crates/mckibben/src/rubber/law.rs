@@ -1,30 +1,21 @@
-//! The closed set of laws, for data that is read at run time.
+//! What can be done with any law: its constants, their check, and the work that is compiled for each law.
 
-use super::{Biaxial, Gent, MooneyRivlin, NeoHookean, Ogden, Principal, RubberLaw, Yeoh};
+use super::{ConstantValue, InvariantLaw, Law, LawKind, RubberLaw};
 use thiserror::Error;
 
-/// Any of the laws. Kernels are generic over [`RubberLaw`]: match once, outside the quadrature loop
-/// ([`Law::visit`]).
-#[derive(Debug, Clone, PartialEq)]
-pub enum Law {
-    /// W = C10 (I1−3) + C01 (I2−3)
-    MooneyRivlin(MooneyRivlin),
-    /// W = μ/2 (I1−3)
-    NeoHookean(NeoHookean),
-    /// W = Σ Ci0 (I1−3)^i
-    Yeoh(Yeoh),
-    /// W = Σ (μi/αi)(Σ λ^αi − 3)
-    Ogden(Ogden),
-    /// W = −μ Jm/2 ln(1 − (I1−3)/Jm)
-    Gent(Gent),
-}
-
-/// Something that is done with a law whose type is known at compile time.
-pub trait LawVisitor {
+/// Something that is done with a law whose type is known at compile time ([`RubberLaw::visit`]): a loop inside is compiled
+/// for every law.
+pub trait LawVisitor: Sized {
     /// What it gives back.
     type Output;
-    /// The work itself, compiled once for every law.
-    fn with<L: RubberLaw>(self, law: &L) -> Self::Output;
+
+    /// The work for any law, through the principal stretches.
+    fn law<L: RubberLaw>(self, law: &L) -> Self::Output;
+
+    /// The work for a law in the invariants, where there is a shorter way.
+    fn invariant_law<L: InvariantLaw>(self, law: &L) -> Self::Output {
+        self.law(law)
+    }
 }
 
 /// Why constants do not make a law.
@@ -50,125 +41,127 @@ pub enum LawError {
         /// Its value.
         value: f64,
     },
-    /// Gent's limit is not above zero.
-    #[error("jm of the gent law is {jm}; it must be above zero (it is the largest I1 − 3)")]
+    /// A limit outside its bounds.
+    #[error("{name} of the {law} law is {value}; it must be {} (it is {doc})", between(*.bounds))]
     Limit {
+        /// Which law.
+        law: &'static str,
+        /// Which constant.
+        name: &'static str,
         /// Its value.
-        jm: f64,
+        value: f64,
+        /// What it must lie between.
+        bounds: (f64, f64),
+        /// What it is.
+        doc: &'static str,
     },
     /// An Ogden exponent of zero, or no terms.
     #[error("an ogden law needs one alpha other than zero for each mu")]
     Terms,
 }
 
+fn between((low, high): (f64, f64)) -> String {
+    let low = if low == 0.0 { "zero".to_owned() } else { low.to_string() };
+    if high.is_finite() { format!("above {low} and below {high}") } else { format!("above {low}") }
+}
+
+impl LawError {
+    /// The constant at fault, where it is one; as in muscle files.
+    pub fn constant(&self) -> Option<&'static str> {
+        match self {
+            LawError::NotStiff { law, .. } => {
+                let first = |k: &LawKind| k.constants.iter().find(|c| c.is_modulus()).map(|c| c.name);
+                Law::kind_named(law).and_then(first)
+            }
+            LawError::Limit { name, .. } => Some(name),
+            LawError::Terms => Some("alpha"),
+            LawError::NotFinite { .. } => None,
+        }
+    }
+}
+
 impl Law {
     /// Names of all laws, as written in muscle files.
-    pub const NAMES: [&'static str; 5] = ["mooney-rivlin", "neo-hookean", "yeoh", "ogden", "gent"];
+    pub fn names() -> Vec<&'static str> {
+        Self::KINDS.iter().map(|k| k.name).collect()
+    }
+
+    /// The law of a name, without the values of its constants.
+    pub fn kind_named(name: &str) -> Option<&'static LawKind> {
+        Self::KINDS.iter().find(|k| k.name == name)
+    }
+
+    /// The law of a name with its constants in the order of [`Law::constants`]; `None` where name or number of constants
+    /// fit no law. The law is not checked; see [`Law::validated`].
+    pub fn named(name: &str, constants: &[f64]) -> Option<Law> {
+        Self::kind_named(name)?.law(constants)
+    }
+
+    /// Every law with the constants of its [`example`](LawKind::example).
+    pub fn examples() -> Vec<Law> {
+        Self::KINDS.iter().filter_map(|k| k.law(k.example)).collect()
+    }
+
+    /// Name as written in muscle files, such as `mooney-rivlin`.
+    pub fn name(&self) -> &'static str {
+        self.kind().name
+    }
+
+    /// The constants with their values.
+    pub fn constants(&self) -> Vec<ConstantValue> {
+        let kind = self.kind();
+        let count = kind.constants.len();
+        let one = |(i, value): (usize, f64)| {
+            let constant = &kind.constants[i % count];
+            let name = constant.name;
+            let name = if kind.is_sum { format!("{name}{}", i / count + 1) } else { name.to_owned() };
+            ConstantValue { name, value, constant }
+        };
+        self.values().into_iter().enumerate().map(one).collect()
+    }
 
     /// Checks the constants.
     ///
     /// # Errors
     /// [`LawError`] where a constant is not finite or the rubber has no stiffness at rest.
     pub fn validated(self) -> Result<Self, LawError> {
-        let law = self.name();
-        if let Some((name, value, _)) = self.constants().into_iter().find(|c| !c.1.is_finite()) {
-            return Err(LawError::NotFinite { law, name, value });
+        let (law, constants) = (self.name(), self.constants());
+        if let Some(ConstantValue { name, value, .. }) = constants.iter().find(|c| !c.value.is_finite()) {
+            return Err(LawError::NotFinite { law, name: name.clone(), value: *value });
         }
-        match &self {
-            Law::Gent(g) if g.jm <= 0.0 => return Err(LawError::Limit { jm: g.jm }),
-            Law::Ogden(o) if o.terms.is_empty() || o.terms.iter().any(|t| t.1 == 0.0) => {
-                return Err(LawError::Terms);
+        // Moduli are judged together, by the stiffness that they give.
+        for ConstantValue { value, constant: c, .. } in &constants {
+            let within = *value > c.bounds.0 && *value < c.bounds.1;
+            if !c.is_modulus() && !within {
+                return Err(LawError::Limit {
+                    law,
+                    name: c.name,
+                    value: *value,
+                    bounds: c.bounds,
+                    doc: c.doc,
+                });
             }
-            _ => {}
         }
         let mu = self.shear_modulus_mpa();
+        // A sum of terms without a term, or with one that is not defined.
+        if self.kind().is_sum && (constants.is_empty() || !self.principal([1.0; 3]).w.is_finite()) {
+            return Err(LawError::Terms);
+        }
         if mu > 0.0 { Ok(self) } else { Err(LawError::NotStiff { law, shear_modulus_mpa: mu }) }
     }
 
-    /// The law of a name with its constants in the order of [`RubberLaw::constants`]; `None` where name or number of constants
-    /// fit no law. The law is not checked; see [`Law::validated`].
-    pub fn named(name: &str, constants: &[f64]) -> Option<Law> {
-        let law = match (name, constants) {
-            ("mooney-rivlin", &[c10_mpa, c01_mpa]) => Law::MooneyRivlin(MooneyRivlin { c10_mpa, c01_mpa }),
-            ("neo-hookean", &[mu_mpa]) => Law::NeoHookean(NeoHookean { mu_mpa }),
-            ("yeoh", &[c10_mpa, c20_mpa, c30_mpa]) => Law::Yeoh(Yeoh { c10_mpa, c20_mpa, c30_mpa }),
-            ("gent", &[mu_mpa, jm]) => Law::Gent(Gent { mu_mpa, jm }),
-            ("ogden", list) if list.len() >= 2 && list.len().is_multiple_of(2) => {
-                Law::Ogden(Ogden { terms: list.chunks(2).map(|c| (c[0], c[1])).collect() })
-            }
-            _ => return None,
-        };
-        Some(law)
-    }
-
-    /// Runs `visitor` with the concrete law, so that loops inside are compiled for it.
-    pub fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output {
-        match self {
-            Law::MooneyRivlin(l) => visitor.with(l),
-            Law::NeoHookean(l) => visitor.with(l),
-            Law::Yeoh(l) => visitor.with(l),
-            Law::Ogden(l) => visitor.with(l),
-            Law::Gent(l) => visitor.with(l),
-        }
-    }
-
-    /// The same law with its constants passed through `change` (position in [`RubberLaw::constants`], value). The new law
+    /// The same law with its constants passed through `change` (position in [`Law::constants`], value). The new law
     /// is not checked; see [`Law::validated`].
     pub fn with_constants(&self, change: impl Fn(usize, f64) -> f64) -> Law {
-        match self {
-            Law::MooneyRivlin(l) => Law::MooneyRivlin(MooneyRivlin {
-                c10_mpa: change(0, l.c10_mpa),
-                c01_mpa: change(1, l.c01_mpa),
-            }),
-            Law::NeoHookean(l) => Law::NeoHookean(NeoHookean { mu_mpa: change(0, l.mu_mpa) }),
-            Law::Yeoh(l) => Law::Yeoh(Yeoh {
-                c10_mpa: change(0, l.c10_mpa),
-                c20_mpa: change(1, l.c20_mpa),
-                c30_mpa: change(2, l.c30_mpa),
-            }),
-            Law::Gent(l) => Law::Gent(Gent { mu_mpa: change(0, l.mu_mpa), jm: change(1, l.jm) }),
-            Law::Ogden(l) => {
-                let pair =
-                    |(i, &(mu, alpha)): (usize, &(f64, f64))| (change(2 * i, mu), change(2 * i + 1, alpha));
-                Law::Ogden(Ogden { terms: l.terms.iter().enumerate().map(pair).collect() })
-            }
-        }
+        let values: Vec<f64> = self.values().into_iter().enumerate().map(|(i, v)| change(i, v)).collect();
+        self.kind().law(&values).unwrap_or_else(|| self.clone())
     }
 
     /// The same law with every modulus multiplied by `factor` (limits and exponents stay).
     pub fn scaled(&self, factor: f64) -> Law {
-        let moduli: Vec<bool> = self.constants().iter().map(|c| c.2 == "MPa").collect();
-        self.with_constants(|i, value| if moduli.get(i) == Some(&true) { value * factor } else { value })
-    }
-}
-
-macro_rules! each {
-    ($self:ident, $l:ident => $body:expr) => {
-        match $self {
-            Law::MooneyRivlin($l) => $body,
-            Law::NeoHookean($l) => $body,
-            Law::Yeoh($l) => $body,
-            Law::Ogden($l) => $body,
-            Law::Gent($l) => $body,
-        }
-    };
-}
-
-impl RubberLaw for Law {
-    fn name(&self) -> &'static str {
-        each!(self, l => l.name())
-    }
-    fn constants(&self) -> Vec<(String, f64, &'static str)> {
-        each!(self, l => l.constants())
-    }
-    fn shear_modulus_mpa(&self) -> f64 {
-        each!(self, l => l.shear_modulus_mpa())
-    }
-    fn principal(&self, stretches: [f64; 3]) -> Principal {
-        each!(self, l => l.principal(stretches))
-    }
-    fn biaxial(&self, u: f64, v: f64) -> Biaxial {
-        each!(self, l => l.biaxial(u, v))
+        let constants = self.kind().constants;
+        let is_modulus = |i: usize| constants[i % constants.len()].is_modulus();
+        self.with_constants(|i, value| if is_modulus(i) { value * factor } else { value })
     }
 }
 
@@ -178,17 +171,22 @@ mod tests {
 
     #[test]
     fn a_law_comes_back_from_its_name_and_constants() {
-        for (name, list) in [
-            ("mooney-rivlin", vec![0.1, 0.02]),
-            ("neo-hookean", vec![0.2]),
-            ("yeoh", vec![0.1, -0.001, 1e-4]),
-            ("gent", vec![0.2, 50.0]),
-            ("ogden", vec![0.6, 1.3, -0.01, -2.0]),
-        ] {
-            let law = Law::named(name, &list).unwrap();
-            assert_eq!(law.name(), name);
-            assert_eq!(law.constants().into_iter().map(|c| c.1).collect::<Vec<_>>(), list);
-            assert_eq!(Law::named(name, &list[1..]), None);
+        for kind in Law::KINDS {
+            let law = Law::named(kind.name, kind.example).unwrap();
+            assert_eq!((law.name(), law.kind()), (kind.name, kind));
+            assert_eq!(law.values(), kind.example);
+            assert_eq!(Law::named(kind.name, &kind.example[1..]), None);
         }
+        assert_eq!(Law::named("rubber", &[1.0]), None);
+    }
+
+    #[test]
+    fn a_limit_outside_its_bounds_is_told_with_its_meaning() {
+        let error = Law::named("gent", &[0.2, -3.0]).unwrap().validated().unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "jm of the gent law is -3; it must be above zero (it is the largest I1 − 3)"
+        );
+        assert_eq!(error.constant(), Some("jm"));
     }
 }

@@ -1,6 +1,7 @@
 //! Where a law stays stable in the two-axis stretch of a muscle wall.
 
 use super::RubberLaw;
+use serde::Serialize;
 
 /// Axial stretches between which a muscle wall lies: contracted by up to 40 %, or drawn out by up to 10 %.
 pub const MUSCLE_AXIAL_STRETCH: (f64, f64) = (0.6, 1.1);
@@ -8,7 +9,8 @@ pub const MUSCLE_AXIAL_STRETCH: (f64, f64) = (0.6, 1.1);
 pub const MUSCLE_HOOP_STRETCH: f64 = 3.0;
 
 /// How far a law is stable along the path a muscle wall takes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Stability {
     /// Stable up to the hoop stretch that was asked for.
     Stable,

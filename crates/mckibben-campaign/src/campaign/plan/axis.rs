@@ -1,8 +1,9 @@
 //! What can vary, and the measures of a muscle that come of it.
 
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Tube};
-use mckibben::rubber::{Law, RubberLaw};
+use mckibben::rubber::{Constant, Law};
 use mckibben::units::{Dimension, Values};
+use std::sync::LazyLock;
 
 /// A measure that can vary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,7 +31,23 @@ pub enum Measure {
 }
 
 /// All of them in the order in which a factorial plan runs through them, with their keys in `[vary]`.
-pub(super) const ALL: [(&str, Measure); 15] = [
+pub(super) static ALL: LazyLock<Vec<(&'static str, Measure)>> = LazyLock::new(|| {
+    let constants = CONSTANTS.iter().map(|(key, c)| (key.as_str(), Measure::Constant(c.name)));
+    MEASURES.iter().copied().chain(constants).collect()
+});
+
+/// The constants of all laws with their keys, each name once; sums of terms have none that vary alone.
+static CONSTANTS: LazyLock<Vec<(String, &'static Constant)>> = LazyLock::new(|| {
+    let mut out: Vec<(String, &'static Constant)> = vec![];
+    for constant in Law::KINDS.iter().filter(|k| !k.is_sum).flat_map(|k| k.constants) {
+        if out.iter().all(|o| o.1.name != constant.name) {
+            out.push((format!("tube.material.{}", constant.name), constant));
+        }
+    }
+    out
+});
+
+const MEASURES: [(&str, Measure); 9] = [
     ("tube.outer_diameter", Measure::OuterDiameter),
     ("tube.wall_thickness", Measure::Wall),
     ("tube.wall_ratio", Measure::WallRatio),
@@ -40,12 +57,6 @@ pub(super) const ALL: [(&str, Measure); 15] = [
     ("braid.stiffness", Measure::Stiffness),
     ("braid.stiffness_per_diameter", Measure::StiffnessPerDiameter),
     ("tube.material.scale", Measure::Scale),
-    ("tube.material.c10", Measure::Constant("c10")),
-    ("tube.material.c01", Measure::Constant("c01")),
-    ("tube.material.c20", Measure::Constant("c20")),
-    ("tube.material.c30", Measure::Constant("c30")),
-    ("tube.material.mu", Measure::Constant("mu")),
-    ("tube.material.jm", Measure::Constant("jm")),
 ];
 
 impl Measure {
@@ -62,8 +73,11 @@ impl Measure {
             Self::Stiffness => Dimension::Stiffness,
             // N/mm per mm
             Self::StiffnessPerDiameter => Dimension::Pressure,
-            Self::Constant("jm") | Self::WallRatio | Self::LengthRatio | Self::Scale => Dimension::Ratio,
-            Self::Constant(_) => Dimension::Pressure,
+            Self::WallRatio | Self::LengthRatio | Self::Scale => Dimension::Ratio,
+            Self::Constant(name) => {
+                let constant = CONSTANTS.iter().find(|c| c.1.name == name);
+                constant.map_or(Dimension::Ratio, |c| c.1.dimension)
+            }
         }
     }
 }
@@ -166,6 +180,6 @@ impl Inputs {
 
 /// A law with one constant, by its name, replaced.
 fn with_constant(law: &Law, name: &str, value: f64) -> Law {
-    let at = law.constants().iter().position(|c| c.0 == name);
+    let at = law.constants().iter().position(|c| c.name == name);
     law.with_constants(|i, old| if Some(i) == at { value } else { old })
 }

@@ -24,7 +24,7 @@ pub use sampling::Sampling;
 
 use mckibben::muscle::file::{FileError, read_text};
 use mckibben::muscle::{Braid, Muscle, MuscleError};
-use mckibben::rubber::RubberLaw;
+use mckibben::rubber::Law;
 use mckibben_fem::simulation::Elements;
 use sampling::Design;
 use sha2::{Digest, Sha256};
@@ -165,7 +165,7 @@ impl Plan {
         }
         let law = &self.base.tube().rubber.law;
         let mut keys: Vec<String> =
-            law.constants().into_iter().map(|(name, _, _)| format!("tube.material.{name}")).collect();
+            law.constants().into_iter().map(|c| format!("tube.material.{}", c.name)).collect();
         if self.inputs(0).family_stiffness_n_per_mm().is_some() {
             keys.push("braid.stiffness".into());
         }
@@ -177,11 +177,8 @@ impl Plan {
 }
 
 /// Constants of a law with the names of their columns.
-pub(super) fn constants(law: &impl RubberLaw) -> Vec<(String, f64)> {
-    let column = |(name, value, unit): (String, f64, &str)| {
-        (if unit == "MPa" { format!("{name}_mpa") } else { name }, value)
-    };
-    law.constants().into_iter().map(column).collect()
+pub(super) fn constants(law: &Law) -> Vec<(String, f64)> {
+    law.constants().into_iter().map(|c| (c.column(), c.value)).collect()
 }
 
 /// SHA-256 in hexadecimal digits.

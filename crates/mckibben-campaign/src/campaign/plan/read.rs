@@ -1,12 +1,13 @@
 //! Text → plan.
 
 use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, Sampling};
-use super::{Plan, Testing, vary};
+use super::{Plan, Testing, axis, vary};
 use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside};
 use mckibben::units::{Dimension, Values};
 use mckibben_fem::axisymmetric::MeshSpec;
 use mckibben_fem::simulation::Elements;
 use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec};
+use std::sync::LazyLock;
 
 const TABLES: &[&str] = &["sampling", "vary", "test"];
 const SAMPLING: &[&str] = &["method", "samples", "seed"];
@@ -16,25 +17,16 @@ const METHODS: &str = "one of factorial, latin-hypercube, sobol";
 const MOST_POINTS: usize = 100_000;
 
 /// Every key of a plan beside those of the muscle, for suggestions.
-const ALL: &[&str] = &[
+static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
+    static VARY: LazyLock<Vec<String>> =
+        LazyLock::new(|| axis::ALL.iter().map(|(key, _)| format!("vary.{key}")).collect());
+    KEYS.iter().copied().chain(VARY.iter().map(String::as_str)).collect()
+});
+
+const KEYS: [&str; 9] = [
     "sampling.method",
     "sampling.samples",
     "sampling.seed",
-    "vary.tube.outer_diameter",
-    "vary.tube.wall_thickness",
-    "vary.tube.wall_ratio",
-    "vary.tube.length",
-    "vary.tube.length_ratio",
-    "vary.braid.angle",
-    "vary.braid.stiffness",
-    "vary.braid.stiffness_per_diameter",
-    "vary.tube.material.scale",
-    "vary.tube.material.c10",
-    "vary.tube.material.c01",
-    "vary.tube.material.c20",
-    "vary.tube.material.c30",
-    "vary.tube.material.mu",
-    "vary.tube.material.jm",
     "test.contractions",
     "test.of_ideal",
     "test.pressures",
@@ -50,7 +42,7 @@ pub(super) fn plan(text: &str) -> Result<Plan, FileError> {
     let root = source.root();
     let name = root.text("name", "a text in quotes")?.map(str::to_owned);
     let sampling = sampling(&root.section("sampling", "sampling")?)?;
-    let axes = vary::axes(&root, &base, &sampling, ALL)?;
+    let axes = vary::axes(&root, &base, &sampling, &ALL)?;
     let testing = testing(&root.section("test", "test")?)?;
     if sampling != Sampling::Factorial && axes.is_empty() {
         let why = format!("a {} plan needs something to vary: add [vary]", sampling.name());
@@ -88,7 +80,7 @@ fn whole(section: &Section<'_>, key: &str, most: u64) -> Result<Option<u64>, Fil
 }
 
 fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
-    section.only(SAMPLING, ALL)?;
+    section.only(SAMPLING, &ALL)?;
     let method = section.text("method", METHODS)?.unwrap_or("factorial").trim();
     let sobol = method == "sobol";
     let samples = whole(section, "samples", if sobol { MOST_SOBOL } else { MOST_MUSCLES })?;
@@ -122,7 +114,7 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
 }
 
 fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
-    section.only(TEST, ALL)?;
+    section.only(TEST, &ALL)?;
     let of_ideal = section.boolean("of_ideal")?.unwrap_or(false);
     let contractions = levels(section, "contractions", Dimension::Ratio)?;
     let pressures_mpa = levels(section, "pressures", Dimension::Pressure)?;

@@ -51,8 +51,8 @@ fn every_muscle_of_the_universal_plan_is_one_and_spans_the_design_space() {
     spans(|m| m.length_mm() / m.outer_diameter_mm(), 4.4, 22.000001);
     spans(|m| m.braid().angle_deg, 16.5, 39.0);
     spans(|m| m.family_stiffness_n_per_mm().unwrap() / m.outer_diameter_mm(), 3.0, 300.00001);
-    spans(|m| m.tube().rubber.law.constants()[0].1, 0.03, 0.5);
-    spans(|m| 1.0 + m.tube().rubber.law.constants()[1].1 / m.tube().rubber.law.constants()[0].1, 1.0, 1.43);
+    spans(|m| m.tube().rubber.law.values()[0], 0.03, 0.5);
+    spans(|m| 1.0 + m.tube().rubber.law.values()[1] / m.tube().rubber.law.values()[0], 1.0, 1.43);
 }
 
 #[test]

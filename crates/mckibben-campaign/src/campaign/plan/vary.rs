@@ -4,7 +4,6 @@ use super::axis::{ALL, Axis, Measure};
 use super::sampling::Sampling;
 use mckibben::muscle::file::{FileError, Problem, Section};
 use mckibben::muscle::{Muscle, NEUTRAL_ANGLE_DEG};
-use mckibben::rubber::RubberLaw;
 use mckibben::units::Values;
 
 /// Pairs of which a plan has one.
@@ -38,7 +37,7 @@ pub(super) fn axes(
         table.only(&known, all)?;
     }
     let mut axes = vec![];
-    for (key, measure) in ALL {
+    for &(key, measure) in ALL.iter() {
         let Some((table, key)) = tables.iter().find_map(|(p, t)| Some((t, key.strip_prefix(p)?))) else {
             continue;
         };
@@ -66,20 +65,26 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
     if axis.log && !interval {
         return Err("is a list, and `log` goes with a range such as 0.04..0.4 log".into());
     }
+    let mut least = 0.0;
     if let Measure::Constant(name) = axis.measure {
         let law = &base.tube().rubber.law;
-        let constants: Vec<String> = law.constants().into_iter().map(|c| c.0).collect();
-        if !constants.iter().any(|c| c == name) {
-            let name = law.name();
-            let constants = constants.join(", ");
+        let constants = law.constants();
+        let Some(found) = constants.iter().find(|c| c.name == name) else {
+            let names: Vec<&str> = constants.iter().map(|c| c.name.as_str()).collect();
             return Err(format!(
-                "is no constant of the {name} law of the base muscle; its constants are {constants}"
+                "is no constant of the {} law of the base muscle; its constants are {}",
+                law.name(),
+                names.join(", ")
             ));
-        }
+        };
+        least = found.constant.bounds.0;
     }
-    let positive = !matches!(axis.measure, Measure::Constant(name) if name != "mu" && name != "jm");
-    if (positive || axis.log) && low <= 0.0 {
-        return Err(format!("begins at {low}; it must be above zero"));
+    if axis.log {
+        least = least.max(0.0);
+    }
+    if low <= least {
+        let least = if least == 0.0 { "zero".to_owned() } else { least.to_string() };
+        return Err(format!("begins at {low}; it must be above {least}"));
     }
     if axis.measure == Measure::Angle && high >= NEUTRAL_ANGLE_DEG {
         return Err(format!(

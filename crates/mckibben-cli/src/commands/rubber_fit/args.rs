@@ -32,13 +32,24 @@ impl ModeWord {
     }
 }
 
+/// Help of `--law`.
+fn laws() -> String {
+    let mut words: Vec<String> = Form::words();
+    // Numbers of terms are told as a range.
+    let terms: Vec<String> = words.extract_if(.., |w| w.ends_with(|c: char| c.is_ascii_digit())).collect();
+    let range = match (terms.first(), terms.last()) {
+        (Some(first), Some(last)) => format!(" (or {first} to {last})"),
+        _ => String::new(),
+    };
+    format!("Laws: {}{range}, or `all` [all that the points carry]", words.join(", "))
+}
+
 /// `rubber fit`.
 #[derive(Debug, Args)]
 pub struct RubberFitArgs {
     /// Tension tests (CSV: mode; stretch, engineering_strain or strain_percent; nominal_stress_mpa, true_stress_mpa or force_n)
     pub file: PathBuf,
-    /// Laws: neo-hookean, mooney-rivlin, gent, yeoh, ogden (or ogden-1 to ogden-3), or `all` [all that the points carry]
-    #[arg(long, value_name = "LIST")]
+    #[arg(long, value_name = "LIST", help = laws())]
     pub law: Option<String>,
     /// Terms of `ogden` [1, 2 and 3]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=3))]
@@ -128,16 +139,16 @@ impl RubberFitArgs {
     fn forms(&self) -> Result<Vec<Form>, Failure> {
         let mut forms: Vec<Form> = vec![];
         for word in self.law.as_deref().unwrap_or("all").split(',') {
-            let found = if word.trim() == "all" { Form::ALL.to_vec() } else { Form::parse(word) };
+            let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
             if found.is_empty() {
                 let short: String = word.trim().chars().take(60).collect();
                 let message = format!("--law: there is no law \"{short}\"");
-                let known = "neo-hookean, mooney-rivlin, gent, yeoh, ogden, ogden-1, ogden-2, ogden-3, all";
-                return Err(Failure::input("rubber", message, format!("known: {known}")));
+                let known = Form::words().join(", ");
+                return Err(Failure::input("rubber", message, format!("known: {known}, all")));
             }
             for form in found {
-                let wanted = match (form, self.terms) {
-                    (Form::Ogden { terms }, Some(n)) => terms == usize::from(n),
+                let wanted = match (form.terms(), self.terms) {
+                    (Some(terms), Some(n)) => terms == usize::from(n),
                     _ => true,
                 };
                 if wanted && !forms.contains(&form) {

@@ -1,8 +1,8 @@
 //! What `rubber fit` prints.
 
 use crate::output::text::{number, or_dash, pairs, percent, table};
-use mckibben::rubber::fit::{FitSettings, FittedLaw, Form, Measure, ModeError, Parameter, TensionFit};
-use mckibben::rubber::{Law, RubberLaw, Stability};
+use mckibben::rubber::fit::{FitSettings, FittedLaw, Measure, ModeError, Parameter, TensionFit};
+use mckibben::rubber::{RubberLaw, Stability};
 use serde_json::{Map, Value, json};
 use std::path::Path;
 
@@ -17,7 +17,7 @@ fn stability(law: &FittedLaw) -> String {
         _ if law.law.clone().validated().is_err() => "no stiffness at rest".into(),
         Stability::Stable => "stable".into(),
         Stability::UnstableFrom { hoop_stretch } => {
-            let does = if matches!(law.law, Law::Gent(_)) { "locks at" } else { "unstable from" };
+            let does = if law.law.locks_at().is_some() { "locks at" } else { "unstable from" };
             format!("{does} {}", number(hoop_stretch, 3))
         }
     }
@@ -108,11 +108,7 @@ fn closing(fit: &TensionFit, written: Option<&Path>) -> String {
     let mut out = String::new();
     for law in &fit.laws {
         let Some(free) = law.free_r_squared else { continue };
-        let how = match law.form {
-            Form::MooneyRivlin => "with C01 not below 0",
-            Form::Gent => "with a limit behind the muscle's stretches",
-            _ => "among its stable laws",
-        };
+        let how = law.held();
         out.push_str(&format!("{} {how}: R² {:.5} instead of {free:.5}.\n", law.form.name(), law.r_squared));
     }
     match fit.recommended.and_then(|i| fit.laws.get(i)) {

@@ -210,7 +210,7 @@ pub fn numerics() -> Vec<Row> {
     let mut rows = Vec::new();
     for (brick, name) in BRICKS {
         for law in crate::verification::numerics::laws() {
-            let title = mckibben::rubber::RubberLaw::name(&law);
+            let title = law.name();
             let stiffness = BraidStiffness::NewtonPerMm(20.0);
             let error =
                 shaken(brick, law, Bulk::Modulus(20.0), stiffness).and_then(|mut b| tangent_error(&mut b));

@@ -77,7 +77,7 @@ pub fn paths() -> Vec<Row> {
             rows.push(Row::new(title, SOURCE, 0.0, walked(brick, p, e), 1e-8));
         }
         for law in laws() {
-            let title = mckibben::rubber::RubberLaw::name(&law);
+            let title = law.name();
             let title = format!("{name}, {title}, incompressible: tangent against differences");
             rows.push(Row::new(title, SOURCE, 0.0, incompressible(brick, law), 1e-7));
         }

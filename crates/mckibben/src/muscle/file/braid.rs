@@ -19,7 +19,7 @@ const KEYS: &[&str] = &[
 ];
 
 pub(super) fn read(section: &Section<'_>) -> Result<Braid, FileError> {
-    section.only(KEYS, ALL)?;
+    section.only(KEYS, &ALL)?;
     let default = Braid::paper();
     let angle_deg = section.quantity("angle", Dimension::Angle)?.unwrap_or(default.angle_deg);
     let written = stiffness(section)?;

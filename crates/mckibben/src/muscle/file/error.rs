@@ -1,8 +1,9 @@
 //! What is wrong with a muscle file, where, and what should stand there.
 
 use crate::muscle::MuscleError;
-use crate::rubber::LibraryError;
+use crate::rubber::{LibraryError, TermCounts};
 use crate::units::{QuantityError, RangeError};
+use std::borrow::Cow;
 use std::fmt;
 use std::path::PathBuf;
 use thiserror::Error;
@@ -109,38 +110,25 @@ pub enum Problem {
     /// A rubber that the library does not hold.
     #[error("{0}")]
     Rubber(#[source] LibraryError),
-    /// A constant of another law.
-    #[error("is no constant of the {law} law; its constants are {}", .constants.join(", "))]
-    ForeignConstant {
-        /// The law.
-        law: &'static str,
-        /// Its constants.
-        constants: &'static [&'static str],
-    },
     /// Something that must stand beside what stands there.
     #[error("{missing} is missing; {needs}")]
     Missing {
         /// Key that is missing.
         missing: String,
         /// Why it is needed.
-        needs: &'static str,
+        needs: Cow<'static, str>,
     },
     /// A named rubber and a law of one's own.
     #[error("give either `rubber` or [tube.material]; here stand both")]
     RubberTwice,
-    /// Lists of unlike length in an Ogden law.
-    #[error("has {alpha} numbers, but mu has {mu}; an ogden law needs one alpha for each mu")]
-    TermCounts {
-        /// Number of moduli.
-        mu: usize,
-        /// Number of exponents.
-        alpha: usize,
-    },
+    /// Lists of unlike length in a law that is a sum of terms.
+    #[error("{0}")]
+    TermCounts(#[source] TermCounts),
     /// Parts that make no muscle.
     #[error(
         "{}{}",
         without_key(.error, .key),
-        .default.map_or_else(String::new, |key| format!("; {key} is not written, so this is its default"))
+        .default.as_ref().map_or_else(String::new, |key| format!("; {key} is not written, so this is its default"))
     )]
     Muscle {
         /// What the muscle says.
@@ -149,7 +137,7 @@ pub enum Problem {
         /// The key it is reported under.
         key: String,
         /// A key that has a part in it and was left out.
-        default: Option<&'static str>,
+        default: Option<String>,
     },
 }
 

@@ -4,7 +4,9 @@ use super::error::{FileError, Problem};
 use super::source::{Section, Source};
 use super::{MAX_BYTES, braid, material};
 use crate::muscle::{EndFactor, Friction, Muscle, MuscleError, Terminals, Tube};
+use crate::rubber::Law;
 use crate::units::Dimension;
+use std::sync::LazyLock;
 
 const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "name", "notes"];
 const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", "material"];
@@ -12,7 +14,16 @@ const TERMINALS: &[&str] = &["insertion", "end_factor", "cone_factor"];
 const FRICTION: &[&str] = &["coefficient", "exponent"];
 
 /// Every key of a muscle file, dotted; tells a key in the wrong table from one that means nothing anywhere.
-pub(super) const ALL: &[&str] = &[
+pub(super) static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
+    static CONSTANTS: LazyLock<Vec<String>> = LazyLock::new(|| {
+        let names = Law::KINDS.iter().flat_map(|k| k.names());
+        names.map(|name| format!("tube.material.{name}")).collect()
+    });
+    KEYS.iter().copied().chain(CONSTANTS.iter().map(String::as_str)).collect()
+});
+
+/// All but the constants of the rubber laws.
+const KEYS: &[&str] = &[
     "tube.outer_diameter",
     "tube.wall_thickness",
     "tube.length",
@@ -20,13 +31,6 @@ pub(super) const ALL: &[&str] = &[
     "tube.material",
     "tube.material.law",
     "tube.material.bulk_modulus",
-    "tube.material.c10",
-    "tube.material.c01",
-    "tube.material.c20",
-    "tube.material.c30",
-    "tube.material.mu",
-    "tube.material.jm",
-    "tube.material.alpha",
     "tube.material.fitted_to_stretch",
     "braid.angle",
     "braid.stiffness",
@@ -62,7 +66,7 @@ pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle
     }
     let source = Source::parse(text.strip_prefix('\u{feff}').unwrap_or(text))?;
     let root = source.root();
-    root.only(&[TOP, others].concat(), ALL)?;
+    root.only(&[TOP, others].concat(), &ALL)?;
     // For people; they have no meaning in a calculation.
     root.text("name", "a text in quotes")?;
     root.text("notes", "a text in quotes")?;
@@ -77,16 +81,16 @@ pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle
 fn located(source: &Source<'_>, error: MuscleError) -> FileError {
     let keys = error.keys();
     let written = keys.iter().find(|k| source.has(k)).or(keys.first());
-    let key = written.copied().unwrap_or("muscle").to_string();
+    let key = written.map_or_else(|| "muscle".to_owned(), |k| k.clone().into_owned());
     // Wall and diameter must suit each other, and either may be a default.
     let wall = matches!(error, MuscleError::WallTooThick { .. });
-    let default = keys.iter().find(|k| wall && !source.has(k)).copied();
+    let default = keys.iter().find(|k| wall && !source.has(k)).map(|k| k.clone().into_owned());
     source.error(&key, Problem::Muscle { error, key: key.clone(), default })
 }
 
 fn tube(root: &Section<'_>) -> Result<Tube, FileError> {
     let section = root.section("tube", "tube")?;
-    section.only(TUBE, ALL)?;
+    section.only(TUBE, &ALL)?;
     let default = Tube::prototype();
     let length = |key| section.quantity(key, Dimension::Length);
     Ok(Tube {
@@ -98,7 +102,7 @@ fn tube(root: &Section<'_>) -> Result<Tube, FileError> {
 }
 
 fn terminals(section: &Section<'_>) -> Result<Terminals, FileError> {
-    section.only(TERMINALS, ALL)?;
+    section.only(TERMINALS, &ALL)?;
     let insertion_mm = section.quantity("insertion", Dimension::Length)?;
     Ok(Terminals {
         insertion_mm: insertion_mm.unwrap_or(Terminals::default().insertion_mm),
@@ -115,7 +119,7 @@ fn end_factor(section: &Section<'_>) -> Result<Option<EndFactor>, FileError> {
     if !table.is_written() {
         return Ok(None);
     }
-    table.only(&["a", "b"], ALL)?;
+    table.only(&["a", "b"], &ALL)?;
     let one = |key| {
         let needs = "an end factor is a number, or { a = …, b = … } for a·e^(−P) + b with P in bar";
         table.number(key)?.ok_or_else(|| table.missing(key, None, needs))
@@ -124,7 +128,7 @@ fn end_factor(section: &Section<'_>) -> Result<Option<EndFactor>, FileError> {
 }
 
 fn friction(section: &Section<'_>) -> Result<Option<Friction>, FileError> {
-    section.only(FRICTION, ALL)?;
+    section.only(FRICTION, &ALL)?;
     let needs = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
     match (section.number("coefficient")?, section.number("exponent")?) {
         (None, None) => Ok(None),

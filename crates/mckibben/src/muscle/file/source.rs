@@ -4,6 +4,7 @@ use super::error::{FileError, Place, Problem};
 use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
 use crate::nearest::nearest;
 use crate::units::{Dimension, Values, parse_values};
+use std::borrow::Cow;
 use std::ops::Range;
 use toml_edit::{Document, Item, TableLike, TomlError, Value};
 
@@ -121,8 +122,8 @@ impl<'s> Section<'s> {
     }
 
     /// The problem that something is missing here; it stands at `beside`, which needs it, or at the table itself.
-    pub fn missing(&self, key: &str, beside: Option<&str>, needs: &'static str) -> FileError {
-        let problem = Problem::Missing { missing: self.dotted(key), needs };
+    pub fn missing(&self, key: &str, beside: Option<&str>, needs: impl Into<Cow<'static, str>>) -> FileError {
+        let problem = Problem::Missing { missing: self.dotted(key), needs: needs.into() };
         match beside {
             Some(beside) => self.error(beside, problem),
             None => self.source.error(self.path, problem),

@@ -1,7 +1,7 @@
 //! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
 
 use crate::muscle::{Braid, BraidStiffness, Bulk, EndFactor, Muscle, Rubber};
-use crate::rubber::{Law, RubberLaw, library};
+use crate::rubber::library;
 use std::fmt::Write;
 
 /// The column of the comments.
@@ -82,21 +82,18 @@ impl Text {
             self.key("name", &text(name), "where the constants come from");
         }
         self.key("law", &text(rubber.law.name()), "");
-        if let Law::Ogden(ogden) = &rubber.law {
-            let list = |f: &dyn Fn(&(f64, f64)) -> String| {
-                format!("[{}]", ogden.terms.iter().map(f).collect::<Vec<_>>().join(", "))
-            };
+        let (kind, values) = (rubber.law.kind(), rubber.law.values());
+        let count = kind.constants.len();
+        for (i, constant) in kind.constants.iter().enumerate() {
+            let one =
+                |v: &f64| if constant.is_modulus() { quantity(*v, constant.unit()) } else { number(*v) };
+            let written: Vec<String> = values.iter().skip(i).step_by(count).map(one).collect();
+            let written = written.join(", ");
             self.key(
-                "mu",
-                &list(&|t| quantity(t.0, "MPa")),
-                "W = Σ (mu/alpha)(λ1^alpha + λ2^alpha + λ3^alpha − 3)",
+                constant.name,
+                &if kind.is_sum { format!("[{written}]") } else { written },
+                constant.doc,
             );
-            self.key("alpha", &list(&|t| number(t.1)), "");
-        } else {
-            for (name, value, unit) in rubber.law.constants() {
-                let value = if unit.is_empty() { number(value) } else { quantity(value, unit) };
-                self.key(&name, &value, "");
-            }
         }
         let bulk = match rubber.bulk {
             Bulk::Incompressible => text("incompressible"),

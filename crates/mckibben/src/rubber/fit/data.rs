@@ -2,11 +2,12 @@
 
 use super::columns::{self, StressKind, StretchKind};
 use super::mode::Mode;
+use serde::{Deserialize, Serialize};
 use std::io::Read;
 use thiserror::Error;
 
 /// One point of a test.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TensionPoint {
     /// How the specimen was stretched.
     pub mode: Mode,

@@ -3,12 +3,13 @@
 use super::form::Form;
 use super::mode::Mode;
 use super::problem::Problem;
-use super::{FitSettings, Raw, TensionFitError, gent, linear, ogden};
+use super::{FitSettings, Raw, TensionFitError, linear, nonlinear, ogden};
 use crate::least_squares::t95;
-use crate::rubber::{Law, MUSCLE_AXIAL_STRETCH, RubberLaw, Stability, is_stable_at, muscle_stability};
+use crate::rubber::{ConstantValue, Law, LawConstants, Ogden, Stability, is_stable_at, muscle_stability};
+use serde::Serialize;
 
 /// A constant.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Parameter {
     /// As in muscle files; `mu1`, `alpha1` for terms.
     pub name: String,
@@ -24,7 +25,7 @@ pub struct Parameter {
 }
 
 /// How well a law follows one of the tests.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ModeError {
     /// Which test.
     pub mode: Mode,
@@ -39,7 +40,7 @@ pub struct ModeError {
 }
 
 /// A fitted law.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FittedLaw {
     /// Which law.
     pub form: Form,
@@ -70,6 +71,15 @@ impl FittedLaw {
     pub fn is_stable(&self) -> bool {
         self.stability == Stability::Stable && self.law.clone().validated().is_ok()
     }
+
+    /// How the law is held stable, where it is; in words behind its name.
+    pub fn held(&self) -> &'static str {
+        match self.form.kind().held_positive {
+            Some(words) => words,
+            None if self.law.locks_at().is_some() => "with a limit behind the muscle's stretches",
+            None => "among its stable laws",
+        }
+    }
 }
 
 /// The free fit and, where that is unstable in a muscle, the stable one; or the stable one alone.
@@ -79,41 +89,26 @@ pub(super) fn laws(
     settings: &FitSettings,
 ) -> Result<Vec<FittedLaw>, TensionFitError> {
     let hoop = settings.hoop_stretch;
-    let stable = || {
-        let raw = match (form, form.basis()) {
-            (_, Some(basis)) => linear::stable(form, &basis, problem, hoop)?,
-            (Form::Ogden { terms }, _) => ogden::fit(terms, problem)?,
-            _ => gent::fit(problem, Some(least_jm(hoop)))?,
+    let fit = |held: bool| {
+        let raw = match form.basis() {
+            Some(basis) if held => linear::stable(form, &basis, problem, hoop)?,
+            Some(basis) => linear::free(form, &basis, problem)?,
+            None if form.law() == Ogden::NAME => ogden::fit(form, problem)?,
+            None => nonlinear::fit(form, problem, held.then_some(hoop))?,
         };
-        judged(form, true, raw, problem, hoop)
+        judged(form, held, raw, problem, hoop)
     };
-    let raw = match (form, form.basis()) {
-        (_, Some(basis)) => linear::free(form, &basis, problem)?,
-        (Form::Ogden { terms }, _) => ogden::fit(terms, problem)?,
-        _ => gent::fit(problem, None)?,
-    };
-    let free = judged(form, false, raw, problem, hoop)?;
-    if free.is_stable() && !has_negative_c01(&free.law) {
+    let free = fit(false)?;
+    if free.is_stable() && free.law.negative_c01_mpa().is_none() {
         return Ok(vec![free]);
     }
     let beside = |held: FittedLaw| FittedLaw { free_r_squared: Some(free.r_squared), ..held };
-    match stable().map(beside) {
+    match fit(true).map(beside) {
         Ok(held) if settings.stable => Ok(vec![held]),
         Ok(held) => Ok(vec![free, held]),
         Err(error) if settings.stable => Err(error),
         Err(_) => Ok(vec![free]),
     }
-}
-
-/// Mooney–Rivlin as one-axis tests give it, even if the muscle at hand does not reach where it turns unstable.
-pub(super) fn has_negative_c01(law: &Law) -> bool {
-    matches!(law, Law::MooneyRivlin(l) if l.c01_mpa < 0.0)
-}
-
-/// Gent's limit that lies beyond all stretches of a muscle: the largest I1 − 3 there, and a little more.
-fn least_jm(hoop: f64) -> f64 {
-    let i1 = |axial: f64| hoop * hoop + axial * axial + (hoop * axial).powi(-2) - 3.0;
-    1.02 * i1(MUSCLE_AXIAL_STRETCH.0).max(i1(MUSCLE_AXIAL_STRETCH.1))
 }
 
 fn judged(
@@ -128,17 +123,18 @@ fn judged(
     let squares = problem.squares(&law).filter(|s| s.is_finite());
     let squares = squares.ok_or_else(|| failed("its stresses are not finite"))?;
     let t = t95(raw.freedom);
-    let parameters = law.constants().into_iter().enumerate().map(|(i, (name, value, unit))| {
-        let error = raw.standard_errors[i];
-        let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
-        Parameter {
-            name,
-            value,
-            unit,
-            standard_error: error.is_finite().then_some(error),
-            identifiable: narrow && !raw.at_bound[i],
-        }
-    });
+    let parameters =
+        law.constants().into_iter().enumerate().map(|(i, ConstantValue { name, value, constant })| {
+            let error = raw.standard_errors[i];
+            let narrow = t * error <= value.abs().max(0.25 * raw.scales[i]);
+            Parameter {
+                name,
+                value,
+                unit: constant.unit(),
+                standard_error: error.is_finite().then_some(error),
+                identifiable: narrow && !raw.at_bound[i],
+            }
+        });
     let parameters = parameters.collect();
     let (n, k) = (problem.counting() as f64, form.constants() as f64);
     // Exact data leave rounding only; its logarithm says nothing.

@@ -1,4 +1,4 @@
-//! Laws whose stress is linear in their constants: neo-Hookean, Mooney–Rivlin, Yeoh.
+//! Laws whose stress is linear in their constants, as it is seen from the law: neo-Hookean, Mooney–Rivlin, Yeoh.
 //!
 //! The constants free, or such that the law is stable wherever a muscle wall may be. With x = ln λθ, y = ln λz, Hill's
 //! inequality (see [`is_stable_at`](crate::rubber::is_stable_at)) asks the Hessian H(c) of ŵ to be positive definite, and
@@ -14,7 +14,7 @@ use super::form::Form;
 use super::problem::Problem;
 use super::{Raw, TensionFitError};
 use crate::least_squares::{Loss, Residuals, Unknown, estimate};
-use crate::rubber::{Law, log_hessian, muscle_states};
+use crate::rubber::{Law, RubberLaw, log_hessian, muscle_states};
 
 /// The columns ∂P/∂c over the divisors.
 struct Linear<'a> {
@@ -37,22 +37,19 @@ fn columns(basis: &[Law], problem: &Problem) -> Option<Vec<Vec<f64>>> {
     basis.iter().map(|law| problem.scaled_stresses(law)).collect()
 }
 
-/// Size of constant i of a law: what changes the stress by the modulus at the end of the data.
-fn scale(form: Form, i: usize, problem: &Problem) -> f64 {
-    let half = 0.5 * problem.modulus_mpa;
-    match form {
-        Form::NeoHookean => problem.modulus_mpa,
-        Form::Yeoh => half / ((i + 1) as f64 * problem.largest_i1_minus_3().max(1e-6).powi(i as i32)),
-        _ => half,
-    }
+/// Size of the constant of a basis law: with it that law gives, in planar tension to the largest I1 − 3 = (λ − 1/λ)² of the
+/// data, the stress μ (λ − λ⁻³) of the modulus.
+fn scale(basis: &Law, problem: &Problem) -> f64 {
+    let x = problem.largest_i1_minus_3().max(1e-6);
+    let stretch = 0.5 * (x.sqrt() + (x + 4.0).sqrt());
+    problem.modulus_mpa * (stretch - stretch.powi(-3)) / basis.planar_stress_mpa(stretch)
 }
 
 /// The free fit.
 pub(super) fn free(form: Form, basis: &[Law], problem: &Problem) -> Result<Raw, TensionFitError> {
     let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };
     let columns = columns(basis, problem).ok_or_else(|| failed("a stress is not finite".into()))?;
-    let unknowns: Vec<Unknown> =
-        (0..basis.len()).map(|i| Unknown::free(0.0, scale(form, i, problem))).collect();
+    let unknowns: Vec<Unknown> = basis.iter().map(|law| Unknown::free(0.0, scale(law, problem))).collect();
     let linear = Linear { columns: &columns, measured: problem.measured() };
     let found =
         estimate(&linear, &unknowns, &problem.weights, Loss::Squares).map_err(|e| failed(e.to_string()))?;
@@ -84,9 +81,9 @@ pub(super) fn stable(
         .map(|(hoop, axial)| basis.iter().map(|law| log_hessian(law, hoop, axial)).collect())
         .collect();
     let mut cuts: Vec<Inequality> = vec![];
-    if form == Form::MooneyRivlin {
-        cuts.push(Inequality { g: vec![1.0, 0.0], h: 0.0 });
-        cuts.push(Inequality { g: vec![0.0, 1.0], h: 0.0 });
+    if form.kind().held_positive.is_some() {
+        let unit = |i: usize| (0..basis.len()).map(|k| if k == i { 1.0 } else { 0.0 }).collect();
+        cuts.extend((0..basis.len()).map(|i| Inequality { g: unit(i), h: 0.0 }));
     }
     for _ in 0..CUTS {
         let found = solve(&n, &d, &cuts).ok_or_else(|| failed("no stable law follows these data"))?;
@@ -105,7 +102,7 @@ pub(super) fn stable(
             return Ok(Raw {
                 standard_errors: found.variances.iter().map(|v| deviation * v.sqrt()).collect(),
                 at_bound: (0..basis.len()).map(on_own).collect(),
-                scales: (0..basis.len()).map(|i| scale(form, i, problem)).collect(),
+                scales: basis.iter().map(|law| scale(law, problem)).collect(),
                 constants: found.x,
                 freedom,
             });

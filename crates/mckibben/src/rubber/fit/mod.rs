@@ -19,9 +19,9 @@ mod convex;
 mod data;
 mod fitted;
 mod form;
-mod gent;
 mod linear;
 mod mode;
+mod nonlinear;
 mod ogden;
 mod problem;
 mod runs;
@@ -36,10 +36,12 @@ pub use warning::TensionWarning;
 
 use super::stability::MUSCLE_HOOP_STRETCH;
 use problem::Problem;
+use serde::{Deserialize, Serialize, Serializer};
 use thiserror::Error;
 
 /// What is wanted of a fit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct FitSettings {
     /// The laws; none means all that the number of points carries.
     pub forms: Vec<Form>,
@@ -118,8 +120,15 @@ pub enum TensionFitError {
     },
 }
 
+/// As data it is its message.
+impl Serialize for TensionFitError {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// The laws of one set of tests.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TensionFit {
     /// The points that were fitted.
     pub points: Vec<TensionPoint>,
@@ -213,7 +222,7 @@ fn check(settings: &FitSettings) -> Result<(), TensionFitError> {
 fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFitError> {
     let too_few = |f: &Form| TensionFitError::TooFew { law: f.name(), points, needed: f.fewest_points() };
     let carried = |f: &Form| points >= f.fewest_points();
-    let asked = if settings.forms.is_empty() { &Form::ALL[..] } else { &settings.forms };
+    let asked = if settings.forms.is_empty() { Form::all() } else { settings.forms.clone() };
     let forms: Vec<Form> = asked.iter().copied().filter(carried).collect();
     match (forms.is_empty(), asked.first()) {
         (true, Some(first)) => Err(too_few(first)),
@@ -227,7 +236,7 @@ fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option<usize> {
         let places = (0..laws.len()).filter(|&i| good(&laws[i]));
         places.min_by(|&a, &b| laws[a].aicc.total_cmp(&laws[b].aicc))
     };
-    let trusted = |l: &FittedLaw| l.is_stable() && !fitted::has_negative_c01(&l.law);
+    let trusted = |l: &FittedLaw| l.is_stable() && l.law.negative_c01_mpa().is_none();
     best(&|l| trusted(l) && (l.form.is_of_i1() || !one_axis)).or_else(|| best(&trusted))
 }
 

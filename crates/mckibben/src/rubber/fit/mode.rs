@@ -8,9 +8,11 @@
 //! Physics of Rubber Elasticity, 1975, ch. 5). True stress σ = λ P in all three. λ < 1 is compression.
 
 use crate::rubber::RubberLaw;
+use serde::{Deserialize, Serialize};
 
 /// How a specimen is stretched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Mode {
     /// A narrow strip or dumb-bell, pulled along one axis.
     Uniaxial,

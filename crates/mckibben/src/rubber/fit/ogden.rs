@@ -102,9 +102,9 @@ fn sets(count: usize, size: usize) -> Vec<Vec<usize>> {
 }
 
 /// The fit.
-pub(super) fn fit(count: usize, problem: &Problem) -> Result<Raw, TensionFitError> {
-    let failed =
-        |why: String| TensionFitError::NotConverged { law: Form::Ogden { terms: count }.name(), why };
+pub(super) fn fit(form: Form, problem: &Problem) -> Result<Raw, TensionFitError> {
+    let count = form.terms().unwrap_or(1);
+    let failed = |why: String| TensionFitError::NotConverged { law: form.name(), why };
     let mut best: Option<(f64, Vec<f64>, Estimate)> = None;
     let mut why = None;
     for start in starts(count, problem) {
@@ -128,7 +128,7 @@ pub(super) fn fit(count: usize, problem: &Problem) -> Result<Raw, TensionFitErro
             Err(error) => why = Some(error.to_string()),
         }
     }
-    let no_better = || TensionFitError::NoBetter { law: Form::Ogden { terms: count }.name() };
+    let no_better = || TensionFitError::NoBetter { law: form.name() };
     let (_, signs, found) = best.ok_or_else(|| why.map_or_else(no_better, failed))?;
     let alpha = |k: usize| signs[k] * found.x[2 * k + 1];
     let same = |a: usize, b: usize| (alpha(a) - alpha(b)).abs() < 0.01 * alpha(a).abs();

@@ -3,9 +3,11 @@
 use super::data::TensionPoint;
 use super::mode::Mode;
 use crate::rubber::{Law, RubberLaw};
+use serde::{Deserialize, Serialize};
 
 /// What is made small.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Measure {
     /// Differences of nominal stress.
     #[default]

@@ -4,7 +4,8 @@ use super::fitted::{FittedLaw, Parameter};
 use super::mode::Mode;
 use super::problem::Problem;
 use super::runs::Sorted;
-use crate::rubber::{Law, Stability};
+use crate::rubber::{RubberLaw, Stability};
+use serde::{Serialize, Serializer};
 use std::fmt;
 
 /// Stretch that the wall of a strongly contracted muscle reaches (a 20° braid: 2.4).
@@ -53,12 +54,14 @@ pub enum TensionWarning {
         /// Hoop stretch from which on.
         hoop_stretch: f64,
     },
-    /// Gent's limit lies within a muscle's stretches.
+    /// A law whose chains lock within a muscle's stretches.
     Locks {
+        /// Which.
+        law: String,
         /// Hoop stretch at which it locks.
         hoop_stretch: f64,
-        /// Its Jm.
-        jm: f64,
+        /// I1 − 3 there.
+        i1_minus_3: f64,
     },
     /// Mooney–Rivlin with C01 < 0.
     NegativeC01 {
@@ -117,9 +120,9 @@ impl fmt::Display for TensionWarning {
             Self::Unstable { law, hoop_stretch } => {
                 write!(f, "{law}: unstable in the two-axis stretch of a muscle from a hoop stretch of {hoop_stretch:.2} on")
             }
-            Self::Locks { hoop_stretch, jm } => write!(
+            Self::Locks { law, hoop_stretch, i1_minus_3 } => write!(
                 f,
-                "gent: locks at I1 − 3 = {jm:.2}, which a muscle reaches at a hoop stretch of {hoop_stretch:.2}"
+                "{law}: locks at I1 − 3 = {i1_minus_3:.2}, which a muscle reaches at a hoop stretch of {hoop_stretch:.2}"
             ),
             Self::NegativeC01 { c01_mpa } => write!(
                 f,
@@ -132,6 +135,13 @@ impl fmt::Display for TensionWarning {
                 write!(f, "{law}: the data do not tell {}; other values fit as well", names.join(", "))
             }
         }
+    }
+}
+
+/// As data it is its message.
+impl Serialize for TensionWarning {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
@@ -169,19 +179,15 @@ pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<TensionWarning> {
     let law =
         if fitted.constrained { format!("{}, held stable", fitted.form.name()) } else { fitted.form.name() };
     if fitted.law.clone().validated().is_err() {
-        let modulus_mpa = crate::rubber::RubberLaw::shear_modulus_mpa(&fitted.law);
+        let modulus_mpa = fitted.law.shear_modulus_mpa();
         out.push(TensionWarning::NoStiffness { law: law.clone(), modulus_mpa });
     } else if let Stability::UnstableFrom { hoop_stretch } = fitted.stability {
-        out.push(match &fitted.law {
-            Law::Gent(g) => TensionWarning::Locks { hoop_stretch, jm: g.jm },
-            _ => TensionWarning::Unstable { law: law.clone(), hoop_stretch: hoop_stretch.min(hoop) },
+        out.push(match fitted.law.locks_at() {
+            Some(i1_minus_3) => TensionWarning::Locks { law: fitted.form.name(), hoop_stretch, i1_minus_3 },
+            None => TensionWarning::Unstable { law: law.clone(), hoop_stretch: hoop_stretch.min(hoop) },
         });
     }
-    if let Law::MooneyRivlin(m) = &fitted.law
-        && m.c01_mpa < 0.0
-    {
-        out.push(TensionWarning::NegativeC01 { c01_mpa: m.c01_mpa });
-    }
+    out.extend(fitted.law.negative_c01_mpa().map(|c01_mpa| TensionWarning::NegativeC01 { c01_mpa }));
     // The bound of a law held stable is no want of data.
     let on_purpose = |p: &Parameter| fitted.constrained && p.standard_error == Some(0.0);
     let names: Vec<String> = fitted

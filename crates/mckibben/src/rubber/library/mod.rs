@@ -7,9 +7,10 @@
 
 mod read;
 
-use super::{Law, RubberLaw, Stability, biaxial_stability};
+use super::{Law, Stability, biaxial_stability};
 use crate::muscle::{Bulk, Rubber};
 use crate::nearest::nearest;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::OnceLock;
 use thiserror::Error;
@@ -19,7 +20,7 @@ use thiserror::Error;
 pub const LARGEST_HOOP_STRETCH: f64 = 2.5;
 
 /// A rubber of the library.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RubberEntry {
     /// Name in kebab-case, such as `dragon-skin-30`.
     pub name: String,
@@ -42,9 +43,10 @@ pub struct RubberEntry {
 }
 
 /// A law fitted to a rubber.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RubberFit {
     /// The law with its constants.
+    #[serde(flatten)]
     pub law: Law,
     /// Engineering strain up to which data were used.
     pub up_to_strain: Option<f64>,
@@ -223,10 +225,7 @@ pub fn warnings(rubber: &Rubber) -> Vec<RubberWarning> {
         Stability::UnstableFrom { hoop_stretch } => Some(RubberWarning::Unstable { hoop_stretch }),
         Stability::Stable => None,
     };
-    let negative = match &rubber.law {
-        Law::MooneyRivlin(l) if l.c01_mpa < 0.0 => Some(RubberWarning::NegativeC01 { c01_mpa: l.c01_mpa }),
-        _ => None,
-    };
+    let negative = rubber.law.negative_c01_mpa().map(|c01_mpa| RubberWarning::NegativeC01 { c01_mpa });
     unstable.into_iter().chain(negative).collect()
 }
 

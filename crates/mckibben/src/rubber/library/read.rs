@@ -1,7 +1,7 @@
 //! The table of rubbers, from TOML.
 
 use super::{LibraryError, RubberEntry, RubberFit};
-use crate::rubber::{Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use crate::rubber::{Constant, Law, NEEDS_ALL, foreign};
 use toml_edit::{Document, Item, TableLike, Value};
 
 fn damaged(what: impl Into<String>) -> LibraryError {
@@ -43,31 +43,30 @@ fn text(table: &dyn TableLike, key: &str) -> Result<String, LibraryError> {
     found.ok_or_else(|| damaged(format!("an entry without {key}")))
 }
 
+/// Keys of a fit beside the constants.
+const BESIDE: [&str; 3] = ["law", "up_to_strain", "r_squared"];
+
 fn fit(value: &Value, rubber: &str) -> Result<RubberFit, LibraryError> {
-    let table = value.as_inline_table().ok_or_else(|| damaged(format!("{rubber}: a fit is a table")))?;
-    let constant = |key: &str| {
-        let found = table.get(key).and_then(Value::as_float);
-        found.ok_or_else(|| damaged(format!("{rubber}: a fit without {key}")))
-    };
-    let list = |key: &str| {
-        let array = table.get(key).and_then(Value::as_array);
-        array.into_iter().flatten().filter_map(Value::as_float).collect::<Vec<f64>>()
-    };
-    let law = match table.get("law").and_then(Value::as_str) {
-        Some("neo-hookean") => Law::NeoHookean(NeoHookean { mu_mpa: constant("mu")? }),
-        Some("mooney-rivlin") => {
-            Law::MooneyRivlin(MooneyRivlin { c10_mpa: constant("c10")?, c01_mpa: constant("c01")? })
+    let wrong = |what: String| damaged(format!("{rubber}: {what}"));
+    let table = value.as_inline_table().ok_or_else(|| wrong("a fit is a table".into()))?;
+    let name = table.get("law").and_then(Value::as_str);
+    let kind = name.and_then(Law::kind_named).ok_or_else(|| wrong(format!("law {name:?}")))?;
+    let known = |key: &str| BESIDE.contains(&key) || kind.names().contains(&key);
+    if let Some((key, _)) = table.iter().find(|(key, _)| !known(key)) {
+        return Err(wrong(format!("{key} {}", foreign(kind))));
+    }
+    let numbers = |c: &Constant| {
+        let value = table.get(c.name)?;
+        match value.as_array() {
+            Some(list) if kind.is_sum => list.iter().map(Value::as_float).collect(),
+            _ => value.as_float().map(|v| vec![v]),
         }
-        Some("yeoh") => Law::Yeoh(Yeoh {
-            c10_mpa: constant("c10")?,
-            c20_mpa: constant("c20")?,
-            c30_mpa: constant("c30")?,
-        }),
-        Some("ogden") => Law::Ogden(Ogden { terms: list("mu").into_iter().zip(list("alpha")).collect() }),
-        other => return Err(damaged(format!("{rubber}: law {other:?}"))),
     };
+    let list = |c| numbers(c).ok_or_else(|| wrong(format!("{} is missing; {NEEDS_ALL}", c.name)));
+    let lists = kind.constants.iter().map(list).collect::<Result<Vec<_>, _>>()?;
+    let law = kind.of_lists(&lists).map_err(|e| wrong(format!("{} {e}", e.name)))?;
     Ok(RubberFit {
-        law: law.validated().map_err(|e| damaged(format!("{rubber}: {e}")))?,
+        law: law.validated().map_err(|e| wrong(e.to_string()))?,
         up_to_strain: table.get("up_to_strain").and_then(Value::as_float),
         r_squared: table.get("r_squared").and_then(Value::as_float),
     })

@@ -1,5 +1,5 @@
 use super::*;
-use crate::rubber::MooneyRivlin;
+use crate::rubber::{MooneyRivlin, RubberLaw};
 
 /// The shipped CSV as records.
 fn csv(name: &str) -> Vec<csv::StringRecord> {

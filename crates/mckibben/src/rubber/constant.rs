@@ -1,0 +1,197 @@
+//! What a law says of its constants: names, dimensions and bounds are declared once, and files, fits, plans, columns,
+//! identification and sensitivities follow.
+
+use super::{Law, RubberLaw};
+use crate::units::Dimension;
+use thiserror::Error;
+
+/// A constant of a law.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Constant {
+    /// As in muscle files; terms of a sum are counted behind it (`mu1`).
+    pub name: &'static str,
+    /// [`Dimension::Pressure`] for a modulus in MPa, [`Dimension::Ratio`] for a plain number.
+    pub dimension: Dimension,
+    /// What it must lie between, the ends left out.
+    pub bounds: (f64, f64),
+    /// What it is, in a few words.
+    pub doc: &'static str,
+}
+
+impl Constant {
+    /// A modulus above zero, in MPa.
+    pub const fn modulus(name: &'static str, doc: &'static str) -> Self {
+        Self { name, dimension: Dimension::Pressure, bounds: (0.0, f64::INFINITY), doc }
+    }
+
+    /// A coefficient in MPa that may have either sign.
+    pub const fn coefficient(name: &'static str, doc: &'static str) -> Self {
+        Self { name, dimension: Dimension::Pressure, bounds: (f64::NEG_INFINITY, f64::INFINITY), doc }
+    }
+
+    /// A plain number above `low`.
+    pub const fn above(name: &'static str, low: f64, doc: &'static str) -> Self {
+        Self { name, dimension: Dimension::Ratio, bounds: (low, f64::INFINITY), doc }
+    }
+
+    /// Whether the energy is proportional to it: the stiffness of a rubber is a factor on these.
+    pub fn is_modulus(&self) -> bool {
+        self.dimension == Dimension::Pressure
+    }
+
+    /// Its unit; empty for a plain number.
+    pub fn unit(&self) -> &'static str {
+        if self.is_modulus() { "MPa" } else { "" }
+    }
+}
+
+/// A constant with its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ConstantValue {
+    /// Its name, with the number of its term where the law is a sum of terms: `c10`, `mu2`.
+    pub name: String,
+    /// Its value, in MPa for a modulus.
+    pub value: f64,
+    /// What the law says of it.
+    pub constant: &'static Constant,
+}
+
+impl ConstantValue {
+    /// The name with its unit, as columns of tables have it: `c10_mpa`, `jm`.
+    pub fn column(&self) -> String {
+        if self.constant.is_modulus() { format!("{}_mpa", self.name) } else { self.name.clone() }
+    }
+}
+
+/// A law as something that is made of constants. This and [`InvariantLaw`](super::InvariantLaw) (or [`RubberLaw`])
+/// are all that a law is asked for.
+pub trait LawConstants: RubberLaw + Sized {
+    /// Name as written in muscle files.
+    const NAME: &'static str;
+    /// Its constants, in order; of a sum of terms, those of one term.
+    const CONSTANTS: &'static [Constant];
+    /// Whether the law is a sum of any number of terms, each with all of [`LawConstants::CONSTANTS`].
+    const IS_SUM: bool = false;
+    /// Constants of a plausible rubber: tests and fits start from them.
+    const EXAMPLE: &'static [f64];
+    /// Where a fit that is held stable holds every constant at or above zero as well: how that is said.
+    const HELD_POSITIVE: Option<&'static str> = None;
+
+    /// The law of these constants, not checked; `None` where their number is wrong.
+    fn from_values(values: &[f64]) -> Option<Self>;
+
+    /// The values of the constants, in order.
+    fn values(&self) -> Vec<f64>;
+
+    /// The I1 − 3 at which the chains lock, where they do.
+    fn locks_at(&self) -> Option<f64> {
+        None
+    }
+
+    /// How an input deck for Abaqus or CalculiX writes the law; `None` where those have no such law.
+    fn card(&self) -> Option<HyperelasticCard> {
+        None
+    }
+}
+
+/// The `*HYPERELASTIC` card of an Abaqus or CalculiX input deck.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HyperelasticCard {
+    /// What follows the keyword: `YEOH`, `OGDEN, N=2`.
+    pub form: String,
+    /// The constants, in MPa and plain numbers, without those of compression.
+    pub constants: Vec<f64>,
+    /// How many constants of compression D1, D2, … the card takes.
+    pub compressions: usize,
+}
+
+/// A law without the values of its constants.
+#[derive(Debug, Clone, Copy)]
+pub struct LawKind {
+    /// See [`LawConstants::NAME`].
+    pub name: &'static str,
+    /// See [`LawConstants::CONSTANTS`].
+    pub constants: &'static [Constant],
+    /// See [`LawConstants::IS_SUM`].
+    pub is_sum: bool,
+    /// See [`LawConstants::EXAMPLE`].
+    pub example: &'static [f64],
+    /// See [`LawConstants::HELD_POSITIVE`].
+    pub held_positive: Option<&'static str>,
+    make: fn(&[f64]) -> Option<Law>,
+}
+
+impl PartialEq for LawKind {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl LawKind {
+    pub(super) const fn of<L: LawConstants + Into<Law>>() -> Self {
+        Self {
+            name: L::NAME,
+            constants: L::CONSTANTS,
+            is_sum: L::IS_SUM,
+            example: L::EXAMPLE,
+            held_positive: L::HELD_POSITIVE,
+            make: |values| L::from_values(values).map(Into::into),
+        }
+    }
+
+    /// The law with these values, in the order of the constants (term by term in a sum); `None` where their number is wrong.
+    /// The law is not checked; see [`Law::validated`].
+    pub fn law(&self, values: &[f64]) -> Option<Law> {
+        (self.make)(values)
+    }
+
+    /// Names of the constants.
+    pub fn names(&self) -> Vec<&'static str> {
+        self.constants.iter().map(|c| c.name).collect()
+    }
+
+    /// The law of one list of values for each constant: one value, or one a term in a sum.
+    ///
+    /// # Errors
+    /// [`TermCounts`] where the lists are not equally long.
+    pub fn of_lists(&self, lists: &[Vec<f64>]) -> Result<Law, TermCounts> {
+        let first = lists.first().map_or(0, Vec::len);
+        let odd = lists.iter().zip(self.constants).find(|(list, _)| list.len() != first);
+        let (name, count) = odd.map_or(("", 0), |(list, c)| (c.name, list.len()));
+        let values: Vec<f64> =
+            (0..first).flat_map(|t| lists.iter().filter_map(move |l| l.get(t).copied())).collect();
+        let law = if odd.is_some() { None } else { self.law(&values) };
+        law.ok_or(TermCounts { law: self.name, name, count, first: self.constants[0].name, of_first: first })
+    }
+}
+
+/// Lists of unlike length in a law that is a sum of terms.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("has {count} numbers, but {first} has {of_first}; an {law} law needs one {name} for each {first}")]
+pub struct TermCounts {
+    /// The law.
+    pub law: &'static str,
+    /// The constant with another number of values than the first.
+    pub name: &'static str,
+    /// How many it has.
+    pub count: usize,
+    /// The first constant.
+    pub first: &'static str,
+    /// How many that has.
+    pub of_first: usize,
+}
+
+/// What is said where a constant is missing.
+pub const NEEDS_ALL: &str = "a law needs all of its constants";
+
+/// What is said of a constant that belongs to another law.
+pub fn foreign(law: &LawKind) -> String {
+    format!("is no constant of the {} law; its constants are {}", law.name, law.names().join(", "))
+}
+
+/// What is expected where a law is to be named.
+pub fn one_of_all() -> &'static str {
+    static WORDS: std::sync::LazyLock<String> =
+        std::sync::LazyLock::new(|| format!("one of {}", Law::names().join(", ")));
+    &WORDS
+}

@@ -1,0 +1,97 @@
+//! The list of laws. A law is one file in this folder and one line in the list below.
+
+use super::{Biaxial, HyperelasticCard, LawConstants, LawKind, LawVisitor, Principal, RubberLaw};
+
+/// From `file::Type` of every law: the modules, the enum [`Law`] and what goes to the law that it holds.
+macro_rules! laws {
+    ($($file:ident::$law:ident),* $(,)?) => {
+        $(
+            mod $file;
+            pub use $file::$law;
+        )*
+
+        /// Any of the laws, for data that is read at run time. Kernels are generic over [`RubberLaw`]: take the law
+        /// apart once, outside the quadrature loop ([`RubberLaw::visit`]).
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum Law {
+            $(#[doc = concat!("See [`", stringify!($law), "`].")] $law($law),)*
+        }
+
+        $(
+            impl From<$law> for Law {
+                fn from(law: $law) -> Law {
+                    Law::$law(law)
+                }
+            }
+        )*
+
+        impl Law {
+            /// All laws, without the values of their constants.
+            pub const KINDS: &'static [LawKind] = &[$(LawKind::of::<$law>()),*];
+
+            /// The law without the values of its constants.
+            pub fn kind(&self) -> &'static LawKind {
+                match self {
+                    $(Law::$law(_) => const { &LawKind::of::<$law>() },)*
+                }
+            }
+
+            /// The values of the constants, in the order of [`Law::constants`].
+            pub fn values(&self) -> Vec<f64> {
+                match self {
+                    $(Law::$law(law) => law.values(),)*
+                }
+            }
+
+            /// See [`LawConstants::locks_at`].
+            pub fn locks_at(&self) -> Option<f64> {
+                match self {
+                    $(Law::$law(law) => law.locks_at(),)*
+                }
+            }
+
+            /// See [`LawConstants::card`].
+            pub fn card(&self) -> Option<HyperelasticCard> {
+                match self {
+                    $(Law::$law(law) => law.card(),)*
+                }
+            }
+        }
+
+        impl RubberLaw for Law {
+            fn shear_modulus_mpa(&self) -> f64 {
+                match self {
+                    $(Law::$law(law) => law.shear_modulus_mpa(),)*
+                }
+            }
+
+            fn principal(&self, stretches: [f64; 3]) -> Principal {
+                match self {
+                    $(Law::$law(law) => law.principal(stretches),)*
+                }
+            }
+
+            fn biaxial(&self, u: f64, v: f64) -> Biaxial {
+                match self {
+                    $(Law::$law(law) => law.biaxial(u, v),)*
+                }
+            }
+
+            /// Hands `visitor` the law that it holds.
+            fn visit<V: LawVisitor>(&self, visitor: V) -> V::Output {
+                match self {
+                    $(Law::$law(law) => law.visit(visitor),)*
+                }
+            }
+        }
+    };
+}
+
+laws! {
+    mooney_rivlin::MooneyRivlin,
+    neo_hookean::NeoHookean,
+    yeoh::Yeoh,
+    ogden::Ogden,
+    gent::Gent,
+    arruda_boyce::ArrudaBoyce,
+}
