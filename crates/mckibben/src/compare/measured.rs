@@ -2,10 +2,13 @@
 
 use crate::identify::read_data;
 use std::io::Read;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Which branch of the hysteresis loop a point was measured on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Branch {
     /// While the muscle shortened (the lower branch).
     Contraction,
@@ -14,7 +17,8 @@ pub enum Branch {
 }
 
 /// One measured point of a muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MeasuredPoint {
     /// Gauge pressure in MPa.
     pub pressure_mpa: f64,
@@ -23,6 +27,7 @@ pub struct MeasuredPoint {
     /// Pull in N.
     pub force_n: f64,
     /// The branch, where it is stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub branch: Option<Branch>,
 }
 

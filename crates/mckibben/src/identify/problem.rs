@@ -16,6 +16,7 @@ use crate::compare::Branch;
 use crate::least_squares::Residuals;
 use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::{BraidStiffness, Friction, Motion, Muscle};
+use crate::progress::Progress;
 use crate::rubber::RubberLaw;
 use rayon::prelude::*;
 
@@ -40,6 +41,7 @@ pub struct Problem<'a, B> {
     fixed: &'a [(Target, f64)],
     points: &'a [DataPoint],
     build: &'a B,
+    progress: &'a dyn Progress,
     chunks: Vec<Chunk>,
     /// N per unit of contraction and per MPa.
     scales: (f64, f64),
@@ -144,6 +146,7 @@ impl<'a, B: Build> Problem<'a, B> {
         points: &'a [DataPoint],
         build: &'a B,
         start: &[f64],
+        progress: &'a dyn Progress,
     ) -> Self {
         let mut out = Self {
             base,
@@ -151,6 +154,7 @@ impl<'a, B: Build> Problem<'a, B> {
             fixed,
             points,
             build,
+            progress,
             chunks: chunks(points),
             scales: (1.0, 1.0),
             analytic: false,
@@ -204,6 +208,9 @@ impl<'a, B: Build> Problem<'a, B> {
         one: impl Fn(&dyn ForceModel, &mut Workspace, &DataPoint) -> Result<T, ModelError> + Sync,
     ) -> Option<Vec<Result<T, ModelError>>> {
         let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
+            if self.progress.cancelled() {
+                return None;
+            }
             let muscle = candidate.of_section(&chunk.section).ok()?;
             let model = (self.build)(&muscle).ok()?;
             let mut w = Workspace::new();
