@@ -23,6 +23,8 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod commands;
+mod compare;
 mod curve;
 mod design;
 mod fields;
@@ -33,8 +35,14 @@ mod muscle;
 mod point;
 mod problem;
 mod question;
+mod show;
+mod simulate;
+mod study;
+mod validate;
 pub mod words;
 
+pub use commands::{COMMANDS, CommandEntry, ask, schema};
+pub use compare::*;
 pub use curve::*;
 pub use design::*;
 pub use fields::*;
@@ -43,3 +51,7 @@ pub use models::*;
 pub use muscle::{MuscleSummary, muscle_of, rubber};
 pub use point::*;
 pub use problem::*;
+pub use show::*;
+pub use simulate::*;
+pub use study::*;
+pub use validate::*;

@@ -1,7 +1,7 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
-use crate::model::{Model, Purpose};
+use crate::model::Purpose;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;

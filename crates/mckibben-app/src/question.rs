@@ -2,7 +2,6 @@
 
 use crate::fields::{AskFields, Direction, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose, check_direction};
-use crate::muscle::MuscleSummary;
 use crate::point::{ModelAbout, PointAnswer};
 use crate::problem::Problem;
 use mckibben::answer::{Answer, Options};

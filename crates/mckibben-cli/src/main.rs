@@ -1,20 +1,22 @@
 //! `mckibben`: design McKibben pneumatic muscles from the command line.
 //!
-//! `main` parses and dispatches; a command parses its flags (`flags`), resolves them into a muscle and a model
-//! (`resolve`), asks the library, and hands the result to `output` and `figure`.
+//! `main` parses and dispatches; a command turns its flags into a request of the application layer (`flags`, `quantities`,
+//! `files`), asks it, and turns the answer into text, JSON or CSV (`output`) and files (`plot`).
 
 mod cli;
 mod commands;
 mod failure;
-mod figure;
+mod files;
 mod flags;
-mod kind;
 mod output;
-mod resolve;
-mod simulated;
+mod plot;
+mod progress;
+mod quantities;
+mod word;
 
 use clap::Parser;
 use failure::Failure;
+use flags::Format;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -22,7 +24,7 @@ fn main() -> ExitCode {
     let cli = match cli::Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() && json_wanted() => {
-            return report(&Failure::usage(&error), true);
+            return report(&Failure::usage(&error), Format::Json);
         }
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
@@ -31,23 +33,23 @@ fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    match commands::run(cli.command) {
+    match commands::run(cli.command, cli.format) {
         Ok(code) => ExitCode::from(code),
-        Err(failure) => report(&failure, json_wanted()),
+        Err(failure) => report(&failure, cli.format),
     }
 }
 
-/// Whether `--format json` stands on the command line: errors are then JSON as well, even those of the parser.
+/// Whether `--format json` stands on a command line that could not be parsed: the error is then JSON as well.
 fn json_wanted() -> bool {
     let args: Vec<_> = std::env::args_os().skip(1).collect();
     args.iter().any(|a| a == "--format=json") || args.windows(2).any(|w| w[0] == "--format" && w[1] == "json")
 }
 
-fn report(failure: &Failure, json: bool) -> ExitCode {
+fn report(failure: &Failure, format: Format) -> ExitCode {
     if failure.is_broken_pipe() {
         return ExitCode::SUCCESS;
     }
-    let text = if json { failure.to_json() } else { failure.to_text() };
+    let text = if format == Format::Json { failure.to_json() } else { failure.to_text() };
     let _ = writeln!(std::io::stderr(), "{text}");
-    ExitCode::from(failure.exit)
+    ExitCode::from(failure.exit())
 }

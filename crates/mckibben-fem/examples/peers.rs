@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let model = ThreeDimensional::with_mesh(&muscle, &spec)?;
     let pressures: Vec<f64> = (1..=25).map(|i| 0.01 * f64::from(i)).collect();
     if spec.brick == Brick::Linear {
-        mckibben_files::replace(out.as_ref(), deck(&model, contraction, &pressures)?.as_bytes())?;
+        std::fs::write(out, deck(&model, contraction, &pressures)?)?;
     }
     let start = Instant::now();
     let grid = model.mesh();

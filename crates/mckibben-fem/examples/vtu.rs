@@ -1,21 +1,26 @@
 //! The prototype at ε 0.10 under rising pressure, for ParaView: `cargo run --release -p mckibben-fem --example vtu -- DIR`.
 //! Prints the same numbers as JSON; `checks/vtu.py` compares the two.
 
-use mckibben::model::ForceModel as _;
+use mckibben::model::{ForceModel as _, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::output::VtuSeries;
+use mckibben_fem::output::{Shape, VtuSeries};
 use std::error::Error;
 use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("usage: vtu DIR")?;
     let fe = Axisymmetric::new(&Muscle::prototype())?;
-    let mut series = VtuSeries::new(Path::new(&folder), "prototype, D0 30 s 3 L0 285 mm, 28 deg")?;
+    std::fs::create_dir_all(&folder)?;
+    let mut series = VtuSeries::new("prototype, D0 30 s 3 L0 285 mm, 28 deg");
     let mut points = Vec::new();
+    let w = &mut Workspace::new();
     for step in 1..=5 {
-        let r = fe.response(0.05 * f64::from(step), 0.10)?;
-        series.add(&fe.section(), &r)?;
+        let r = fe.response(w, 0.05 * f64::from(step), 0.10)?;
+        let section = fe.section_at(w, r.pressure_mpa, r.contraction)?;
+        for file in series.add(Shape::of_section(&section), &r)? {
+            std::fs::write(Path::new(&folder).join(file.name), file.text)?;
+        }
         points.push(serde_json::json!({
             "pressure_mpa": r.pressure_mpa,
             "contraction": r.contraction,
@@ -24,7 +29,6 @@ fn main() -> Result<(), Box<dyn Error>> {
             "bulged_diameter_mm": r.bulged_diameter_mm,
         }));
     }
-    series.finish()?;
     println!("{}", serde_json::json!({ "points": points }));
     Ok(())
 }

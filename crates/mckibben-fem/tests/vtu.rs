@@ -3,13 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use base64::Engine as _;
-use mckibben::model::{ForceModel as _, Response};
+use mckibben::model::{ForceModel as _, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben_fem::output::{VtuError, VtuSeries};
+use mckibben_fem::output::{Shape, VtuError, VtuFile, VtuSeries};
 use std::f64::consts::{PI, TAU};
 use std::io::Read as _;
-use std::path::Path;
 
 const AROUND: f64 = 48.0;
 
@@ -92,23 +91,22 @@ fn length(line: &[[f64; 3]]) -> f64 {
     line.windows(2).map(|p| norm(minus(p[1], p[0]))).sum()
 }
 
-fn read(folder: &Path, file: &str) -> String {
-    std::fs::read_to_string(folder.join(file)).unwrap()
+/// The text of a file of this name.
+fn text(files: &[VtuFile], name: &str) -> String {
+    files.iter().find(|f| f.name == name).unwrap().text.clone()
 }
 
 /// One step: (tube, braid).
 fn written(fe: &Axisymmetric, response: &Response) -> (String, String) {
-    let folder = tempfile::tempdir().unwrap();
-    let mut series = VtuSeries::new(folder.path(), "a test").unwrap();
-    series.add(&fe.section(), response).unwrap();
-    series.finish().unwrap();
-    (read(folder.path(), "tube_0000.vtu"), read(folder.path(), "braid_0000.vtu"))
+    let section = fe.section_at(&mut Workspace::new(), response.pressure_mpa, response.contraction).unwrap();
+    let files = VtuSeries::new("a test").add(Shape::of_section(&section), response).unwrap();
+    (text(&files, "tube_0000.vtu"), text(&files, "braid_0000.vtu"))
 }
 
 fn contracted() -> (Muscle, Axisymmetric, Response) {
     let muscle = Muscle::prototype();
     let fe = Axisymmetric::new(&muscle).unwrap();
-    let response = fe.response(0.2, 0.1).unwrap();
+    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     (muscle, fe, response)
 }
 
@@ -170,7 +168,7 @@ fn strands_at_rest_have_the_length_of_a_helix() {
 fn strands_under_pressure_are_as_long_as_their_stretch_says() {
     let (muscle, fe, response) = contracted();
     let (_, braid) = written(&fe, &response);
-    let solution = fe.solve(0.2, 0.1).unwrap();
+    let solution = fe.solve(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let stretches: Vec<f64> = solution.strands.iter().map(|s| s.stretch).collect();
     let (low, high) =
         (stretches.iter().copied().fold(f64::MAX, f64::min), stretches.iter().copied().fold(0.0, f64::max));
@@ -191,7 +189,7 @@ fn strands_are_counted_where_their_number_is_known() {
         ..Muscle::prototype().braid().clone()
     };
     let fe = Axisymmetric::new(&Muscle::prototype().with_braid(braid).unwrap()).unwrap();
-    let response = fe.response(0.2, 0.1).unwrap();
+    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let (_, braid) = written(&fe, &response);
     assert_eq!(lines(&braid).len(), 60);
     assert!(!braid.contains("for display"));
@@ -204,7 +202,7 @@ fn both_halves_are_mirror_images() {
     let (_, fe, response) = contracted();
     let (tube, _) = written(&fe, &response);
     let rings: Vec<Vec<[f64; 3]>> = points(&tube, "Points").chunks(48).map(<[_]>::to_vec).collect();
-    let across = 2 * fe.section().elements().0 + 1;
+    let across = 2 * fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap().elements().0 + 1;
     let stations = rings.len() / across;
     for (k, ring) in rings.iter().enumerate() {
         let (j, i) = (k / across, k % across);
@@ -221,8 +219,8 @@ fn stress_in_the_middle_is_in_equilibrium() {
     let muscle = Muscle::prototype();
     let mesh = MeshSpec { through: Some(6), along: Some(24), grading: None };
     let fe = Axisymmetric::with_mesh(&muscle, &mesh).unwrap();
-    let response = fe.response(0.2, 0.1).unwrap();
-    let section = fe.section();
+    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let section = fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let middle: Vec<_> = (0..=12).map(|i| section.nodes()[section.index(i, 0)]).collect();
     let (bore, outside) = (middle[0], middle[12]);
     assert!((bore.stress_mpa[0] + 0.2).abs() < 1e-3, "{bore:?}");
@@ -248,31 +246,30 @@ fn stress_in_the_middle_is_in_equilibrium() {
 
 #[test]
 fn the_same_muscle_gives_the_same_bytes_in_well_formed_xml() {
-    let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
-    for folder in &folders {
+    let run = || {
         let (_, fe, _) = contracted();
-        let mut series = VtuSeries::new(&folder.path().join("new/folder"), "a < b -- & --- c-").unwrap();
-        for p in [0.15, 0.2] {
-            let response = fe.response(p, 0.1).unwrap();
-            series.add(&fe.section(), &response).unwrap();
-        }
-        let list = series.finish().unwrap();
-        assert_eq!(list, folder.path().join("new/folder/muscle.pvd"));
+        let mut series = VtuSeries::new("a < b -- & --- c-");
+        let w = &mut Workspace::new();
+        let step = |p: f64| {
+            let response = fe.response(w, p, 0.1).unwrap();
+            let section = fe.section_at(w, p, 0.1).unwrap();
+            series.add(Shape::of_section(&section), &response).unwrap()
+        };
+        let steps: Vec<Vec<VtuFile>> = [0.15, 0.2].map(step).into();
+        (steps, series.list())
+    };
+    let (steps, last) = run();
+    assert_eq!((steps.clone(), last.clone()), run());
+    let names: Vec<Vec<&str>> =
+        steps.iter().map(|files| files.iter().map(|f| f.name.as_str()).collect()).collect();
+    assert_eq!(names[0], ["tube_0000.vtu", "braid_0000.vtu", "muscle.pvd"]);
+    assert_eq!(names[1], ["tube_0001.vtu", "braid_0001.vtu", "muscle.pvd"]);
+    assert_eq!(steps[1][2], last, "the list comes last and names all steps so far");
+    for file in steps.iter().flatten() {
+        assert!(file.text.len() < 300_000, "{}: {}", file.name, file.text.len());
+        roxmltree::Document::parse(&file.text).unwrap();
     }
-    let [a, b] = folders.each_ref().map(|f| f.path().join("new/folder"));
-    let mut names: Vec<_> =
-        std::fs::read_dir(&a).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    let all = ["braid_0000.vtu", "braid_0001.vtu", "muscle.pvd", "tube_0000.vtu", "tube_0001.vtu"];
-    assert_eq!(names, all);
-    for name in all {
-        let text = read(&a, name);
-        assert_eq!(text, read(&b, name), "{name}");
-        assert!(text.len() < 300_000, "{name}: {}", text.len());
-        roxmltree::Document::parse(&text).unwrap();
-    }
-    let text = read(&a, "muscle.pvd");
-    let list = roxmltree::Document::parse(&text).unwrap();
+    let list = roxmltree::Document::parse(&last.text).unwrap();
     let listed: Vec<_> = list
         .descendants()
         .filter(|n| n.has_tag_name("DataSet"))
@@ -292,26 +289,12 @@ fn the_same_muscle_gives_the_same_bytes_in_well_formed_xml() {
 }
 
 #[test]
-fn what_cannot_be_written_is_said_and_nothing_is_left_half_done() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("file");
-    std::fs::write(&file, "mine").unwrap();
-    let error = VtuSeries::new(&file, "").unwrap_err();
-    assert!(matches!(&error, VtuError::Folder { .. }), "{error}");
-    assert!(error.to_string().contains("file"));
-    assert_eq!(std::fs::read_to_string(&file).unwrap(), "mine");
-
+fn what_is_no_number_is_refused_and_is_no_step() {
     let fe = Axisymmetric::new(&Muscle::prototype()).unwrap();
-    let mut series = VtuSeries::new(&folder.path().join("series"), "").unwrap();
+    let mut series = VtuSeries::new("");
+    let section = fe.section_at(&mut Workspace::new(), 0.0, 0.0).unwrap();
     let bad = Response { force_n: f64::NAN, ..Response::default() };
-    let error = series.add(&fe.section(), &bad).unwrap_err();
-    assert!(matches!(error, VtuError::NotFinite { name: "force_n", .. }), "{error}");
-    assert_eq!(std::fs::read_dir(folder.path().join("series")).unwrap().count(), 0);
-
-    // A folder stands where a file should go.
-    std::fs::create_dir(folder.path().join("series/tube_0000.vtu")).unwrap();
-    std::fs::write(folder.path().join("series/tube_0000.vtu/inside"), "").unwrap();
-    let error = series.add(&fe.section(), &Response::default()).unwrap_err();
-    assert!(matches!(&error, VtuError::Write { path, .. } if path.ends_with("tube_0000.vtu")), "{error}");
-    assert_eq!(std::fs::read_dir(folder.path().join("series")).unwrap().count(), 1);
+    let error = series.add(Shape::of_section(&section), &bad).unwrap_err();
+    assert!(matches!(error, VtuError { name: "force_n", .. }), "{error}");
+    assert!(!series.list().text.contains("tube_0000.vtu"));
 }

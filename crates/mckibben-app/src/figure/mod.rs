@@ -1,10 +1,18 @@
 //! From answers to figures: data, which `mckibben-report` or a page draws.
 
+mod compare;
 mod curves;
 mod design;
+mod picture;
+mod simulate;
+mod study;
 
+pub(crate) use compare::compare;
 pub(crate) use curves::curves;
 pub(crate) use design::design;
+pub(crate) use picture::picture;
+pub(crate) use simulate::simulate;
+pub(crate) use study::study;
 
 /// The small line below every figure.
 fn caption(text: impl std::fmt::Display) -> String {

@@ -1,355 +1,134 @@
 //! `compare`: models, and measured points.
 
-use crate::cli::{BranchWord, CompareArgs};
 use crate::failure::Failure;
-use crate::figure;
-use crate::flags::{Format, PressureUnit};
-use crate::kind::{Kind, MeshFlags};
-use crate::output::text::{Pressures, muscle_line, number, percent, table};
-use crate::output::{csv, emit, json};
-use crate::resolve;
-use mckibben::answer::Options;
-use mckibben::compare::{
-    Branch, Comparison, Fit, FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured,
-};
-use mckibben::model::{ForceModel, ModelKind};
-use mckibben::muscle::{Motion, Muscle};
+use crate::files;
+use crate::flags::{AskFlags, Format, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
+use crate::output::show;
+use crate::output::text::{number, percent, table};
+use crate::plot;
+use crate::progress::Bar;
+use crate::quantities::{contractions, points};
+use crate::word::word;
+use clap::Args;
 use mckibben::units::Dimension;
-use serde_json::{Value, json};
-use std::path::Path;
+use mckibben_app::{CompareAnswer, CompareRequest, DataBranch, FitConstant, ProblemKind};
+use std::path::PathBuf;
 
-/// A model that could not be compared, and why.
-type Skipped = (&'static str, Failure);
+pub const EXAMPLES: &str = "Examples:
+  mckibben compare --models ideal,paper,thick-wall -p 1,2bar
+  mckibben compare --models ideal,thick-wall --muscle examples/tondu2012.toml \\
+    --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor";
 
-struct Row {
-    model: Box<dyn ForceModel>,
-    comparison: Comparison,
-    fit: Option<Fit>,
+/// `compare`.
+#[derive(Debug, Args)]
+pub struct CompareArgs {
+    /// Models, by name [fe,paper,thick-wall,ideal]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub models: Vec<String>,
+    /// One model, as --models
+    #[arg(long, value_name = "NAME", conflicts_with = "models")]
+    pub model: Option<String>,
+    /// Measured points (CSV: pressure_mpa, contraction, force_n, branch)
+    #[arg(long, value_name = "FILE.csv")]
+    pub data: Option<PathBuf>,
+    /// Which branch of measured hysteresis
+    #[arg(long, value_parser = word::<DataBranch>(), default_value = "mean")]
+    pub branch: DataBranch,
+    /// Constants to fit to the points, for each model: modulus, end-factor, stiffness
+    #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "data")]
+    pub fit: Vec<String>,
+    /// Pressures, without --data [0.05..0.25:0.05]
+    #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
+    pub pressure: Option<String>,
+    /// Contraction ratios, without --data [0..0.2:0.01]
+    #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
+    pub contraction: Option<String>,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub asking: AskFlags,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    #[command(flatten)]
+    pub output: OutputFlags,
 }
 
 /// Runs the command.
-pub fn run(args: &CompareArgs) -> Result<u8, Failure> {
-    figure::check(args.plot.plot.as_deref())?;
-    let muscle = resolve::muscle(&args.muscle)?;
-    let kinds = kinds(args)?;
-    let motion = resolve::motion(&args.asking, &muscle)?;
-    let options = resolve::options(&args.asking);
-    let measured = match &args.data {
-        Some(path) => Some(chosen_branch(read(path)?, args.branch, path)?),
-        None => None,
+pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
+    let unit = pressure_unit(args.output.units, args.pressure.as_deref());
+    let models: Vec<String> = match &args.model {
+        Some(one) => vec![one.clone()],
+        None => args.models.clone(),
     };
-    let p_unit = args.output.units.or(PressureUnit::typed(args.pressure.as_deref()));
-    let p = Pressures(p_unit.unwrap_or(PressureUnit::Mpa));
-    let (pressures, contractions) = grid(args, measured.as_deref())?;
-    let (rows, skipped) = match &measured {
-        Some(points) => against_points(args, &kinds, &muscle, motion, options, points)?,
-        None => against_first(&kinds, &muscle, motion, options, &pressures, &contractions),
-    };
-    if rows.is_empty() {
-        let first = skipped.into_iter().next().map(|s| s.1);
-        return Err(first.unwrap_or_else(|| Failure::input("usage", "no model to compare", "")));
+    let mut formulas = vec![];
+    for name in &models {
+        formulas.extend(files::formula(name)?);
     }
-    if let Some(path) = &args.plot.plot {
-        let models: Vec<&dyn ForceModel> = rows.iter().map(|row| row.model.as_ref()).collect();
-        let points = measured.as_deref().unwrap_or(&[]);
-        let fits = rows
-            .iter()
-            .filter_map(|r| Some(format!(". {} fitted: {}", r.comparison.model, fit_text(r.fit.as_ref()?))));
-        let about = format!("{}{}", muscle_line(&muscle), fits.collect::<String>());
-        figure::compare(&models, points, &pressures, &contractions, options, &about, p).save(path)?;
-    }
-    let list: Vec<Value> = rows.iter().map(as_json).chain(skipped.iter().map(skipped_json)).collect();
-    let text = match args.output.format {
-        Format::Json => {
-            let reference = if measured.is_some() { "measured" } else { rows[0].model.name() };
-            let points = measured.as_ref().map_or(pressures.len() * contractions.len(), Vec::len);
-            json::print(
-                &json!({ "reference": reference, "points": points, "muscle": json::muscle(&muscle), "models": list }),
-            )
-        }
-        Format::Csv => csv::rows(&list)?,
-        Format::Text => as_text(args, &rows, &skipped, &muscle, measured.as_deref()),
+    let request = CompareRequest {
+        models,
+        formulas,
+        mesh: args.asking.mesh_fields()?,
+        data: args.data.as_deref().map(files::table).transpose()?,
+        branch: args.branch,
+        fit: args.fit.iter().map(|word| constant(word)).collect::<Result<_, _>>()?,
+        pressures_mpa: points("--pressure", args.pressure.as_deref(), Dimension::Pressure, 5)?,
+        contractions: contractions(args.contraction.as_deref())?,
+        muscle: args.muscle.fields(None)?,
+        asking: args.asking.fields(),
+        figure: args.plot.plot.as_ref().map(|_| unit),
     };
-    emit(&text, args.output.output.as_deref())?;
+    let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
+    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    show(&answer, format, "models", || as_text(args, &answer), args.output.output.as_deref())?;
     Ok(0)
 }
 
-fn kinds(args: &CompareArgs) -> Result<Vec<Kind>, Failure> {
-    let names: Vec<&str> = match (&args.model, args.models.as_slice()) {
-        (Some(one), _) => vec![one],
-        (None, []) => vec!["fe", "paper", "thick-wall", "ideal"],
-        (None, list) => list.iter().map(String::as_str).collect(),
-    };
-    let mesh = args.asking.mesh_flags();
-    let solid = names.iter().any(|n| Kind::has_terminal(n));
-    let mut kinds: Vec<Kind> = vec![];
-    for name in names {
-        // A terminal is for fe3d alone, where that is among them.
-        let terminal = mesh.terminal.filter(|_| !solid || Kind::has_terminal(name));
-        let kind = Kind::parse(name.trim(), &MeshFlags { terminal, ..mesh })?;
-        if !kinds.contains(&kind) {
-            kinds.push(kind);
-        }
-    }
-    Ok(kinds)
+fn constant(word: &str) -> Result<FitConstant, Failure> {
+    let found = FitConstant::ALL.into_iter().find(|c| c.name() == word.trim());
+    found.ok_or_else(|| {
+        let known: Vec<&str> = FitConstant::ALL.iter().map(|c| c.name()).collect();
+        let message = format!("--fit: \"{word}\" cannot be fitted");
+        Failure::input(ProblemKind::Usage, message, format!("one of {}", known.join(", ")))
+    })
 }
 
-fn read(path: &Path) -> Result<Vec<MeasuredPoint>, Failure> {
-    let file = std::fs::File::open(path).map_err(|e| Failure::unreadable(path, &e))?;
-    let meta = file.metadata().map_err(|e| Failure::unreadable(path, &e))?;
-    if !meta.is_file() {
-        return Err(Failure::input("file", format!("{} is not a file", path.display()), "give a CSV file"));
-    }
-    read_measured(file).map_err(|e| Failure::measured(path, &e))
-}
-
-fn chosen_branch(
-    points: Vec<MeasuredPoint>,
-    word: BranchWord,
-    path: &Path,
-) -> Result<Vec<MeasuredPoint>, Failure> {
-    let wanted = match word {
-        BranchWord::Mean => return Ok(mean_of_branches(&points)),
-        BranchWord::Contraction => Branch::Contraction,
-        BranchWord::Elongation => Branch::Elongation,
-    };
-    let list: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == Some(wanted)).collect();
-    if list.is_empty() {
-        let message = format!("{} has no points of that branch", path.display());
-        return Err(Failure::input(
-            "data",
-            message,
-            "its column `branch` must say contraction or elongation",
-        ));
-    }
-    Ok(list)
-}
-
-/// Pressures and contractions of the figure (and of the comparison without data).
-fn grid(args: &CompareArgs, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f64>, Vec<f64>), Failure> {
-    match measured {
-        Some(points) => {
-            let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();
-            pressures.sort_by(f64::total_cmp);
-            pressures.dedup();
-            let ends = points.iter().map(|m| m.contraction);
-            let (low, high) = ends.fold((0.0_f64, 0.0_f64), |(a, b), e| (a.min(e), b.max(e)));
-            Ok((pressures, (0..=100).map(|i| low + (high - low) * f64::from(i) / 100.0).collect()))
-        }
-        None => Ok((
-            resolve::points(
-                "--pressure",
-                args.pressure.as_deref(),
-                Dimension::Pressure,
-                "0.05..0.25:0.05",
-                5,
-            )?,
-            resolve::contractions(args.contraction.as_deref(), "0..0.2:0.01")?,
-        )),
-    }
-}
-
-fn against_points(
-    args: &CompareArgs,
-    kinds: &[Kind],
-    muscle: &Muscle,
-    motion: Motion,
-    options: Options,
-    points: &[MeasuredPoint],
-) -> Result<(Vec<Row>, Vec<Skipped>), Failure> {
-    let parameters = parameters(&args.fit)?;
-    let one = |kind: Kind| -> Result<Row, Failure> {
-        let mut fitted = None;
-        if !parameters.is_empty() && kind.takes(&parameters) {
-            fitted = Some(fit(muscle, &parameters, points, |m| resolve::build(kind, m, motion))?);
-        }
-        let model = resolve::build(kind, fitted.as_ref().map_or(muscle, |f| &f.muscle), motion)?;
-        let comparison = compare(model.as_ref(), points, options.extrapolate)?;
-        Ok(Row { model, comparison, fit: fitted })
-    };
-    let (mut rows, mut skipped) = (vec![], vec![]);
-    for &kind in kinds {
-        match one(kind) {
-            Ok(row) => rows.push(row),
-            Err(failure) => skipped.push((kind.name(), failure)),
-        }
-    }
-    Ok((rows, skipped))
-}
-
-/// Whether fitting these constants changes a model's answer.
-trait Takes {
-    fn takes(self, parameters: &[FitParameter]) -> bool;
-}
-
-impl Takes for Kind {
-    fn takes(self, parameters: &[FitParameter]) -> bool {
-        use ModelKind::{KluteHannaford, ThickWall, TonduLopez};
-        parameters.iter().all(|p| {
-            matches!(
-                (p, self),
-                (FitParameter::Modulus, Kind::Closed(ThickWall | KluteHannaford))
-                    | (FitParameter::EndFactor, Kind::Closed(ThickWall | TonduLopez))
-                    | (FitParameter::Stiffness, Kind::Closed(ThickWall))
-                    | (FitParameter::Modulus | FitParameter::Stiffness, Kind::Fe(_))
-            )
-        })
-    }
-}
-
-fn parameters(words: &[String]) -> Result<Vec<FitParameter>, Failure> {
-    let known: Vec<&str> = FitParameter::NAMES.iter().map(|n| n.0).collect();
-    words
-        .iter()
-        .map(|word| {
-            FitParameter::NAMES.iter().find(|n| n.0 == word.trim()).map(|n| n.1).ok_or_else(|| {
-                Failure::input(
-                    "usage",
-                    format!("--fit: \"{word}\" cannot be fitted"),
-                    format!("one of {}", known.join(", ")),
-                )
-            })
-        })
-        .collect()
-}
-
-/// Without data: every model against the first.
-fn against_first(
-    kinds: &[Kind],
-    muscle: &Muscle,
-    motion: Motion,
-    options: Options,
-    pressures: &[f64],
-    contractions: &[f64],
-) -> (Vec<Row>, Vec<Skipped>) {
-    let (mut rows, mut skipped): (Vec<Row>, Vec<Skipped>) = (vec![], vec![]);
-    let mut points: Vec<MeasuredPoint> = vec![];
-    for &kind in kinds {
-        let one = || -> Result<(Row, Vec<MeasuredPoint>), Failure> {
-            let model = resolve::build(kind, muscle, motion)?;
-            // The first model that answers is what the others are held against.
-            let reference = if rows.is_empty() {
-                answers(model.as_ref(), pressures, contractions, options)?
-            } else {
-                points.clone()
-            };
-            let comparison = compare(model.as_ref(), &reference, options.extrapolate)?;
-            Ok((Row { model, comparison, fit: None }, reference))
-        };
-        match one() {
-            Ok((row, reference)) => {
-                points = reference;
-                rows.push(row);
-            }
-            Err(failure) => skipped.push((kind.name(), failure)),
-        }
-    }
-    (rows, skipped)
-}
-
-/// A model's own answers, as if they had been measured.
-fn answers(
-    model: &dyn ForceModel,
-    pressures: &[f64],
-    contractions: &[f64],
-    options: Options,
-) -> Result<Vec<MeasuredPoint>, Failure> {
-    let mut points = vec![];
-    for &pressure_mpa in pressures {
-        for &contraction in contractions {
-            let force_n =
-                mckibben::answer::point(model, pressure_mpa, contraction, options)?.response.force_n;
-            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
-        }
-    }
-    Ok(points)
-}
-
-fn skipped_json((name, failure): &Skipped) -> Value {
-    json!({ "model": name, "rms_n": null, "max_n": null, "cause": failure.message })
-}
-
-fn as_json(row: &Row) -> Value {
-    let c = &row.comparison;
-    let mut out = json!({
-        "model": c.model, "rms_n": c.rms_n, "max_n": c.max_n, "mean_n": c.mean_n, "points": c.points,
-        "unanswered": c.unanswered.as_ref().map_or(0, |u| u.0),
-        "cause": c.unanswered.as_ref().map(|u| u.1.clone()),
-    });
-    if let (Some(map), Some(fit)) = (out.as_object_mut(), &row.fit) {
-        for (parameter, value) in &fit.values {
-            let key = match parameter {
-                FitParameter::Modulus => "fitted_modulus_factor",
-                FitParameter::EndFactor => "fitted_end_factor",
-                FitParameter::Stiffness => "fitted_stiffness_n_per_mm",
-            };
-            map.insert(key.into(), json!(value));
-        }
-    }
-    out
-}
-
-fn as_text(
-    args: &CompareArgs,
-    rows: &[Row],
-    skipped: &[Skipped],
-    muscle: &Muscle,
-    measured: Option<&[MeasuredPoint]>,
-) -> String {
-    let mut out = format!("{}\n", muscle_line(muscle));
-    match (measured, &args.data) {
-        (Some(points), Some(path)) => {
-            let largest = points.iter().map(|m| m.force_n).fold(0.0, f64::max);
-            let which =
-                if args.branch == BranchWord::Mean { " (mean of the branches where both stand)" } else { "" };
+fn as_text(args: &CompareArgs, answer: &CompareAnswer) -> String {
+    let mut out = format!("{}\n", answer.muscle.line());
+    match &args.data {
+        Some(path) => {
+            let mean = args.branch == DataBranch::Mean;
+            let which = if mean { " (mean of the branches where both stand)" } else { "" };
             out.push_str(&format!(
                 "against {} points of {}{which}, largest {} N\n\n",
-                points.len(),
+                answer.points,
                 path.display(),
-                number(largest, 4)
+                number(answer.largest_force_n, 4)
             ));
         }
-        _ => out.push_str(&format!("against the model {}\n\n", rows[0].model.name())),
+        None => out.push_str(&format!("against the model {}\n\n", answer.reference)),
     }
     let header = ["model", "rms [N]", "largest [N]", "mean [N]", "points"];
-    let table_rows = rows.iter().map(|row| {
-        let c = &row.comparison;
-        vec![
-            c.model.clone(),
-            number(c.rms_n, 3),
-            number(c.max_n, 3),
-            number(c.mean_n, 3),
-            c.points.to_string(),
-        ]
+    let rows = answer.models.iter().filter_map(|m| {
+        let errors = [m.rms_n?, m.max_n?, m.mean_n?].map(|v| number(v, 3));
+        Some(std::iter::once(m.model.clone()).chain(errors).chain([m.points.to_string()]).collect())
     });
-    out.push_str(&table(&header, table_rows.collect()));
+    out.push_str(&table(&header, rows.collect()));
     out.push_str("\nmean: above zero where the model promises too much\n");
-    for (name, failure) in skipped {
-        out.push_str(&format!("{name}: not compared: {}\n", failure.message));
+    for m in answer.models.iter().filter(|m| m.rms_n.is_none()) {
+        out.push_str(&format!("{}: not compared: {}\n", m.model, m.cause.as_deref().unwrap_or_default()));
     }
-    for row in rows {
-        if let Some(fit) = &row.fit {
-            out.push_str(&format!("{}: fitted {}\n", row.comparison.model, fit_text(fit)));
+    for m in answer.models.iter().filter(|m| m.rms_n.is_some()) {
+        if !m.fitted().is_empty() {
+            out.push_str(&format!("{}: fitted {}\n", m.model, m.fitted()));
         } else if !args.fit.is_empty() {
-            out.push_str(&format!("{}: nothing of --fit to fit, taken as it is\n", row.comparison.model));
+            out.push_str(&format!("{}: nothing of --fit to fit, taken as it is\n", m.model));
         }
-        if let Some((n, cause)) = &row.comparison.unanswered {
-            let share = *n as f64 / (n + row.comparison.points) as f64;
-            out.push_str(&format!(
-                "{}: {n} points ({}) not answered: {cause}\n",
-                row.comparison.model,
-                percent(share)
-            ));
+        if m.unanswered > 0 {
+            let share = m.unanswered as f64 / (m.unanswered + m.points) as f64;
+            let (n, cause) = (m.unanswered, m.cause.as_deref().unwrap_or_default());
+            out.push_str(&format!("{}: {n} points ({}) not answered: {cause}\n", m.model, percent(share)));
         }
     }
     out
-}
-
-fn fit_text(fit: &Fit) -> String {
-    let one = |(parameter, value): &(FitParameter, f64)| match parameter {
-        FitParameter::Modulus => format!("modulus × {}", number(*value, 4)),
-        FitParameter::EndFactor => format!("end factor {}", number(*value, 4)),
-        FitParameter::Stiffness => format!("stiffness {} N/mm", number(*value, 4)),
-    };
-    fit.values.iter().map(one).collect::<Vec<_>>().join(", ")
 }

@@ -1,47 +1,36 @@
 //! One file a command.
 
-mod campaign;
-mod compare;
-mod curve;
-mod design;
-pub mod fit;
-mod formula;
-mod identify;
-mod models;
-mod muscle;
-mod rubber;
-pub mod rubber_fit;
-mod simulate;
+pub mod compare;
+pub mod curve;
+pub mod design;
+pub mod models;
+pub mod muscle;
+pub mod point;
+pub mod schema;
+pub mod simulate;
 mod study;
-mod validate;
-mod value;
+pub mod validate;
 
-use crate::cli::{Cli, Command, FormulaCommand, MuscleCommand, RubberCommand};
+use crate::cli::{Cli, Command, MuscleCommand};
 use crate::failure::Failure;
+use crate::flags::Format;
 use crate::output::emit;
 use clap::CommandFactory;
 
 /// Runs a command; the exit code where it ends well.
-pub fn run(command: Command) -> Result<u8, Failure> {
+pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
     match command {
-        Command::Design(args) => design::run(&args),
-        Command::Force(args) => value::force(&args),
-        Command::Pressure(args) => value::pressure(&args),
-        Command::Contraction(args) => value::contraction(&args),
-        Command::Curve(args) if args.study.is_some() => study::run(&args),
-        Command::Curve(args) => curve::run(&args),
-        Command::Simulate(args) => simulate::run(&args),
-        Command::Campaign(args) => campaign::run(&args),
-        Command::Validate(args) => validate::run(&args),
-        Command::Compare(args) => compare::run(&args),
-        Command::Identify(args) => identify::run(&args),
-        Command::Fit(args) => fit::run(&args),
-        Command::Formula(FormulaCommand::Show(args)) => formula::show(&args),
-        Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args),
-        Command::Rubber(RubberCommand::List(args)) => rubber::list(&args),
-        Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args),
-        Command::Rubber(RubberCommand::Fit(args)) => rubber_fit::run(&args),
-        Command::Models(args) => models::run(&args),
+        Command::Design(args) => design::run(&args, format),
+        Command::Force(args) => point::force(&args, format),
+        Command::Pressure(args) => point::pressure(&args, format),
+        Command::Contraction(args) => point::contraction(&args, format),
+        Command::Curve(args) => curve::run(&args, format),
+        Command::Simulate(args) => simulate::run(&args, format),
+        Command::Validate(args) => validate::run(&args, format),
+        Command::Compare(args) => compare::run(&args, format),
+        Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
+        Command::Models(args) => models::run(&args, format),
+        Command::Schema(args) => schema::run(&args),
         Command::Completions { shell } => {
             // Into memory first: clap_complete panics where it cannot write.
             let mut script = vec![];

@@ -1,148 +1,68 @@
 //! `muscle show`.
 
-use crate::cli::MuscleShowArgs;
 use crate::failure::Failure;
-use crate::flags::{Format, PressureUnit};
-use crate::output::text::{Pressures, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
-use crate::output::{csv, emit, json, warn};
-use crate::resolve;
-use mckibben::analysis::{
-    Air, air_per_stroke, blocked_force_n, burst_pressure_mpa, free_contraction, work_per_stroke_j,
-};
-use mckibben::answer::check_range;
+use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, pressure_unit};
+use crate::output::text::{PressureUnit, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
+use crate::output::{json, show as print, warn};
+use crate::quantities::quantity;
+use clap::Args;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
-use mckibben::rubber::{RubberLaw, library};
+use mckibben::rubber::RubberLaw;
 use mckibben::units::Dimension;
-use serde_json::{Map, Value, json};
+use mckibben_app::{Characteristics, MuscleShowRequest, muscle_show};
+use serde_json::{Map, Value};
+use std::path::PathBuf;
+
+/// `muscle show`.
+#[derive(Debug, Args)]
+pub struct MuscleShowArgs {
+    /// Muscle file (TOML)
+    #[arg(value_name = "FILE", conflicts_with = "muscle")]
+    pub file: Option<PathBuf>,
+    /// Also what it does at this pressure: blocked force, free contraction, work, air, burst
+    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
+    #[command(flatten)]
+    pub model: ModelFlags,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
 
 /// Shows a muscle.
-pub fn show(args: &MuscleShowArgs) -> Result<u8, Failure> {
-    let mut flags = args.muscle.clone();
-    flags.muscle = args.file.clone().or(flags.muscle);
-    let muscle = resolve::muscle(&flags)?;
-    let does = match resolve::quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)? {
-        Some(p) => Some(characteristics(args, &muscle, p)?),
-        None => None,
-    };
-    let mut value = as_json(&muscle);
-    if let (Some(map), Some(does)) = (value.as_object_mut(), &does) {
-        map.insert("characteristics".into(), does.as_json());
+pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
+    let answer = muscle_show(&MuscleShowRequest {
+        muscle: args.muscle.fields(args.file.as_deref())?,
+        model: args.model.fields()?,
+        asking: args.model.asking.fields(),
+        pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+    })?;
+    let path = args.output.output.as_deref();
+    if format == Format::Csv {
+        print(&flat(&json(&answer)?), format, "", String::new, path)?;
+        return Ok(0);
     }
-    let text = match args.output.format {
-        Format::Json => json::print(&value),
-        Format::Csv => csv::rows(&[flat(&value)])?,
-        Format::Text => {
-            for warning in library::warnings(&muscle.tube().rubber) {
-                warn(warning);
-            }
-            let typed = PressureUnit::typed(args.pressure.as_deref());
-            let p = Pressures(args.output.units.or(typed).unwrap_or(PressureUnit::Mpa));
-            let does = does.map_or_else(String::new, |d| d.as_text(p));
-            format!("{}{does}", as_text(&muscle))
-        }
+    let text = || {
+        answer.warnings.iter().for_each(warn);
+        let p = pressure_unit(args.output.units, args.pressure.as_deref());
+        let does = answer.characteristics.as_ref().map(|c| characteristics(c, p));
+        as_text(&answer.muscle) + &does.unwrap_or_default()
     };
-    emit(&text, args.output.output.as_deref())?;
+    print(&answer, format, "", text, path)?;
     Ok(0)
 }
 
-/// What a muscle does at one pressure.
-struct Characteristics {
-    model: String,
-    pressure_mpa: f64,
-    blocked_force_n: f64,
-    free_contraction: Option<f64>,
-    work_j: Option<f64>,
-    air: Option<Air>,
-    burst_pressure_mpa: Option<f64>,
-}
-
-fn characteristics(
-    args: &MuscleShowArgs,
-    muscle: &Muscle,
-    pressure_mpa: f64,
-) -> Result<Characteristics, Failure> {
-    let model = resolve::model(&args.model, muscle, (pressure_mpa, pressure_mpa))?;
-    let model = model.as_ref();
-    let extrapolate = args.model.asking.extrapolate;
-    check_range(model, pressure_mpa, 0.0, resolve::options(&args.model.asking))?;
-    let blocked_force_n = blocked_force_n(model, pressure_mpa)?;
-    let free = free_contraction(model, pressure_mpa, extrapolate).ok();
-    Ok(Characteristics {
-        model: model.name().into(),
-        pressure_mpa,
-        blocked_force_n,
-        free_contraction: free,
-        work_j: free.and_then(|e| work_per_stroke_j(model, pressure_mpa, 0.0, e).ok()),
-        air: free.and_then(|e| air_per_stroke(model, pressure_mpa, e).ok()),
-        burst_pressure_mpa: burst_pressure_mpa(model, 0.0).ok().flatten(),
-    })
-}
-
-impl Characteristics {
-    fn as_json(&self) -> Value {
-        json!({
-            "model": self.model,
-            "pressure_mpa": self.pressure_mpa,
-            "blocked_force_n": self.blocked_force_n,
-            "free_contraction": self.free_contraction,
-            "work_j": self.work_j,
-            "volume_mm3": self.air.map(|a| a.volume_mm3),
-            "air_normal_litres": self.air.map(|a| a.normal_litres),
-            "burst_pressure_mpa": self.burst_pressure_mpa,
-        })
-    }
-
-    fn as_text(&self, p: Pressures) -> String {
-        let burst = or_dash(self.burst_pressure_mpa, |v| p.show(v));
-        let list = [
-            ("blocked force", format!("{} N", number(self.blocked_force_n, 5))),
-            ("free contraction", or_dash(self.free_contraction, percent)),
-            ("work of a free stroke", or_dash(self.work_j, |v| format!("{} J", number(v, 4)))),
-            ("cavity at its end", or_dash(self.air, |a| format!("{} cm³", number(a.volume_mm3 * 1e-3, 4)))),
-            (
-                "air of a free stroke",
-                or_dash(self.air, |a| format!("{} normal litres", number(a.normal_litres, 4))),
-            ),
-            ("strands break at", if self.burst_pressure_mpa.is_some() { burst } else { "not stated".into() }),
-        ];
-        format!("\nAt {}, model {}\n{}", p.show(self.pressure_mpa), self.model, pairs(&list))
-    }
-}
-
-fn as_json(m: &Muscle) -> Value {
-    let sheet = m.build_sheet();
-    let law = &m.tube().rubber.law;
-    let constants: Map<String, Value> =
-        law.constants().into_iter().map(|(name, value, _)| (name, json!(value))).collect();
-    let mut out = json::muscle(m);
-    let more = json!({
-        "law": law.name(),
-        "constants_mpa": constants,
-        "shear_modulus_mpa": law.shear_modulus_mpa(),
-        "bulk_modulus_mpa": match m.tube().rubber.bulk { Bulk::Incompressible => Value::Null, Bulk::Modulus(k) => json!(k) },
-        "stiffness_n_per_mm": m.family_stiffness_n_per_mm(),
-        "derived": {
-            "inner_diameter_mm": m.inner_diameter_mm(),
-            "strand_length_mm": m.strand_length_mm(),
-            "turns": m.turns(),
-            "strand_length_per_turn_mm": m.strand_length_per_turn_mm(),
-            "max_ideal_contraction": m.max_ideal_contraction(),
-            "volume_mm3": m.rest_volume_mm3(),
-        },
-        "build_sheet": {
-            "tube_cut_mm": sheet.tube_cut_mm,
-            "braid_cut_mm": sheet.braid_cut_mm,
-            "plug_diameter_mm": sheet.plug_diameter_mm,
-            "strand_cut_mm": sheet.strand_cut_mm,
-            "strands": sheet.strands,
-            "rubber_volume_mm3": sheet.rubber_volume_mm3,
-        },
-        "warnings": library::warnings(&m.tube().rubber).iter().map(ToString::to_string).collect::<Vec<_>>(),
-    });
-    if let (Some(out), Value::Object(more)) = (out.as_object_mut(), more) {
-        out.extend(more);
-    }
-    out
+fn characteristics(c: &Characteristics, p: PressureUnit) -> String {
+    let list = [
+        ("blocked force", format!("{} N", number(c.blocked_force_n, 5))),
+        ("free contraction", or_dash(c.free_contraction, percent)),
+        ("work of a free stroke", or_dash(c.work_j, |v| format!("{} J", number(v, 4)))),
+        ("cavity at its end", or_dash(c.volume_mm3, |v| format!("{} cm³", number(v * 1e-3, 4)))),
+        ("air of a free stroke", or_dash(c.air_normal_litres, |v| format!("{} normal litres", number(v, 4)))),
+        ("strands break at", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| p.show(v))),
+    ];
+    format!("\nAt {}, model {}\n{}", p.show(c.pressure_mpa), c.model, pairs(&list))
 }
 
 /// Nested objects laid flat, for one CSV row.

@@ -1,232 +1,201 @@
 //! `simulate`: one finite-element test with everything it knows.
 
-use crate::cli::{SimulateArgs, TestWord};
-use crate::failure::{Failure, NOT_CONVERGED};
-use crate::figure;
-use crate::flags::{Format, PressureUnit};
-use crate::kind::{Kind, MeshFlags, Meshed};
-use crate::output::text::{Pressures, muscle_line, number, or_dash, percent, table};
-use crate::output::{csv, emit, json};
-use crate::resolve;
-use crate::simulated::{Point, Question, judged};
+use crate::failure::Failure;
+use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields, pressure_unit};
+use crate::output::text::{PressureUnit, number, or_dash, percent, table};
+use crate::output::{save, show};
+use crate::plot;
+use crate::progress::Bar;
+use crate::quantities::{contractions, forces, points};
+use crate::word::word;
+use clap::Args;
 use mckibben::curve::Test;
-use mckibben::muscle::Muscle;
+use mckibben::model::Response;
 use mckibben::units::Dimension;
+use mckibben_app::{Keep, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest};
 use mckibben_fem::axisymmetric::Solution;
-use mckibben_fem::output::{Extent, Shape, VtuSeries, deck};
-use mckibben_fem::simulation::Simulation;
-use mckibben_fem::three_dimensional::{Field, ThreeDimensional};
-use serde_json::{Map, Value, json};
-use std::path::Path;
+use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
+use std::path::{Path, PathBuf};
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben simulate examples/prototype.toml -e 10% -p 0..0.25:0.05 --vtu out/
+  mckibben simulate -D 40 -s 2 --test isotonic -F 150N -p 0.5..2.5:0.5bar \\
+    --plot shape.svg
+  mckibben simulate -e 15% -p 0.25 --picture muscle.png --show stress_hoop_mpa --cut
+  mckibben simulate --model fe3d --match angle -e 10% -p 0.01..0.25:0.01 \\
+    --export-inp muscle.inp
+  mckibben simulate --model fe3d --terminal aluminium:20mm:3mm -e 10% \\
+    -p 0.25 --picture plug.png --cut
+  mckibben simulate --of-largest -e 0,45%,90% -p 0.25 --format csv";
+
+/// `simulate`.
+#[derive(Debug, Args)]
+pub struct SimulateArgs {
+    /// Muscle file (TOML)
+    #[arg(value_name = "FILE", conflicts_with = "muscle")]
+    pub file: Option<PathBuf>,
+    /// Which test
+    #[arg(long, value_parser = word::<Test>(), default_value = "isometric")]
+    pub test: Test,
+    /// Pressures [0.05..0.25:0.05]
+    #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
+    /// Contraction ratios of an isometric or isobaric test [0..0.2:0.1]
+    #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub contraction: Option<String>,
+    /// Contractions are shares of the free contraction at the highest pressure
+    #[arg(long)]
+    pub of_largest: bool,
+    /// Pulls of an isotonic test [20,80,150N]
+    #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub force: Option<String>,
+    /// Model: fe (axisymmetric) or fe3d (three-dimensional)
+    #[arg(long, value_name = "NAME", default_value = "fe")]
+    pub model: String,
+    /// Mesh of fe: elements along the half length, or through the wall x along, or with :grading; of fe3d: bricks around
+    /// the quarter, or through x around, or through x around x along [chosen]
+    #[arg(long, value_name = "N or MxN:G")]
+    pub mesh: Option<String>,
+    /// What fe3d keeps where bricks with strands at ±θ0 do not fill the length
+    #[arg(long = "match", value_parser = word::<Keep>(), value_name = "WHAT", default_value = "length")]
+    pub keep: Keep,
+    /// Terminal of fe3d: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
+    #[arg(long, value_name = "WORD:MM:MM")]
+    pub terminal: Option<String>,
+    /// Negative force instead of slack where the muscle would have to push
+    #[arg(long)]
+    pub two_sided: bool,
+    /// Write the deformed muscle, point by point, into a folder that ParaView opens (muscle.pvd)
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub vtu: Option<PathBuf>,
+    /// Write all of the muscle there, not the eighth that fe3d computes; fe always does
+    #[arg(long, requires = "vtu", help_heading = "Output")]
+    pub whole: bool,
+    /// Write mesh, material, loads and steps of an isometric test with fe3d as an input deck for CalculiX and Abaqus
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub export_inp: Option<PathBuf>,
+    /// Draw the deformed muscle of the last point that has an answer: a file ending in .png or .svg
+    #[arg(long, value_name = "FILE", help_heading = "Output")]
+    pub picture: Option<PathBuf>,
+    /// What colours the picture, e.g. hoop_stretch, stress_hoop_mpa
+    #[arg(
+        long,
+        value_name = "NAME",
+        default_value = "max_stretch",
+        requires = "picture",
+        help_heading = "Output"
+    )]
+    pub show: String,
+    /// Cut a quarter out of the picture, so that wall and bore show
+    #[arg(long, requires = "picture", help_heading = "Output")]
+    pub cut: bool,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
 
 /// Runs the command.
-pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
-    figure::check(args.plot.plot.as_deref())?;
-    figure::check_picture(args.picture.as_deref())?;
-    let mut flags = args.muscle.clone();
-    flags.muscle = args.file.clone().or(flags.muscle);
-    let muscle = resolve::muscle(&flags)?;
-    let terminal = args.terminal.as_deref();
-    let flags = MeshFlags { text: args.mesh.as_deref(), keep: args.keep, terminal };
-    let elements = match Kind::parse(&args.model, &flags)?.elements(&muscle) {
-        Some(elements) => elements.map_err(|e| Failure::input("mesh", e.to_string(), ""))?,
-        None => {
-            let message = format!(
-                "`simulate` runs finite elements, and \"{}\" is none; the models are fe and fe3d",
-                args.model
-            );
-            return Err(Failure::input("model", message, "`curve` draws the curves of every model"));
-        }
+pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
+    check_picture(args.picture.as_deref())?;
+    let unit = pressure_unit(args.output.units, args.pressure.as_deref());
+    let request = SimulateRequest {
+        test: args.test,
+        muscle: args.muscle.fields(args.file.as_deref())?,
+        model: Some(args.model.clone()),
+        mesh: mesh_fields(args.mesh.as_deref(), args.keep, args.terminal.as_deref())?,
+        pressures_mpa: points("--pressure", args.pressure.as_deref(), Dimension::Pressure, 5)?,
+        contractions: contractions(args.contraction.as_deref())?,
+        of_largest: args.of_largest,
+        forces_n: forces(args.force.as_deref())?,
+        two_sided: args.two_sided,
+        deck: args.export_inp.is_some(),
+        picture: args.picture.as_ref().map(|_| PictureFields {
+            show: args.show.clone(),
+            cut: args.cut,
+            pressure_unit: unit,
+        }),
+        figure: args.plot.plot.as_ref().map(|_| unit),
     };
-    let model = elements.simulation();
-    let test = match args.test {
-        TestWord::Isometric => Test::Isometric,
-        TestWord::Isotonic => Test::Isotonic,
-        TestWord::Isobaric => Test::Isobaric,
-    };
-    let points = questions(args, model, test)?;
-    if let Some(path) = &args.export_inp {
-        export(path, &elements, test, &points)?;
-    }
-    let mut series = match &args.vtu {
-        Some(folder) => Some(VtuSeries::new(folder, &muscle_line(&muscle))?),
-        None => None,
-    };
+    let muscle = request.muscle.resolve()?;
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
-    let mut answered = Vec::with_capacity(points.len());
-    let mut last = None;
-    for question in points {
-        let solution = match question.1 {
-            Ok(e) => model.solve(question.0, e),
-            Err(f) => model.at_force(f, question.0),
-        };
-        if let Ok(solution) = &solution {
-            match (&mut series, &elements) {
-                (Some(series), Meshed::Axisymmetric(model)) => {
-                    series.add(&model.section(), &solution.response)?;
-                }
-                (Some(series), Meshed::ThreeDimensional(model)) => {
-                    let shape = Shape::of_field(&field(model)?, extent);
-                    series.add_shape(shape, &solution.response, "", vec![])?;
-                }
-                (None, _) => {}
-            }
-            if args.picture.is_some() {
-                let shape = match &elements {
-                    Meshed::Axisymmetric(model) => Shape::of_section(&model.section()),
-                    Meshed::ThreeDimensional(model) => Shape::of_field(&field(model)?, Extent::Whole),
-                };
-                last = Some((shape, solution.response));
-            }
-        }
-        answered.push(judged(model, &muscle, question, solution, args.two_sided));
+    let about = mckibben_app::MuscleSummary::from(&muscle).line();
+    let mut folder = args.vtu.as_deref().map(|f| Folder::new(f, &about, extent)).transpose()?;
+    let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
+    let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
+    let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
+    if let (Some(path), Some(deck)) = (&args.export_inp, answer.deck.take()) {
+        save(path, deck.as_bytes())?;
     }
-    let points = answered;
-    let written = series.map(VtuSeries::finish).transpose()?;
-    let typed = PressureUnit::typed(args.pressure.as_deref());
-    let p = Pressures(args.output.units.or(typed).unwrap_or(PressureUnit::Mpa));
-    let failed = points.iter().all(|q| q.solution.is_err() && !q.collapsed);
-    if let (Some(path), false) = (&args.plot.plot, failed) {
-        figure::simulate(&muscle, test, &points, p).save(path)?;
+    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
+        scene.save(path)?;
     }
-    if let (Some(path), Some((shape, response))) = (&args.picture, &last) {
-        let wanted = figure::Wanted { path, show: &args.show, cut: args.cut, model: model.name() };
-        figure::picture(wanted, &muscle, shape, response, p)?;
+    if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
+        return Err(problem.into());
     }
-    let list: Vec<Value> = points.iter().map(point_json).collect();
-    let text = match args.output.format {
-        Format::Json => json::print(
-            &json!({ "model": model.name(), "test": test.name(), "muscle": json::muscle(&muscle), "points": list, "notes": model.notes() }),
-        ),
-        Format::Csv => csv::rows(&list)?,
-        Format::Text => {
-            let opened = written.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
-            as_text(model, &muscle, test, &points, p) + &opened.unwrap_or_default()
-        }
+    let text = || {
+        let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
+        as_text(&answer, unit) + &opened.unwrap_or_default()
     };
-    if failed && args.output.format == Format::Text {
-        let first = points.iter().find_map(|q| q.solution.as_ref().err()).map(ToString::to_string);
-        return Err(Failure::new(NOT_CONVERGED, "not_converged", first.unwrap_or_default(), ""));
-    }
-    emit(&text, args.output.output.as_deref())?;
-    Ok(if failed { NOT_CONVERGED } else { 0 })
+    show(&answer, format, "points", text, args.output.output.as_deref())?;
+    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
-fn field(model: &ThreeDimensional) -> Result<Field, Failure> {
-    model.field().map_err(|e| Failure::from(e.into_model(0.0, 0.0)))
+/// Refuses a picture that could not be written, before any work is done for it.
+fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = path else { return Ok(()) };
+    let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    if ending.is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
+        return Ok(());
+    }
+    let message = format!("cannot tell the format of {}: a picture ends in .svg or .png", path.display());
+    Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
-/// Writes the input deck of an isometric test with three-dimensional elements.
-fn export(
-    path: &Path,
-    elements: &Meshed,
-    test: Test,
-    points: &[(f64, Result<f64, f64>)],
-) -> Result<(), Failure> {
-    let wrong = |message: String| {
-        Failure::input("deck", message, "an example: --model fe3d -e 10% -p 0.01..0.25:0.01")
-    };
-    let Meshed::ThreeDimensional(model) = elements else {
-        return Err(wrong("--export-inp writes the mesh of --model fe3d".into()));
-    };
-    let contractions: Vec<f64> = points.iter().filter_map(|q| q.1.ok()).collect();
-    let (Test::Isometric, Some(&contraction)) = (test, contractions.first()) else {
-        return Err(wrong("--export-inp writes an isometric test".into()));
-    };
-    if contractions.iter().any(|e| *e != contraction) {
-        return Err(wrong("--export-inp writes a test at one contraction".into()));
-    }
-    let pressures: Vec<f64> = points.iter().map(|q| q.0).collect();
-    let text = deck(model, contraction, &pressures).map_err(|e| wrong(format!("--export-inp: {e}")))?;
-    emit(&text, Some(path))
+/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them.
+struct Folder {
+    path: PathBuf,
+    series: VtuSeries,
+    extent: Extent,
 }
 
-fn questions(args: &SimulateArgs, model: &dyn Simulation, test: Test) -> Result<Vec<Question>, Failure> {
-    let p =
-        resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?;
-    let mut e = resolve::contractions(args.contraction.as_deref(), "0..0.2:0.1")?;
-    let f = resolve::points("--force", args.force.as_deref(), Dimension::Force, "20,80,150N", 5)?;
-    if args.of_largest {
-        let highest = p.iter().copied().fold(0.0, f64::max);
-        let largest =
-            model.free_contraction(highest).map_err(|e| Failure::from(e.into_model(highest, 0.0)))?;
-        e.iter_mut().for_each(|e| *e *= largest);
+impl Folder {
+    fn new(path: &Path, about: &str, extent: Extent) -> Result<Self, Failure> {
+        std::fs::create_dir_all(path).map_err(|e| {
+            let message = format!("the folder {} cannot be made: {e}", path.display());
+            Failure::input(ProblemKind::Output, message, "give the name of a new folder or of one that exists")
+        })?;
+        Ok(Self { path: path.to_owned(), series: VtuSeries::new(about), extent })
     }
-    let second: Vec<Result<f64, f64>> = if test == Test::Isotonic {
-        f.into_iter().map(Err).collect()
-    } else {
-        e.into_iter().map(Ok).collect()
-    };
-    if p.len().saturating_mul(second.len()) > 100_000 {
-        let message = format!("{} points are more than 100000", p.len() * second.len());
-        return Err(Failure::input("range", message, "take larger steps"));
+
+    fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
+        let path = self.path.join(&file.name);
+        mckibben_files::replace(&path, file.text.as_bytes()).map_err(|e| {
+            Problem::new(ProblemKind::Output, format!("{} cannot be written: {e}", path.display()), "")
+        })?;
+        Ok(path)
     }
-    if let Some(low) = p.iter().copied().find(|p| *p < 0.0) {
-        return Err(Failure::input("out_of_range", format!("--pressure: {low} MPa is below zero"), ""));
-    }
-    Ok(if test == Test::Isobaric {
-        p.iter().flat_map(|&p| second.iter().map(move |&s| (p, s))).collect()
-    } else {
-        second.iter().flat_map(|&s| p.iter().map(move |&p| (p, s))).collect()
-    })
 }
 
-fn point_json(q: &Point) -> Value {
-    let mut map = Map::new();
-    let mut put = |key: &str, value: Value| drop(map.insert(key.into(), value));
-    put("pressure_mpa", json!(q.pressure_mpa));
-    let s = match &q.solution {
-        Ok(s) => s,
-        Err(error) => {
-            put("contraction", json!(q.contraction));
-            put("wanted_force_n", json!(q.force_n));
-            put("status", json!(q.status()));
-            put("cause", json!(error.to_string()));
-            return Value::Object(map);
-        }
-    };
-    put("contraction", json!(q.contraction.unwrap_or(s.response.contraction)));
-    put("force_n", json!(if q.slack { 0.0 } else { s.response.force_n }));
-    put("slack", json!(q.slack));
-    if q.slack {
-        put("free_contraction", json!(q.free_contraction));
+impl Shapes for Folder {
+    fn add(&mut self, shape: Shape, response: &Response) -> Result<(), Problem> {
+        let files = self.series.add(shape, response);
+        let files = files.map_err(|e| Problem::new(ProblemKind::Output, e.to_string(), ""))?;
+        files.iter().try_for_each(|file| self.write(file).map(drop))
     }
-    put("status", json!("ok"));
-    json::put_response(&mut map, &s.response);
-    let mut put = |key: &str, value: Value| drop(map.insert(key.into(), value));
-    put("rubber_energy_j", json!(1e-3 * s.energies.rubber));
-    put("braid_energy_j", json!(1e-3 * s.energies.braid));
-    put("pressure_work_j", json!(1e-3 * s.energies.pressure));
-    put("unstable_directions", json!(s.unstable_directions));
-    put("smallest_volume_ratio", json!(s.smallest_j));
-    put(
-        "max_stretch_at",
-        json!({ "rest_r_mm": s.max_stretch.rest_mm[0], "rest_z_mm": s.max_stretch.rest_mm[1] }),
-    );
-    let profile = s.profile.iter().map(|x| {
-        json!({
-            "rest_z_mm": x.rest_mm, "outer_z_mm": x.outer_mm.0, "outer_r_mm": x.outer_mm.1,
-            "inner_z_mm": x.inner_mm.0, "inner_r_mm": x.inner_mm.1,
-        })
-    });
-    put("profile", json!(profile.collect::<Vec<_>>()));
-    let strands = s.strands.iter().map(|x| {
-        json!({
-            "rest_z_mm": x.rest_mm, "stretch": x.stretch, "angle_deg": x.angle_deg,
-            "tension_n_per_mm": x.tension_per_width, "strand_tension_n": x.tension_n,
-        })
-    });
-    put("strands", json!(strands.collect::<Vec<_>>()));
-    let sensitivities = s.sensitivities.iter().map(|x| {
-        json!({ "name": x.name, "value": x.value, "unit": x.unit, "force_n_per_unit": x.force_n_per_unit })
-    });
-    put("sensitivities", json!(sensitivities.collect::<Vec<_>>()));
-    Value::Object(map)
+
+    fn extent(&self) -> Extent {
+        self.extent
+    }
 }
 
-fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
-    let unit = format!("P [{}]", p.unit());
-    let strands = m.braid().strands.is_some();
+fn as_text(answer: &SimulateAnswer, p: PressureUnit) -> String {
+    let unit = format!("P [{}]", p.name());
+    let (strands, points) = (answer.strands, &answer.simulated);
     let tension = if strands { "strand [N]" } else { "braid [N]" };
     let header = [
         &unit,
@@ -243,14 +212,14 @@ fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: 
         let head = vec![number(p.value(q.pressure_mpa), 4)];
         let tail = match &q.solution {
             Err(_) => vec![
-                or_dash(q.contraction, percent),
-                or_dash(q.force_n, |f| number(f, 5)),
+                or_dash(q.contraction(), percent),
+                or_dash(q.force_n(), |f| number(f, 5)),
                 "–".into(),
                 "–".into(),
                 "–".into(),
                 "–".into(),
                 "–".into(),
-                q.status().into(),
+                q.status.to_string(),
             ],
             Ok(s) => {
                 let r = &s.response;
@@ -275,8 +244,8 @@ fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: 
         };
         head.into_iter().chain(tail).collect()
     });
-    let mut out = format!("{} test, model {}\n{}\n", test.name(), model.name(), muscle_line(m));
-    model.notes().iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
+    let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line());
+    answer.notes.iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
     out.push('\n');
     out.push_str(&table(&header, rows.collect()));
     if let Some(s) = points.iter().rev().find_map(|q| q.solution.as_ref().ok()) {
@@ -286,7 +255,7 @@ fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: 
 }
 
 /// What is known of one equilibrium beyond the table.
-fn last_text(s: &Solution, p: Pressures) -> String {
+fn last_text(s: &Solution, p: PressureUnit) -> String {
     let r = &s.response;
     let mut out = format!("\nAt {} and {}\n", p.show(r.pressure_mpa), percent(r.contraction));
     let joules = |v: f64| format!("{} J", number(1e-3 * v, 4));

@@ -85,7 +85,13 @@ impl Shape {
     pub fn of_field(field: &Field, extent: Extent) -> Self {
         let lattice = Lattice::new(field, extent);
         let plug = field.plug.as_ref().map(|p| plug(p, extent));
-        Self { tube: tube(field, &lattice), braid: braid(field, &lattice), plug }
+        Self {
+            tube: tube(field, &lattice),
+            braid: braid(field, &lattice),
+            plug,
+            strands_drawn: None,
+            for_display: false,
+        }
     }
 }
 
@@ -237,13 +243,13 @@ fn piece(field: &Field, nodes: [usize; 2], quads: usize) -> Option<usize> {
 mod tests {
     use super::*;
     use crate::three_dimensional::{BrickSpec, ThreeDimensional};
+    use mckibben::model::Workspace;
     use mckibben::muscle::Muscle;
 
     fn solved() -> (ThreeDimensional, Field) {
         let model =
             ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x6").unwrap()).unwrap();
-        model.solve(0.2, 0.1).unwrap();
-        let field = model.field().unwrap();
+        let field = model.field_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
         (model, field)
     }
 
@@ -296,8 +302,7 @@ mod tests {
             let plug = Some(Plug { material, insertion_mm: Some(insertion), nose_mm: Some(nose) });
             let spec = BrickSpec { plug, ..BrickSpec::parse(mesh).unwrap() };
             let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
-            model.solve(0.2, 0.1).unwrap();
-            let field = model.field().unwrap();
+            let field = model.field_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
             assert!(field.nodes.iter().all(|n| n.max_stretch > 0.999 && n.now_mm[0].is_finite()));
             let volume = |extent| {
                 let shape = Shape::of_field(&field, extent);

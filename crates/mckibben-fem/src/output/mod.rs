@@ -16,5 +16,5 @@ pub mod vtu;
 pub use deck::{DeckError, deck, increments};
 pub use eighth::Extent;
 pub use error::VtuError;
-pub use series::VtuSeries;
+pub use series::{VtuFile, VtuSeries};
 pub use shape::{Seen, Shape};

@@ -1,90 +1,65 @@
-//! A series of equilibria in a folder.
+//! A series of equilibria as files that ParaView opens.
 
 use super::error::VtuError;
 use super::vtu::{Grid, collection};
-use super::{Shape, helices};
-use crate::axisymmetric::Section;
+use super::Shape;
 use mckibben::model::Response;
-use std::path::{Path, PathBuf};
 
 /// The parts of a step.
 const PARTS: [&str; 3] = ["tube", "braid", "plug"];
 
-/// Writes `tube_0000.vtu`, `braid_0000.vtu`, … (`plug_0000.vtu` where the terminals are bodies) and `muscle.pvd`, which lists them, into a folder.
+/// A file of a series.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct VtuFile {
+    /// Its name in the folder.
+    pub name: String,
+    /// What stands in it.
+    pub text: String,
+}
+
+/// Makes `tube_0000.vtu`, `braid_0000.vtu`, … (`plug_0000.vtu` where the terminals are bodies) and `muscle.pvd`, which lists
+/// them.
 ///
-/// Every file is complete when it gets its name, and `muscle.pvd` lists whole steps only, also where a series is broken
-/// off. Files of an older series in the same folder are replaced one by one; the list names none of the older ones.
+/// The list comes last in what [`VtuSeries::add`] gives and names whole steps only: written in this order, a series that is
+/// broken off can be opened. Who writes them decides where to.
 #[derive(Debug)]
 pub struct VtuSeries {
-    folder: PathBuf,
     about: String,
     /// Parts of every step.
     parts: Vec<usize>,
 }
 
 impl VtuSeries {
-    /// A series in a folder, which is made where there is none. `about` says what the muscle is.
-    ///
-    /// # Errors
-    /// [`VtuError::Folder`].
-    pub fn new(dir: &Path, about: &str) -> Result<Self, VtuError> {
-        std::fs::create_dir_all(dir).map_err(|source| VtuError::Folder { folder: dir.to_owned(), source })?;
-        Ok(Self { folder: dir.to_owned(), about: about.to_owned(), parts: vec![] })
+    /// A series; `about` says what the muscle is.
+    pub fn new(about: &str) -> Self {
+        Self { about: about.to_owned(), parts: vec![] }
     }
 
-    /// Adds a step: the section of an equilibrium and what the model says about it.
+    /// The files of a step: bodies and what the model says about the equilibrium; then the list of all steps.
     ///
     /// # Errors
-    /// [`VtuError::Write`], [`VtuError::NotFinite`].
-    pub fn add(&mut self, section: &Section, response: &Response) -> Result<(), VtuError> {
-        let drawn = f64::from(2 * helices::drawn(section));
-        let note =
-            if section.strand_count().is_some() { "" } else { "; the number of strands is for display" };
-        self.add_shape(Shape::of_section(section), response, note, vec![("strands_drawn", drawn)])
-    }
-
-    /// Adds a step: bodies, what the model says about the equilibrium, a note, and more numbers of the braid.
-    ///
-    /// # Errors
-    /// [`VtuError::Write`], [`VtuError::NotFinite`].
-    pub fn add_shape(
-        &mut self,
-        shape: Shape,
-        response: &Response,
-        note: &str,
-        more: Vec<(&'static str, f64)>,
-    ) -> Result<(), VtuError> {
+    /// [`VtuError`].
+    pub fn add(&mut self, shape: Shape, response: &Response) -> Result<Vec<VtuFile>, VtuError> {
         let step = self.parts.len();
+        let note = if shape.for_display { "; the number of strands is for display" } else { "" };
         let about = format!("{}; step {step}{note}", self.about);
-        let mut grids = vec![(shape.tube, vec![]), (shape.braid, more)];
-        grids.extend(shape.plug.map(|grid| (grid, vec![])));
+        let drawn = shape.strands_drawn.map(|n| ("strands_drawn", f64::from(n)));
+        let mut grids = vec![(shape.tube, None), (shape.braid, drawn)];
+        grids.extend(shape.plug.map(|grid| (grid, None)));
         let count = grids.len();
-        let mut ready = Vec::with_capacity(grids.len());
-        for (name, (mut grid, more)) in PARTS.into_iter().zip(grids) {
+        let mut files = Vec::with_capacity(count + 1);
+        for (part, (mut grid, more)) in PARTS.into_iter().zip(grids) {
             fill(&mut grid, response, more);
-            let file = file(name, step);
-            let xml = grid.to_xml(&about, &file)?;
-            ready.push((file, xml));
-        }
-        for (file, xml) in ready {
-            self.write(&file, &xml)?;
+            let name = file(part, step);
+            files.push(VtuFile { text: grid.to_xml(&about, &name)?, name });
         }
         self.parts.push(count);
-        self.list().map(|_| ())
+        files.push(self.list());
+        Ok(files)
     }
 
-    /// Ends the series and gives the path of `muscle.pvd`.
-    ///
-    /// # Errors
-    /// [`VtuError::Write`].
-    pub fn finish(self) -> Result<PathBuf, VtuError> {
-        if self.parts.is_empty() {
-            return self.list();
-        }
-        Ok(self.folder.join(LIST))
-    }
-
-    fn list(&self) -> Result<PathBuf, VtuError> {
+    /// The list of all steps, `muscle.pvd`.
+    pub fn list(&self) -> VtuFile {
         let parts = self.parts.iter().enumerate().flat_map(|(step, &count)| {
             PARTS
                 .into_iter()
@@ -92,15 +67,7 @@ impl VtuSeries {
                 .enumerate()
                 .map(move |(part, name)| (step, part, name, file(name, step)))
         });
-        self.write(LIST, &collection(&self.about, parts))
-    }
-
-    fn write(&self, file: &str, text: &str) -> Result<PathBuf, VtuError> {
-        let path = self.folder.join(file);
-        match mckibben_files::replace(&path, text.as_bytes()) {
-            Ok(()) => Ok(path),
-            Err(source) => Err(VtuError::Write { path, source }),
-        }
+        VtuFile { name: LIST.into(), text: collection(&self.about, parts) }
     }
 }
 
@@ -110,7 +77,7 @@ fn file(part: &str, step: usize) -> String {
     format!("{part}_{step:04}.vtu")
 }
 
-fn fill(grid: &mut Grid, r: &Response, more: Vec<(&'static str, f64)>) {
+fn fill(grid: &mut Grid, r: &Response, more: Option<(&'static str, f64)>) {
     let known = [
         ("pressure_mpa", Some(r.pressure_mpa)),
         ("contraction", Some(r.contraction)),

@@ -13,6 +13,10 @@ pub struct Shape {
     pub braid: Grid,
     /// The terminals as hexahedra, where they are bodies.
     pub plug: Option<Grid>,
+    /// Strands of both families that are drawn, where not every one of a mesh is.
+    pub strands_drawn: Option<u32>,
+    /// Whether the number of strands is not the muscle's but for display.
+    pub for_display: bool,
 }
 
 /// What is seen of a body.
@@ -29,7 +33,13 @@ pub struct Seen {
 impl Shape {
     /// The whole muscle from the half section of the axisymmetric model.
     pub fn of_section(section: &Section) -> Self {
-        Self { tube: revolve::tube(section), braid: helices::braid(section), plug: None }
+        Self {
+            tube: revolve::tube(section),
+            braid: helices::braid(section),
+            plug: None,
+            strands_drawn: Some(2 * helices::drawn(section)),
+            for_display: section.strand_count().is_none(),
+        }
     }
 
     /// Names of the single numbers at the points of the tube.

@@ -54,10 +54,10 @@ impl Grid {
     /// The file; `about` is said in a comment at its head, `file` is named in errors.
     ///
     /// # Errors
-    /// [`VtuError::NotFinite`].
+    /// [`VtuError`].
     pub fn to_xml(&self, about: &str, file: &str) -> Result<String, VtuError> {
         let finite = |name: &'static str, ok: bool| {
-            if ok { Ok(()) } else { Err(VtuError::NotFinite { file: file.into(), name }) }
+            if ok { Ok(()) } else { Err(VtuError { file: file.into(), name }) }
         };
         finite("points", self.points.iter().flatten().all(|x| x.is_finite()))?;
         for data in &self.data {

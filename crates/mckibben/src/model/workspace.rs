@@ -1,6 +1,7 @@
 //! What changes while a model answers.
 
 use std::any::Any;
+use std::convert::Infallible;
 use std::fmt;
 use std::sync::Arc;
 
@@ -53,16 +54,28 @@ impl Workspace {
 
     /// The content that belongs to a model, made by `make` where this workspace has none of that model.
     pub fn of<T: Any + Send>(&mut self, id: &ModelId, make: impl FnOnce() -> T) -> &mut T {
-        let mine = matches!(&self.content, Some((of, content)) if of == id && content.is::<T>());
-        if !mine {
+        match self.try_of(id, || Ok::<T, Infallible>(make())) {
+            Ok(content) => content,
+            Err(never) => match never {},
+        }
+    }
+
+    /// The same where making it may fail.
+    ///
+    /// # Errors
+    /// Those of `make`.
+    pub fn try_of<T: Any + Send, E>(
+        &mut self,
+        id: &ModelId,
+        make: impl FnOnce() -> Result<T, E>,
+    ) -> Result<&mut T, E> {
+        if self.get::<T>(id).is_none() {
+            // What is not needed any more goes first: it may be large.
             self.content = None;
+            self.content = Some((id.clone(), Box::new(make()?)));
         }
-        let (_, content) = self.content.get_or_insert_with(|| (id.clone(), Box::new(make())));
-        // The type was checked above: a model asks for one type only.
-        match content.downcast_mut::<T>() {
-            Some(content) => content,
-            None => unreachable!("the content of a workspace has the type it was made with"),
-        }
+        let content = self.content.as_mut().and_then(|(_, content)| content.downcast_mut());
+        Ok(content.unwrap_or_else(|| unreachable!("the content was made or found just before")))
     }
 
     /// The content that belongs to a model, where this workspace has one.

@@ -1,171 +1,37 @@
-//! A design as text and as JSON.
+//! A design for people.
 
-use super::Checked;
-use crate::kind::Kind;
-use crate::output::json as shapes;
-use crate::output::text::{Pressures, number, or_dash, percent, plus_minus, rubber_name, table};
-use mckibben::design::{BraidChoice, Candidate, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread};
-use serde_json::{Map, Value, json};
-
-/// One candidate with all it knows.
-pub fn candidate_json(c: &Candidate, kind: Kind) -> Value {
-    let points: Vec<Value> = c
-        .points
-        .iter()
-        .map(|q| {
-            let mut map = Map::new();
-            map.insert("force_n".into(), json!(q.wanted.force_n));
-            map.insert("contraction".into(), json!(q.wanted.contraction));
-            map.insert("pressure_mpa".into(), json!(q.pressure_mpa));
-            map.insert("force_at_max_pressure_n".into(), json!(q.available_n));
-            map.insert("margin".into(), json!(q.margin));
-            shapes::put_response(&mut map, &q.response);
-            map.insert("air_normal_litres".into(), json!(q.air_normal_litres));
-            map.insert("uncertainty_n".into(), json!(q.uncertainty_n));
-            Value::Object(map)
-        })
-        .collect();
-    let mut out = shapes::muscle(&c.muscle);
-    let more = json!({
-        "pressure_mpa": c.pressure_mpa,
-        "margin": c.margin,
-        "blocked_force_n": c.blocked_force_n,
-        "free_contraction": c.free_contraction,
-        "bulged_diameter_mm": c.bulged_diameter_mm(),
-        "stiffness_n_per_mm": c.points.first().and_then(|q| q.response.stiffness_n_per_mm),
-        "air_normal_litres": c.air_normal_litres(),
-        "work_j": c.work_j,
-        "strand_tension_n": c.largest(|q| q.response.strand_tension_n),
-        "braid_tension_n": c.largest(|q| q.response.braid_tension_n),
-        "max_stretch": c.largest(|q| q.response.max_stretch),
-        "burst_pressure_mpa": c.burst_pressure_mpa,
-        "uncertainty_n": c.largest(|q| q.uncertainty_n),
-        "points": points,
-        "from_thick_wall": c.from_thick_wall,
-        "model": if kind.replaced(&c.muscle).is_some() { "thick-wall" } else { kind.name() },
-    });
-    if let (Some(out), Value::Object(more)) = (out.as_object_mut(), more) {
-        out.extend(more);
-    }
-    out
-}
-
-fn rejected_json(r: &Rejected, p: Pressures) -> Value {
-    json!({
-        "outer_diameter_mm": r.outer_diameter_mm, "wall_mm": r.wall_mm, "angle_deg": r.angle_deg, "rubber": r.rubber,
-        "reason": r.reason.describe(|v| p.show(v)),
-    })
-}
-
-fn relaxation_json(r: &Relaxation) -> Value {
-    match r {
-        Relaxation::Pressure { pressure_mpa, extrapolated } => {
-            json!({ "relax": "max_pressure", "pressure_mpa": pressure_mpa, "extrapolated": extrapolated })
-        }
-        Relaxation::Force(points) => json!({ "relax": "force", "points": points_json(points) }),
-        Relaxation::Contraction(points) => json!({ "relax": "contraction", "points": points_json(points) }),
-        Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => {
-            json!({ "relax": "outer_diameter", "outer_diameter_mm": outer_diameter_mm, "model": model, "scaled_to": scaled_to })
-        }
-        Relaxation::BulgedDiameter { diameter_mm } => {
-            json!({ "relax": "max_bulged_diameter", "bulged_diameter_mm": diameter_mm })
-        }
-        Relaxation::Stretch { stretch } => json!({ "relax": "max_stretch", "max_stretch": stretch }),
-        Relaxation::BurstMargin { margin } => json!({ "relax": "min_burst_margin", "burst_margin": margin }),
-    }
-}
-
-fn points_json(points: &[OperatingPoint]) -> Vec<Value> {
-    points.iter().map(|q| json!({ "force_n": q.force_n, "contraction": q.contraction })).collect()
-}
-
-/// The whole design.
-pub fn as_json(spec: &Spec, kind: Kind, outcome: &Outcome, spreads: &[Spread], checked: &[Checked]) -> Value {
-    let p_mpa = Pressures(crate::flags::PressureUnit::Mpa);
-    let mut out = json!({
-        "model": kind.name(),
-        "max_pressure_mpa": spec.max_pressure_mpa,
-        "looked_at": outcome.looked_at.0,
-        "fitting": outcome.looked_at.1,
-        "candidates": outcome.candidates.iter().map(|c| candidate_json(c, kind)).collect::<Vec<_>>(),
-        "rejected": outcome.rejected.iter().map(|r| rejected_json(r, p_mpa)).collect::<Vec<_>>(),
-    });
-    let Some(map) = out.as_object_mut() else { return out };
-    if !checked.is_empty() {
-        let list: Vec<Value> = checked
-            .iter()
-            .map(|c| {
-                json!({
-                    "force_n": c.wanted.force_n, "contraction": c.wanted.contraction, "pressure_mpa": c.pressure_mpa,
-                    "force_at_max_pressure_n": c.available_n.as_ref().ok(), "cause": c.available_n.as_ref().err(),
-                })
-            })
-            .collect();
-        map.insert("verification".into(), json!({ "model": "fe", "points": list }));
-    }
-    if !spreads.is_empty() {
-        let list: Vec<Value> = spreads
-            .iter()
-            .map(|s| {
-                json!({
-                    "force_n": s.wanted.force_n, "contraction": s.wanted.contraction, "pressure_mpa": s.pressure_mpa,
-                    "low_n": s.low_n, "high_n": s.high_n, "likely_n": s.likely_n,
-                })
-            })
-            .collect();
-        map.insert("tolerance".into(), json!(list));
-    }
-    if let Some(closest) = &outcome.closest {
-        let mut value = rejected_json(&closest.rejected, p_mpa);
-        if let Some(inner) = value.as_object_mut() {
-            inner.insert("length_mm".into(), json!(closest.muscle.length_mm()));
-            let list: Vec<Value> = closest.relaxations.iter().map(relaxation_json).collect();
-            inner.insert("relaxations".into(), json!(list));
-            inner.insert("hint".into(), json!(beyond(spec)));
-        }
-        map.insert("closest".into(), value);
-    }
-    out
-}
+use crate::output::text::{PressureUnit, braid_name, number, or_dash, percent, plus_minus, rubber_name, table};
+use mckibben::design::{Candidate, Closest, OperatingPoint, Outcome, Rejected, Relaxation};
+use mckibben_app::{DesignAnswer, SpreadAnswer};
 
 /// The design for people.
-pub fn as_text(
-    spec: &Spec,
-    kind: Kind,
-    outcome: &Outcome,
-    spreads: &[Spread],
-    checked: &[Checked],
-    p: Pressures,
-) -> String {
-    let wanted: Vec<String> = spec
-        .points
-        .iter()
-        .map(|q| format!("{} N at {}", number(q.force_n, 5), percent(q.contraction)))
-        .collect();
+pub fn of(answer: &DesignAnswer, p: PressureUnit) -> String {
+    let (spec, outcome) = (&answer.spec, &answer.outcome);
+    let one = |q: &OperatingPoint| format!("{} N at {}", number(q.force_n, 5), percent(q.contraction));
+    let wanted: Vec<String> = spec.points.iter().map(one).collect();
     let mut out = format!("Wanted: {} with at most {}\n", wanted.join(", "), p.show(spec.max_pressure_mpa));
     out.push_str(&format!(
         "Model {}; {} muscles looked at, {} fit; L0 {} mm, braid {}\n\n",
-        kind.name(),
-        outcome.looked_at.0,
-        outcome.looked_at.1,
+        answer.model,
+        answer.looked_at,
+        answer.fitting,
         number(spec.base.length_mm(), 5),
-        crate::output::text::braid_name(&spec.base)
+        braid_name(&spec.base)
     ));
     if let Some(closest) = &outcome.closest {
         out.push_str(&nothing_fits(closest, p));
-        if let Some(hint) = beyond(spec) {
+        if let Some(hint) = answer.closest.as_ref().and_then(|c| c.hint.as_ref()) {
             out.push_str(&format!("{hint}\n"));
         }
     } else {
         out.push_str(&candidates(outcome, p));
-        for c in &outcome.candidates {
-            if let Some(why) = kind.replaced(&c.muscle) {
-                let (d0, s) = (number(c.muscle.outer_diameter_mm(), 4), number(c.muscle.wall_mm(), 3));
-                out.push_str(&format!("D0 {d0}, s {s}: {why}.\n"));
-            }
+        for c in outcome.candidates.iter().filter(|c| c.model != answer.model) {
+            let (d0, s) = (number(c.muscle.outer_diameter_mm(), 4), number(c.muscle.wall_mm(), 3));
+            out.push_str(&format!("D0 {d0}, s {s}: by {}, since it is outside of the range of {}.
+", c.model, answer.model));
         }
-        out.push_str(&checked_text(spec, outcome, checked, p));
-        out.push_str(&spread_text(spreads, p));
+        out.push_str(&verified(answer, p));
+        out.push_str(&spread_text(&answer.tolerance, p));
     }
     if !outcome.rejected.is_empty() && outcome.closest.is_none() {
         out.push_str("\nJust missed\n");
@@ -183,9 +49,9 @@ fn measures(r: &Rejected) -> String {
     format!("D0 {}, s {}", number(r.outer_diameter_mm, 4), number(r.wall_mm, 3))
 }
 
-fn candidates(outcome: &Outcome, p: Pressures) -> String {
+fn candidates(outcome: &Outcome, p: PressureUnit) -> String {
     let list = &outcome.candidates;
-    let unit = p.unit();
+    let unit = p.name();
     let needs = format!("needs [{unit}]");
     let several_rubbers = list.windows(2).any(|w| w[0].muscle.tube().rubber != w[1].muscle.tube().rubber);
     let strands = list.iter().any(|c| c.largest(|q| q.response.strand_tension_n).is_some());
@@ -286,62 +152,36 @@ fn strain(best: &Candidate) -> String {
     })
 }
 
-/// Contractions that no braid of the search reaches, and the angle that would.
-fn beyond(spec: &Spec) -> Option<String> {
-    let BraidChoice::Angle(angles) = &spec.braid else { return None };
-    let smallest = angles.bounds().0;
-    let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
-    let wanted = spec.points.iter().map(|q| q.contraction).fold(0.0, f64::max);
-    if wanted < most(smallest) {
-        return None;
-    }
-    let cos = 1.0 / (3f64.sqrt() * (1.0 - wanted));
-    let reach = if cos < 1.0 {
-        format!("{} needs one well below {}°", percent(wanted), number(cos.acos().to_degrees().floor(), 3))
-    } else {
-        format!("no braid reaches {} (the limit is 42.3 %)", percent(wanted))
-    };
-    let at = number(smallest, 4);
-    Some(format!(
-        "A braid at {at}° contracts by {} at most; {reach}.",
-        percent((most(smallest) * 1e3).floor() / 1e3)
-    ))
-}
-
 /// What finite elements say of the first candidate.
-fn checked_text(spec: &Spec, outcome: &Outcome, checked: &[Checked], p: Pressures) -> String {
-    let mut out = String::new();
-    let Some(winner) = outcome.candidates.first().filter(|_| !checked.is_empty()) else { return out };
-    out.push_str("\nThe first by finite elements\n");
-    for (c, q) in checked.iter().zip(&winner.points) {
-        let at = percent(c.wanted.contraction);
-        let max = p.show(spec.max_pressure_mpa);
-        let line = match &c.available_n {
-            Ok(f) => {
-                let difference = f - q.available_n;
+fn verified(answer: &DesignAnswer, p: PressureUnit) -> String {
+    let (Some(verified), Some(winner)) = (&answer.verification, answer.candidates.first()) else {
+        return String::new();
+    };
+    let mut out = String::from("\nThe first by finite elements\n");
+    for (c, q) in verified.points.iter().zip(&winner.points) {
+        let (at, max) = (percent(c.contraction), p.show(answer.max_pressure_mpa));
+        let line = match (c.force_at_max_pressure_n, &c.cause) {
+            (Some(f), _) => {
+                let difference = f - q.force_at_max_pressure_n;
                 let sign = if difference < 0.0 { "less" } else { "more" };
                 let needs = c.pressure_mpa.map_or_else(String::new, |v| {
-                    format!("; {} N take {}", number(c.wanted.force_n, 5), p.show(v))
+                    format!("; {} N take {}", number(c.force_n, 5), p.show(v))
                 });
-                format!(
-                    "{} N at {at} and {max}, {} N {sign}{needs}",
-                    number(*f, 4),
-                    number(difference.abs(), 3)
-                )
+                format!("{} N at {at} and {max}, {} N {sign}{needs}", number(f, 4), number(difference.abs(), 3))
             }
-            Err(error) => format!("no answer at {at}: {error}"),
+            (None, cause) => format!("no answer at {at}: {}", cause.as_deref().unwrap_or("unknown")),
         };
         out.push_str(&format!("  {line}\n"));
     }
     out
 }
 
-fn spread_text(spreads: &[Spread], p: Pressures) -> String {
-    let line = |s: &Spread| {
+fn spread_text(spreads: &[SpreadAnswer], p: PressureUnit) -> String {
+    let line = |s: &SpreadAnswer| {
         format!(
             "  {} N at {} and {}: {} to {} N in the worst corners, likely ± {} N\n",
-            number(s.wanted.force_n, 5),
-            percent(s.wanted.contraction),
+            number(s.force_n, 5),
+            percent(s.contraction),
             p.show(s.pressure_mpa),
             number(s.low_n, 4),
             number(s.high_n, 4),
@@ -354,7 +194,7 @@ fn spread_text(spreads: &[Spread], p: Pressures) -> String {
     format!("\nTolerances of the first candidate\n{}", spreads.iter().map(line).collect::<String>())
 }
 
-fn nothing_fits(closest: &mckibben::design::Closest, p: Pressures) -> String {
+fn nothing_fits(closest: &Closest, p: PressureUnit) -> String {
     let mut out = format!(
         "Nothing fits. Closest: {}: {}\n",
         measures(&closest.rejected),

@@ -1,0 +1,121 @@
+//! Every command by name: its schema, and its way from JSON to JSON.
+
+use crate::problem::{Problem, ProblemKind};
+use crate::*;
+use mckibben::nearest::nearest;
+use mckibben::progress::Progress;
+use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+/// A command: what a front end may call by name.
+#[derive(Debug, Clone, Copy)]
+pub struct CommandEntry {
+    /// Its name: the words of the command line, joined by a hyphen.
+    pub name: &'static str,
+    schema: fn() -> Value,
+    ask: fn(Value, &dyn Progress) -> Result<Value, Problem>,
+}
+
+macro_rules! command {
+    ($name:literal, $request:ty => $answer:ty, |$r:ident, $progress:ident| $body:expr) => {
+        CommandEntry {
+            name: $name,
+            schema: schemas::<$request, $answer>,
+            ask: |value, $progress| {
+                let $r: $request = request::<$request>(value)?;
+                let answer: $answer = $body?;
+                json(&answer)
+            },
+        }
+    };
+}
+
+/// Every command that needs no file system.
+pub const COMMANDS: &[CommandEntry] = &[
+    command!("design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
+    command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
+    command!("pressure", PressureRequest => PointAnswer, |r, _progress| pressure(&r)),
+    command!("contraction", ContractionRequest => PointAnswer, |r, _progress| contraction(&r)),
+    command!("curve", CurveRequest => CurveAnswer, |r, _progress| curve(&r)),
+    command!("study", StudyRequest => StudyAnswer, |r, _progress| study(&r)),
+    command!("simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
+    command!("validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
+    command!("sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
+    command!("compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
+    command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
+    command!("models", ModelsRequest => ModelsAnswer, |r, _progress| Ok::<_, Problem>(models(&r))),
+];
+
+/// The JSON Schema of a command: `request`, `answer` and `error`.
+///
+/// # Errors
+/// [`Problem`] of kind `usage` for a name that is no command.
+pub fn schema(command: &str) -> Result<Value, Problem> {
+    Ok((find(command)?.schema)())
+}
+
+/// Answers a request in JSON: for pages, other languages and servers. The command is its name, the words of the command line
+/// joined by a hyphen.
+///
+/// ```
+/// let answer = mckibben_app::ask(
+///     "force",
+///     r#"{"outer_diameter_mm": 50, "wall_mm": 1, "pressure_mpa": 0.25, "contraction": 0.1, "model": "paper"}"#,
+///     &mckibben::progress::Silent,
+/// )?;
+/// assert!(answer.starts_with(r#"{"model":"paper""#));
+/// let problem = mckibben_app::ask("force", r#"{"presure_mpa": 0.2}"#, &mckibben::progress::Silent).unwrap_err();
+/// assert_eq!(problem.hint, "did you mean `pressure_mpa`?");
+/// # Ok::<(), mckibben_app::Problem>(())
+/// ```
+///
+/// # Errors
+/// [`Problem`].
+pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
+    let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
+    Ok((find(command)?.ask)(value, progress)?.to_string())
+}
+
+fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
+    COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
+        let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
+        let meant = nearest(command, names.iter().copied())
+            .map_or_else(String::new, |name| format!(" (did you mean {name}?)"));
+        let message = format!("there is no command \"{command}\"{meant}; the commands are {}", names.join(", "));
+        Problem::new(ProblemKind::Usage, message, "")
+    })
+}
+
+fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
+    let settings = || SchemaSettings::draft2020_12();
+    let requests = settings().for_deserialize().into_generator().into_root_schema_for::<Q>();
+    let answers = settings().for_serialize().into_generator().into_root_schema_for::<A>();
+    let problems = settings().for_serialize().into_generator().into_root_schema_for::<Problem>();
+    serde_json::json!({ "request": requests, "answer": answers, "error": problems })
+}
+
+/// A request out of JSON. A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+fn request<Q: JsonSchema + DeserializeOwned>(value: Value) -> Result<Q, Problem> {
+    let schema: Schema = SchemaGenerator::default().into_root_schema_for::<Q>();
+    let known = schema.get("properties").and_then(Value::as_object);
+    if let (Some(known), Some(given)) = (known, value.as_object())
+        && let Some(field) = given.keys().find(|field| !known.contains_key(*field))
+    {
+        let hint = nearest(field, known.keys().map(String::as_str))
+            .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+        let message = format!("there is no field \"{field}\" in this request");
+        return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
+    }
+    serde_json::from_value(value).map_err(|e| not_understood(&e))
+}
+
+fn not_understood(error: &serde_json::Error) -> Problem {
+    Problem::new(ProblemKind::Usage, format!("the request cannot be understood: {error}"), "")
+}
+
+fn json<A: Serialize>(answer: &A) -> Result<Value, Problem> {
+    serde_json::to_value(answer)
+        .map_err(|e| Problem::new(ProblemKind::Output, format!("the answer cannot be written: {e}"), ""))
+}

@@ -1,0 +1,394 @@
+//! `compare`: several models, and measured points, with the errors of each.
+
+use crate::curve::{check_count, contractions, list, steps};
+use crate::fields::{AskFields, Direction, MeshFields, MuscleFields, TextFile};
+use crate::figure;
+use crate::model::Model;
+use crate::muscle::MuscleSummary;
+use crate::problem::{Problem, ProblemKind};
+use crate::question::build;
+use crate::words::{PressureUnit, number};
+use mckibben::answer::{Options, point};
+use mckibben::compare::{
+    Branch, Comparison, MeasuredPoint, compare as errors_of, mean_of_branches, read_measured,
+};
+use mckibben::identify::{
+    Candidate, DataPoint, IdentifyError, Parameter, Request, Target, identify, own_value,
+};
+use mckibben::least_squares::Loss;
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::progress::Progress;
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Models held against measured points, or against the first of them.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct CompareRequest {
+    /// Names of models, or of the formulas; fe, paper, thick-wall and ideal where none is named.
+    pub models: Vec<String>,
+    /// Files of fitted formulas, which are models by the names of their files.
+    pub formulas: Vec<TextFile>,
+    /// The mesh of finite elements.
+    #[serde(flatten)]
+    pub mesh: MeshFields,
+    /// Measured points (CSV: pressure_mpa, contraction, force_n, branch).
+    pub data: Option<TextFile>,
+    /// Which branch of measured hysteresis.
+    pub branch: DataBranch,
+    /// Constants to fit to the points, for each model that knows them.
+    pub fit: Vec<FitConstant>,
+    /// Pressures P in MPa where there are no measured points; 0.05 to 0.25 by 0.05 where they are left out.
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Contraction ratios ε, likewise; 0 to 0.2 by 0.01.
+    pub contractions: Option<Vec<f64>>,
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// How the models are asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// The answer shall carry a figure, with pressures in this unit.
+    pub figure: Option<PressureUnit>,
+}
+
+/// Which measured branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DataBranch {
+    /// The mean of both, where both were measured.
+    #[default]
+    Mean,
+    /// The branch of shortening.
+    Contraction,
+    /// The branch of lengthening.
+    Elongation,
+}
+
+/// A constant of the muscle that can be fitted in a comparison.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FitConstant {
+    /// One factor on all moduli of the rubber law.
+    Modulus,
+    /// The end factor of the terminals.
+    EndFactor,
+    /// Stiffness of a strand family.
+    Stiffness,
+}
+
+impl FitConstant {
+    /// Every constant, in the order in which they are named.
+    pub const ALL: [Self; 3] = [Self::Modulus, Self::EndFactor, Self::Stiffness];
+
+    /// The word for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Modulus => "modulus",
+            Self::EndFactor => "end-factor",
+            Self::Stiffness => "stiffness",
+        }
+    }
+
+    fn target(self) -> Target {
+        match self {
+            Self::Modulus => Target::Modulus,
+            Self::EndFactor => Target::EndFactor,
+            Self::Stiffness => Target::Stiffness,
+        }
+    }
+}
+
+/// Models and their errors.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct CompareAnswer {
+    /// `measured`, or the model that the others are held against.
+    pub reference: String,
+    /// How many points.
+    pub points: usize,
+    /// Largest pull among them, N.
+    pub largest_force_n: f64,
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// The models.
+    pub models: Vec<ComparedModel>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+}
+
+/// A model and its errors, model less reference.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+pub struct ComparedModel {
+    /// Its name.
+    pub model: String,
+    /// Root mean square, N; none where the model could not be compared.
+    pub rms_n: Option<f64>,
+    /// The largest, N.
+    pub max_n: Option<f64>,
+    /// The mean, N: above zero where the model promises too much.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_n: Option<f64>,
+    /// Points that it answered.
+    pub points: usize,
+    /// Points that it did not answer.
+    pub unanswered: usize,
+    /// Why not, or why the model could not be compared.
+    pub cause: Option<String>,
+    /// Fitted factor on all moduli of the rubber law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fitted_modulus_factor: Option<f64>,
+    /// Fitted end factor.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fitted_end_factor: Option<f64>,
+    /// Fitted stiffness of a strand family, N/mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fitted_stiffness_n_per_mm: Option<f64>,
+}
+
+impl ComparedModel {
+    fn of(comparison: Comparison, fitted: &[(FitConstant, f64)]) -> Self {
+        let value = |constant| fitted.iter().find(|f| f.0 == constant).map(|f| f.1);
+        Self {
+            model: comparison.model,
+            rms_n: Some(comparison.rms_n),
+            max_n: Some(comparison.max_n),
+            mean_n: Some(comparison.mean_n),
+            points: comparison.points,
+            unanswered: comparison.unanswered.as_ref().map_or(0, |u| u.0),
+            cause: comparison.unanswered.map(|u| u.1),
+            fitted_modulus_factor: value(FitConstant::Modulus),
+            fitted_end_factor: value(FitConstant::EndFactor),
+            fitted_stiffness_n_per_mm: value(FitConstant::Stiffness),
+        }
+    }
+
+    /// The fitted constants in words; empty where nothing was fitted.
+    pub fn fitted(&self) -> String {
+        let modulus = self.fitted_modulus_factor.map(|v| format!("modulus × {}", number(v, 4)));
+        let end = self.fitted_end_factor.map(|v| format!("end factor {}", number(v, 4)));
+        let stiffness = self.fitted_stiffness_n_per_mm.map(|v| format!("stiffness {} N/mm", number(v, 4)));
+        [modulus, end, stiffness].into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A model that was compared, with its row.
+struct Compared {
+    model: Box<dyn ForceModel>,
+    workspace: Workspace,
+    row: ComparedModel,
+}
+
+/// Models held against measured points, or against the first of them.
+///
+/// # Errors
+/// [`Problem`] for a wrong request, or where no model could be compared; a single model that cannot carries its cause.
+pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer, Problem> {
+    let muscle = request.muscle.resolve()?;
+    let options = request.asking.options(&muscle)?;
+    let models = request.chosen()?;
+    let measured = request.data.as_ref().map(|file| on_branch(file, request.branch)).transpose()?;
+    if measured.is_none() && !request.fit.is_empty() {
+        return Err(Problem::missing("data", "measured points to fit to"));
+    }
+    let (pressures, contractions) = grid(request, measured.as_deref())?;
+    let mut reference = measured.clone();
+    let (mut compared, mut skipped, mut first) = (vec![], vec![], None);
+    for (i, model) in models.iter().enumerate() {
+        progress.report(i, models.len());
+        if progress.cancelled() {
+            return Err(Problem::cancelled());
+        }
+        let direction = request.asking.direction;
+        let one = || -> Result<(Compared, Vec<MeasuredPoint>), Problem> {
+            let (muscle, fitted) = match &measured {
+                Some(points) => fitted(model, &muscle, direction, &request.fit, points)?,
+                None => (muscle.clone(), vec![]),
+            };
+            let bound = build(model, &muscle, direction)?;
+            let mut workspace = Workspace::new();
+            // Without measured points, the first model that answers is what the others are held against.
+            let points = match &reference {
+                Some(points) => points.clone(),
+                None => answers(&*bound, &mut workspace, &pressures, &contractions, options)?,
+            };
+            let comparison = errors_of(&*bound, &mut workspace, &points, options.extrapolate)?;
+            Ok((Compared { row: ComparedModel::of(comparison, &fitted), model: bound, workspace }, points))
+        };
+        match one() {
+            Ok((row, points)) => {
+                reference.get_or_insert(points);
+                compared.push(row);
+            }
+            Err(problem) => {
+                let cause = Some(problem.message.clone());
+                skipped.push(ComparedModel { model: model.name().into(), cause, ..ComparedModel::default() });
+                first.get_or_insert(problem);
+            }
+        }
+    }
+    if compared.is_empty() {
+        return Err(first.unwrap_or_else(|| Problem::missing("models", "at least one model")));
+    }
+    let points = reference.unwrap_or_default();
+    let figure = request.figure.map(|unit| {
+        let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
+        let fits: String = fits.map(|c| format!(". {} fitted: {}", c.row.model, c.row.fitted())).collect();
+        let about = format!("{}{fits}", MuscleSummary::from(&muscle).line());
+        let drawn: Vec<(&dyn ForceModel, &mut Workspace)> =
+            compared.iter_mut().map(|c| (&*c.model, &mut c.workspace)).collect();
+        let measured = measured.as_deref().unwrap_or_default();
+        figure::compare(drawn, measured, &pressures, &contractions, options, &about, unit)
+    });
+    Ok(CompareAnswer {
+        reference: if measured.is_some() { "measured".into() } else { compared[0].row.model.clone() },
+        points: points.len(),
+        largest_force_n: points.iter().map(|p| p.force_n).fold(0.0, f64::max),
+        muscle: (&muscle).into(),
+        models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
+        figure,
+    })
+}
+
+impl CompareRequest {
+    /// The models, each once.
+    fn chosen(&self) -> Result<Vec<Model>, Problem> {
+        const DEFAULT: [&str; 4] = ["fe", "paper", "thick-wall", "ideal"];
+        let own: Vec<&str> = self.models.iter().map(String::as_str).collect();
+        let names = if own.is_empty() { DEFAULT.to_vec() } else { own };
+        let solid = names.iter().any(|n| n.trim() == "fe3d");
+        let mut models: Vec<Model> = vec![];
+        for name in names {
+            // A terminal is for fe3d alone, where that is among them.
+            let terminal = self.mesh.terminal.filter(|_| !solid || name.trim() == "fe3d");
+            let mesh = MeshFields { terminal, ..self.mesh.clone() };
+            let model = Model::named(name, &self.formulas, &mesh)?;
+            if !models.contains(&model) {
+                models.push(model);
+            }
+        }
+        Ok(models)
+    }
+}
+
+/// The measured points of a file, on the branch that was asked for.
+fn on_branch(file: &TextFile, branch: DataBranch) -> Result<Vec<MeasuredPoint>, Problem> {
+    let wrong = |message: String| Problem::new(ProblemKind::Data, format!("{}: {message}", file.name), "");
+    let points = read_measured(file.text.as_bytes()).map_err(|e| wrong(e.to_string()))?;
+    let wanted = match branch {
+        DataBranch::Mean => return Ok(mean_of_branches(&points)),
+        DataBranch::Contraction => Branch::Contraction,
+        DataBranch::Elongation => Branch::Elongation,
+    };
+    let points: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == Some(wanted)).collect();
+    if points.is_empty() {
+        let hint = "its column `branch` must say contraction or elongation";
+        return Err(wrong("there are no points of that branch".into()).with_hint(hint));
+    }
+    Ok(points)
+}
+
+/// Pressures and contractions of the figure, and of the comparison without measured points.
+fn grid(request: &CompareRequest, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f64>, Vec<f64>), Problem> {
+    let Some(points) = measured else {
+        let pressures = list("pressures_mpa", &request.pressures_mpa, || steps(5, 0.05, 0.25))?;
+        let contractions = contractions(&request.contractions, || steps(21, 0.0, 0.2))?;
+        check_count(&[pressures.len(), contractions.len()], mckibben::units::MAX_POINTS)?;
+        return Ok((pressures, contractions));
+    };
+    let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();
+    pressures.sort_by(f64::total_cmp);
+    pressures.dedup();
+    let ends = points.iter().map(|m| m.contraction);
+    let (low, high) = ends.fold((0.0_f64, 0.0_f64), |(a, b), e| (a.min(e), b.max(e)));
+    Ok((pressures, steps(101, low, high)))
+}
+
+/// A model's own answers, as if they had been measured.
+fn answers(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    pressures: &[f64],
+    contractions: &[f64],
+    options: Options,
+) -> Result<Vec<MeasuredPoint>, Problem> {
+    let mut points = vec![];
+    for &pressure_mpa in pressures {
+        for &contraction in contractions {
+            let force_n = point(model, workspace, pressure_mpa, contraction, options)?.response.force_n;
+            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
+        }
+    }
+    Ok(points)
+}
+
+/// k in N/mm from which the search begins where the strands do not stretch.
+const STIFF: f64 = 1e5;
+
+type Fitted = (Muscle, Vec<(FitConstant, f64)>);
+
+/// The muscle with the constants that bring a model closest to the points, of those that the model knows.
+fn fitted(
+    model: &Model,
+    muscle: &Muscle,
+    direction: Direction,
+    constants: &[FitConstant],
+    points: &[MeasuredPoint],
+) -> Result<Fitted, Problem> {
+    let start = |constant: FitConstant| own_value(muscle, constant.target()).unwrap_or(STIFF);
+    let mut known = vec![];
+    for &constant in constants {
+        if known.iter().all(|&k| k != constant) && matters(model, muscle, constant, start(constant), points) {
+            known.push(constant);
+        }
+    }
+    if known.is_empty() {
+        return Ok((muscle.clone(), vec![]));
+    }
+    if points.len() < 2 * known.len() + 1 {
+        let (points, unknowns) = (points.len(), known.len());
+        let least = 2 * unknowns + 1;
+        let message = format!("{points} points are too few to fit {unknowns} constants: measure at least {least}");
+        return Err(Problem::new(ProblemKind::Fit, message, ""));
+    }
+    let parameter = |&c: &FitConstant| Parameter { start: Some(start(c)), ..Parameter::free(c.target()) };
+    let free: Vec<Parameter> = known.iter().map(parameter).collect();
+    // The model knows its branch; all points count, zeros among them.
+    let points: Vec<DataPoint> =
+        points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: None, ..*p })).collect();
+    let request =
+        Request { muscle, free: &free, fixed: &[], points: &points, loss: Loss::Squares, two_sided: true };
+    let found = identify(&request, |m: &Muscle| build(model, m, direction)).map_err(|error| match error {
+        IdentifyError::Start { error, .. } | IdentifyError::Model(error) => error.into(),
+        IdentifyError::Estimate(_) => {
+            Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
+        }
+        other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
+    })?;
+    Ok((found.muscle, known.into_iter().zip(found.parameters.iter().map(|p| p.value)).collect()))
+}
+
+/// Whether a model's pull at the points changes with a constant at all.
+fn matters(
+    model: &Model,
+    muscle: &Muscle,
+    constant: FitConstant,
+    value: f64,
+    points: &[MeasuredPoint],
+) -> bool {
+    let pulls = |factor: f64| -> Option<Vec<f64>> {
+        let changed = Candidate::new(muscle, &[(constant.target(), factor * value)]).ok()?;
+        let bound = model.build(changed.muscle()).ok()?;
+        let mut workspace = Workspace::new();
+        let step = points.len().div_ceil(5).max(1);
+        let some = points.iter().step_by(step);
+        some.map(|p| bound.force_n(&mut workspace, p.pressure_mpa, p.contraction).ok()).collect()
+    };
+    match (pulls(1.0), pulls(1.1)) {
+        (Some(a), Some(b)) => a.iter().zip(&b).any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + a.abs())),
+        // A model that has no answer is not judged here: the fit says why.
+        _ => true,
+    }
+}

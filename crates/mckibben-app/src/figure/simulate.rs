@@ -1,0 +1,86 @@
+//! Curves, shapes and strands of a finite-element test.
+
+use super::caption;
+use super::curves::axes;
+use crate::muscle::MuscleSummary;
+use crate::simulate::Simulated;
+use crate::words::{PressureUnit, number, percent};
+use mckibben::curve::Test;
+use mckibben_fem::axisymmetric::Solution;
+use mckibben_report::{Axis, Figure, Palette, Panel, Series};
+
+/// Shapes are drawn of so many points at most.
+const SHAPES: usize = 6;
+
+/// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
+pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], p: PressureUnit) -> Figure {
+    let mut figure = Figure::new(format!("{} test, finite elements", capital(test.name()))).columns(2);
+    figure = figure.palette(Palette::Sequential);
+    let (x, y) = axes(test, p);
+    let mut curve = Panel::new(x, y);
+    let mut fixed: Vec<f64> = points.iter().map(|q| key(test, q)).collect();
+    fixed.dedup();
+    for (i, &value) in fixed.iter().enumerate() {
+        let line: Vec<(f64, f64)> =
+            points.iter().filter(|q| key(test, q) == value).map(|q| coordinates(test, q, p)).collect();
+        let label = match test {
+            Test::Isometric => format!("ε {}", percent(value)),
+            Test::Isotonic => format!("{} N", number(value, 4)),
+            Test::Isobaric => p.show(value),
+        };
+        curve = curve.series(Series::line("", line).colour(i).end_label(label));
+    }
+    let solved: Vec<&Solution> = points.iter().filter_map(|q| q.solution.as_ref().ok()).collect();
+    let step = solved.len().div_ceil(SHAPES).max(1);
+    // The last always belongs to them.
+    let shown: Vec<&Solution> = solved.iter().rev().step_by(step).rev().copied().collect();
+    let name =
+        |s: &Solution| format!("{}, {}", p.show(s.response.pressure_mpa), percent(s.response.contraction));
+    let mut shape =
+        Panel::new(Axis::new("z from the middle [mm]").from_zero(), Axis::new("r [mm]").from_zero());
+    let mut tension = Panel::new(
+        Axis::new("z at rest [mm]").from_zero(),
+        Axis::new("tension of a family [N/mm]").from_zero(),
+    );
+    let mut angle = Panel::new(Axis::new("z at rest [mm]").from_zero(), Axis::new("strand angle θ [°]"));
+    for (i, s) in shown.iter().enumerate() {
+        let outer: Vec<(f64, f64)> = s.profile.iter().map(|x| x.outer_mm).collect();
+        let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| x.inner_mm).collect();
+        shape =
+            shape.series(Series::line(name(s), outer).colour(i)).series(Series::line("", inner).colour(i));
+        let along = |of: fn(&mckibben_fem::axisymmetric::StrandState) -> f64| -> Vec<(f64, f64)> {
+            s.strands.iter().map(|x| (x.rest_mm, of(x))).collect()
+        };
+        tension = tension.series(Series::line(name(s), along(|x| x.tension_per_width)).colour(i));
+        angle = angle.series(Series::line(name(s), along(|x| x.angle_deg)).colour(i));
+    }
+    figure = figure.panel(curve.title("curve"));
+    figure = figure.panel(shape.title("outer and inner surface"));
+    figure = figure.panel(tension.title("strand tension"));
+    figure = figure.panel(angle.title("strand angle"));
+    figure.caption(caption(format!("Axisymmetric finite elements. {}", m.line())))
+}
+
+fn capital(word: &str) -> String {
+    let mut letters = word.chars();
+    letters.next().map_or_else(String::new, |c| c.to_uppercase().chain(letters).collect())
+}
+
+/// What is fixed along the curve of a point.
+fn key(test: Test, q: &Simulated) -> f64 {
+    match test {
+        Test::Isometric => q.contraction().unwrap_or(f64::NAN),
+        Test::Isotonic => q.force_n().unwrap_or(f64::NAN),
+        Test::Isobaric => q.pressure_mpa,
+    }
+}
+
+fn coordinates(test: Test, q: &Simulated, p: PressureUnit) -> (f64, f64) {
+    let r = q.solution.as_ref().ok().map(|s| s.response);
+    let pull = r.filter(|_| !q.slack).map_or(f64::NAN, |r| r.force_n);
+    match test {
+        Test::Isometric => (p.value(q.pressure_mpa), pull),
+        Test::Isotonic => (p.value(q.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),
+        Test::Isobaric => (q.contraction().unwrap_or(f64::NAN), pull),
+    }
+}

@@ -1,0 +1,186 @@
+//! `muscle show`: what was understood of a muscle, what follows from it, and how to build it.
+
+use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::point::finite;
+use crate::problem::Problem;
+use crate::question::build;
+use mckibben::analysis::{
+    air_per_stroke, blocked_force_n, burst_pressure_mpa, free_contraction, work_per_stroke_j,
+};
+use mckibben::answer::check_range;
+use mckibben::model::Workspace;
+use mckibben::muscle::{Bulk, Muscle};
+use mckibben::rubber::{RubberLaw, library};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// A muscle to be shown.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MuscleShowRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// Also what it does at this pressure, MPa.
+    pub pressure_mpa: Option<f64>,
+}
+
+/// What was understood of a muscle, and what follows from it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MuscleShowAnswer {
+    /// The muscle.
+    #[serde(flatten)]
+    pub summary: MuscleSummary,
+    /// Name of the rubber's law.
+    pub law: String,
+    /// Its constants by name; moduli in MPa.
+    pub constants_mpa: BTreeMap<String, f64>,
+    /// Shear modulus μ at rest, MPa.
+    pub shear_modulus_mpa: f64,
+    /// Bulk modulus, MPa; none for an incompressible rubber.
+    pub bulk_modulus_mpa: Option<f64>,
+    /// Stiffness k of one strand family, N/mm; none for inextensible strands.
+    pub stiffness_n_per_mm: Option<f64>,
+    /// What follows from the measures.
+    pub derived: Derived,
+    /// What to cut.
+    pub build_sheet: BuildSheetAnswer,
+    /// What the user should know, in sentences.
+    pub warnings: Vec<String>,
+    /// What it does at the pressure that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub characteristics: Option<Characteristics>,
+    /// The muscle itself.
+    #[serde(skip)]
+    pub muscle: Muscle,
+}
+
+/// What follows from a muscle's measures.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Derived {
+    /// Inner diameter at rest, mm.
+    pub inner_diameter_mm: f64,
+    /// Length of a strand, mm.
+    pub strand_length_mm: f64,
+    /// Its turns.
+    pub turns: f64,
+    /// Its length per turn, mm.
+    pub strand_length_per_turn_mm: f64,
+    /// Contraction at which the ideal muscle no longer pulls.
+    pub max_ideal_contraction: f64,
+    /// Cavity at rest, mm³.
+    pub volume_mm3: f64,
+}
+
+/// What to cut.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BuildSheetAnswer {
+    /// Tube, with what lies on the plugs, mm.
+    pub tube_cut_mm: f64,
+    /// Braid, mm.
+    pub braid_cut_mm: f64,
+    /// Diameter of the plugs, mm.
+    pub plug_diameter_mm: f64,
+    /// Strand in the braid, mm.
+    pub strand_cut_mm: f64,
+    /// Number of strands, where it is stated.
+    pub strands: Option<u32>,
+    /// Rubber, mm³.
+    pub rubber_volume_mm3: f64,
+}
+
+/// What a muscle does at one pressure.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Characteristics {
+    /// The model that says so.
+    pub model: String,
+    /// The pressure, MPa.
+    pub pressure_mpa: f64,
+    /// Pull without contraction, N.
+    pub blocked_force_n: f64,
+    /// Contraction without pull.
+    pub free_contraction: Option<f64>,
+    /// Work from rest to there, J.
+    pub work_j: Option<f64>,
+    /// Cavity there, mm³.
+    pub volume_mm3: Option<f64>,
+    /// Air from rest to there, normal litres.
+    pub air_normal_litres: Option<f64>,
+    /// Pressure at which the strands break, MPa, where their strength is known.
+    pub burst_pressure_mpa: Option<f64>,
+}
+
+/// What was understood of a muscle, and what follows from it.
+///
+/// # Errors
+/// [`Problem`].
+pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
+    let muscle = request.muscle.resolve()?;
+    let characteristics = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
+    let (sheet, law) = (muscle.build_sheet(), &muscle.tube().rubber.law);
+    let warnings = library::warnings(&muscle.tube().rubber);
+    Ok(MuscleShowAnswer {
+        summary: (&muscle).into(),
+        law: law.name().into(),
+        constants_mpa: law.constants().into_iter().map(|(name, value, _)| (name, value)).collect(),
+        shear_modulus_mpa: law.shear_modulus_mpa(),
+        bulk_modulus_mpa: match muscle.tube().rubber.bulk {
+            Bulk::Incompressible => None,
+            Bulk::Modulus(k) => Some(k),
+        },
+        stiffness_n_per_mm: muscle.family_stiffness_n_per_mm(),
+        derived: Derived {
+            inner_diameter_mm: muscle.inner_diameter_mm(),
+            strand_length_mm: muscle.strand_length_mm(),
+            turns: muscle.turns(),
+            strand_length_per_turn_mm: muscle.strand_length_per_turn_mm(),
+            max_ideal_contraction: muscle.max_ideal_contraction(),
+            volume_mm3: muscle.rest_volume_mm3(),
+        },
+        build_sheet: BuildSheetAnswer {
+            tube_cut_mm: sheet.tube_cut_mm,
+            braid_cut_mm: sheet.braid_cut_mm,
+            plug_diameter_mm: sheet.plug_diameter_mm,
+            strand_cut_mm: sheet.strand_cut_mm,
+            strands: sheet.strands,
+            rubber_volume_mm3: sheet.rubber_volume_mm3,
+        },
+        warnings: warnings.iter().map(ToString::to_string).collect(),
+        characteristics,
+        muscle,
+    })
+}
+
+fn characteristics(
+    request: &MuscleShowRequest,
+    muscle: &Muscle,
+    pressure_mpa: f64,
+) -> Result<Characteristics, Problem> {
+    let pressure_mpa = finite("pressure_mpa", pressure_mpa)?;
+    let options = request.asking.options(muscle)?;
+    let model = build(&Model::choose(&request.model, Purpose::Answer)?, muscle, request.asking.direction)?;
+    let (model, w) = (&*model, &mut Workspace::new());
+    check_range(model, pressure_mpa, 0.0, options)?;
+    let blocked_force_n = blocked_force_n(model, w, pressure_mpa)?;
+    let free = free_contraction(model, w, pressure_mpa, options.extrapolate).ok();
+    let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
+    Ok(Characteristics {
+        model: model.name().into(),
+        pressure_mpa,
+        blocked_force_n,
+        free_contraction: free,
+        work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e).ok()),
+        volume_mm3: air.map(|a| a.volume_mm3),
+        air_normal_litres: air.map(|a| a.normal_litres),
+        burst_pressure_mpa: burst_pressure_mpa(model, w, 0.0).ok().flatten(),
+    })
+}

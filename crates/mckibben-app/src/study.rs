@@ -1,0 +1,119 @@
+//! `curve --study`: the paper's thickness study.
+
+use crate::curve::PointRow;
+use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::figure;
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::problem::Problem;
+use crate::question::build;
+use crate::words::PressureUnit;
+use mckibben::curve::Test;
+use mckibben::study::{Finding, Study, thickness};
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The thickness study with a rubber, a braid and a model.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct StudyRequest {
+    /// The muscle; the study sets its diameter, wall and length.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// How it is asked.
+    #[serde(flatten)]
+    pub asking: AskFields,
+    /// The answer shall carry a figure, with pressures in this unit.
+    pub figure: Option<PressureUnit>,
+}
+
+/// The study: curves of five walls and of the ideal formula, and the paper's findings with a verdict on each.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct StudyAnswer {
+    /// The model's name.
+    pub model: String,
+    /// `thickness`.
+    pub test: String,
+    /// The paper's findings.
+    pub findings: Vec<FindingAnswer>,
+    /// The points of all curves.
+    pub points: Vec<StudyRow>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+    /// The study itself.
+    #[serde(skip)]
+    pub study: Study,
+}
+
+/// One of the paper's statements beside what this model says.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FindingAnswer {
+    /// What the paper reports.
+    pub statement: String,
+    /// What came out here.
+    pub ours: String,
+    /// Whether it holds.
+    pub holds: bool,
+}
+
+/// A point of the study.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct StudyRow {
+    /// The point.
+    #[serde(flatten)]
+    pub point: PointRow,
+    /// Isometric or isotonic.
+    pub test: Test,
+    /// ΔL in mm of an isometric test, F in N of an isotonic one.
+    pub fixed: f64,
+    /// Which curve.
+    pub curve: String,
+    /// Its wall, mm; the ideal formula has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall_mm: Option<f64>,
+}
+
+/// The thickness study.
+///
+/// # Errors
+/// [`Problem`] where the model does not take the muscles at all.
+pub fn study(request: &StudyRequest) -> Result<StudyAnswer, Problem> {
+    let base = request.muscle.resolve()?;
+    let options = request.asking.options(&base)?;
+    let model = Model::choose(&request.model, Purpose::Answer)?;
+    let study = thickness(&base, options, |m| build(&model, m, request.asking.direction))?;
+    let figure = request.figure.map(|unit| {
+        let MuscleSummary { angle_deg, rubber, .. } = (&base).into();
+        let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");
+        figure::study(&study, &about, unit)
+    });
+    let finding = |f: &Finding| FindingAnswer {
+        statement: f.statement.into(),
+        ours: f.ours.clone(),
+        holds: f.holds,
+    };
+    let points = study.panels.iter().flat_map(|panel| {
+        panel.curves.iter().flat_map(move |curve| {
+            curve.curve.points.iter().map(move |point| StudyRow {
+                point: point.into(),
+                test: panel.test,
+                fixed: panel.fixed,
+                curve: curve.label.clone(),
+                wall_mm: curve.wall_mm,
+            })
+        })
+    });
+    Ok(StudyAnswer {
+        model: study.model.clone(),
+        test: "thickness".into(),
+        findings: study.findings.iter().map(finding).collect(),
+        points: points.collect(),
+        figure,
+        study,
+    })
+}

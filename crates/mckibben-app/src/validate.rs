@@ -1,0 +1,183 @@
+//! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
+
+use crate::problem::Problem;
+use mckibben::progress::Progress;
+use mckibben_campaign::fit::held_out;
+use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
+use mckibben_fem::verification::{Kind, Row};
+use mckibben_fem::{validation, verification};
+use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// The cases.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ValidateRequest {
+    /// The finest meshes as well; some seconds more.
+    pub all: bool,
+}
+
+/// The table of cases.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ValidateAnswer {
+    /// The cases.
+    pub cases: Vec<Case>,
+}
+
+impl ValidateAnswer {
+    /// Whether every case holds.
+    pub fn ok(&self) -> bool {
+        self.cases.iter().all(|case| case.ok)
+    }
+}
+
+/// A case.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Case {
+    /// What is computed.
+    pub name: String,
+    /// Verification or validation.
+    pub kind: CaseKind,
+    /// Where the reference comes from.
+    pub source: String,
+    /// The reference.
+    pub reference: f64,
+    /// Our value, where there was an answer.
+    pub ours: Option<f64>,
+    /// |ours − reference|, relative where the reference is not zero.
+    pub error: Option<f64>,
+    /// Largest error that passes.
+    pub tolerance: f64,
+    /// Whether it passes.
+    pub ok: bool,
+}
+
+/// Whether equations are solved right, or are the right equations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CaseKind {
+    /// Against exact values.
+    Verification,
+    /// Against measurements.
+    Validation,
+}
+
+impl From<Row> for Case {
+    fn from(row: Row) -> Self {
+        Self {
+            name: row.name,
+            kind: match row.kind {
+                Kind::Verification => CaseKind::Verification,
+                Kind::Validation => CaseKind::Validation,
+            },
+            source: row.source.into(),
+            reference: row.reference,
+            ours: row.ours,
+            error: row.error,
+            tolerance: row.tolerance,
+            ok: row.ok,
+        }
+    }
+}
+
+/// Every case of verification and validation.
+///
+/// # Errors
+/// [`Problem`] where it was cancelled.
+pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<ValidateAnswer, Problem> {
+    let groups: [fn() -> Vec<Row>; 4] =
+        [verification::cases, verification::bricks::cook_fine, held_out::cases, validation::cases];
+    let mut cases = vec![];
+    for (i, group) in groups.iter().enumerate() {
+        progress.report(i, groups.len());
+        if progress.cancelled() {
+            return Err(Problem::cancelled());
+        }
+        // The second are the finest meshes.
+        if i != 1 || request.all {
+            cases.extend(group().into_iter().map(Case::from));
+        }
+    }
+    Ok(ValidateAnswer { cases })
+}
+
+/// Random muscles, one question each.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SweepRequest {
+    /// How many.
+    pub muscles: usize,
+    /// Seed of the random numbers.
+    #[serde(default = "one")]
+    pub seed: u64,
+}
+
+fn one() -> u64 {
+    1
+}
+
+/// Which share of the questions was answered. It holds nothing that depends on the machine.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct SweepAnswer {
+    /// How many muscles.
+    pub muscles: usize,
+    /// Seed of the random numbers.
+    pub seed: u64,
+    /// Questions that must have an answer: the endless muscle pulls and its strands stretch by less than 5 %.
+    pub required: usize,
+    /// How many of them have one.
+    pub required_answered: usize,
+    /// The other questions.
+    pub others: usize,
+    /// How many of them have an answer.
+    pub others_answered: usize,
+    /// Most factorisations that a question took.
+    pub most_factorisations: usize,
+    /// Why required questions have no answer.
+    pub unanswered: Vec<String>,
+    /// The sweep itself, with its times.
+    #[serde(skip)]
+    pub sweep: Sweep,
+}
+
+impl SweepAnswer {
+    /// Whether at least 99.9 % of what must have an answer has one.
+    pub fn ok(&self) -> bool {
+        1000 * self.required_answered >= 999 * self.required
+    }
+}
+
+/// Asks random muscles one question each, on all cores.
+///
+/// # Errors
+/// [`Problem`] where it was cancelled.
+pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAnswer, Problem> {
+    let done = AtomicUsize::new(0);
+    let one = |i: usize| {
+        if progress.cancelled() {
+            return None;
+        }
+        let row = question(request.seed, i);
+        progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, request.muscles);
+        row
+    };
+    let rows: Vec<SweepRow> = (0..request.muscles).into_par_iter().filter_map(one).collect();
+    if progress.cancelled() {
+        return Err(Problem::cancelled());
+    }
+    let sweep = Sweep { rows };
+    let ((required_answered, required), (others_answered, others)) = (sweep.required(), sweep.others());
+    let unanswered = sweep.rows.iter().filter(|r| r.required).filter_map(|r| r.answer.as_ref().err());
+    Ok(SweepAnswer {
+        muscles: sweep.rows.len(),
+        seed: request.seed,
+        required,
+        required_answered,
+        others,
+        others_answered,
+        most_factorisations: sweep.most_factorisations(),
+        unanswered: unanswered.cloned().collect(),
+        sweep,
+    })
+}
