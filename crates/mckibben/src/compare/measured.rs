@@ -1,8 +1,8 @@
 //! Measured points from CSV.
 
 use crate::identify::read_data;
-use std::io::Read;
 use serde::{Deserialize, Serialize};
+use std::io::Read;
 use thiserror::Error;
 
 /// Which branch of the hysteresis loop a point was measured on.

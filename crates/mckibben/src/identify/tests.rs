@@ -108,8 +108,14 @@ fn whoever_no_longer_wants_the_answer_gets_none() {
     }
     let m = soft();
     let (free, points) = (free(&m, &["mu"]), bench(&m, 0.0));
-    let request =
-        Request { muscle: &m, free: &free, fixed: &[], points: &points, loss: Loss::Squares, two_sided: false };
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
     assert_eq!(identify_with(&request, thick, &Gone).unwrap_err(), IdentifyError::Cancelled);
 }
 

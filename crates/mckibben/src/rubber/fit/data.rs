@@ -168,7 +168,10 @@ impl<'a> Table<'a> {
             .map_err(|i| TensionError::NoUnit { column: header[i].into() })?;
         let needs = |i: usize, needs| TensionError::Needs { column: header[i].into(), needs };
         if matches!(stress.1, StressKind::Force(_)) && options.area_mm2.is_none() {
-            return Err(needs(stress.0, "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²"));
+            return Err(needs(
+                stress.0,
+                "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²",
+            ));
         }
         if stretch.1 == StretchKind::ExtensionMm && options.gauge_length_mm.is_none() {
             return Err(needs(stretch.0, "the length at rest: `gauge_length_mm`, such as 25 mm"));
