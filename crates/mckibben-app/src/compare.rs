@@ -6,14 +6,13 @@ use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
-use crate::question::build;
 use crate::words::{PressureUnit, number};
 use mckibben::answer::{Options, point};
 use mckibben::compare::{
-    Branch, Comparison, MeasuredPoint, compare as errors_of, mean_of_branches, read_measured,
+    Comparison, MeasuredPoint, compare as errors_of, mean_of_branches, read_measured,
 };
 use mckibben::identify::{
-    Candidate, DataPoint, IdentifyError, Parameter, Request, Target, identify, own_value,
+    DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
 };
 use mckibben::least_squares::Loss;
 use mckibben::model::{ForceModel, Workspace};
@@ -37,7 +36,7 @@ pub struct CompareRequest {
     /// Measured points (CSV: pressure_mpa, contraction, force_n, branch).
     pub data: Option<TextFile>,
     /// Which branch of measured hysteresis.
-    pub branch: DataBranch,
+    pub branch: Direction,
     /// Constants to fit to the points, for each model that knows them.
     pub fit: Vec<FitConstant>,
     /// Pressures P in MPa where there are no measured points; 0.05 to 0.25 by 0.05 where they are left out.
@@ -52,19 +51,6 @@ pub struct CompareRequest {
     pub asking: AskFields,
     /// The answer shall carry a figure, with pressures in this unit.
     pub figure: Option<PressureUnit>,
-}
-
-/// Which measured branch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum DataBranch {
-    /// The mean of both, where both were measured.
-    #[default]
-    Mean,
-    /// The branch of shortening.
-    Contraction,
-    /// The branch of lengthening.
-    Elongation,
 }
 
 /// A constant of the muscle that can be fitted in a comparison.
@@ -201,20 +187,19 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         if progress.cancelled() {
             return Err(Problem::cancelled());
         }
-        let direction = request.asking.direction;
-        let one = || -> Result<(Compared, Vec<MeasuredPoint>), Problem> {
+            let one = || -> Result<(Compared, Vec<MeasuredPoint>), Problem> {
             let (muscle, fitted) = match &measured {
-                Some(points) => fitted(model, &muscle, direction, &request.fit, points)?,
+                Some(points) => fitted(model, &muscle, options.direction, &request.fit, points)?,
                 None => (muscle.clone(), vec![]),
             };
-            let bound = build(model, &muscle, direction)?;
+            let bound = model.build(&muscle)?;
             let mut workspace = Workspace::new();
             // Without measured points, the first model that answers is what the others are held against.
             let points = match &reference {
                 Some(points) => points.clone(),
                 None => answers(&*bound, &mut workspace, &pressures, &contractions, options)?,
             };
-            let comparison = errors_of(&*bound, &mut workspace, &points, options.extrapolate)?;
+            let comparison = errors_of(&*bound, &mut workspace, &points, options)?;
             Ok((Compared { row: ComparedModel::of(comparison, &fitted), model: bound, workspace }, points))
         };
         match one() {
@@ -274,15 +259,13 @@ impl CompareRequest {
 }
 
 /// The measured points of a file, on the branch that was asked for.
-fn on_branch(file: &TextFile, branch: DataBranch) -> Result<Vec<MeasuredPoint>, Problem> {
+fn on_branch(file: &TextFile, branch: Direction) -> Result<Vec<MeasuredPoint>, Problem> {
     let wrong = |message: String| Problem::new(ProblemKind::Data, format!("{}: {message}", file.name), "");
     let points = read_measured(file.text.as_bytes()).map_err(|e| wrong(e.to_string()))?;
-    let wanted = match branch {
-        DataBranch::Mean => return Ok(mean_of_branches(&points)),
-        DataBranch::Contraction => Branch::Contraction,
-        DataBranch::Elongation => Branch::Elongation,
-    };
-    let points: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == Some(wanted)).collect();
+    if branch.is_mean() {
+        return Ok(mean_of_branches(&points));
+    }
+    let points: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == branch).collect();
     if points.is_empty() {
         let hint = "its column `branch` must say contraction or elongation";
         return Err(wrong("there are no points of that branch".into()).with_hint(hint));
@@ -318,7 +301,7 @@ fn answers(
     for &pressure_mpa in pressures {
         for &contraction in contractions {
             let force_n = point(model, workspace, pressure_mpa, contraction, options)?.response.force_n;
-            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
+            points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean });
         }
     }
     Ok(points)
@@ -337,10 +320,13 @@ fn fitted(
     constants: &[FitConstant],
     points: &[MeasuredPoint],
 ) -> Result<Fitted, Problem> {
-    let start = |constant: FitConstant| own_value(muscle, constant.target()).unwrap_or(STIFF);
-    let mut known = vec![];
+    let build = |m: &Muscle| model.build(m);
+    // All points count, zeros among them.
+    let points: Vec<DataPoint> =
+        points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: direction, ..*p })).collect();
+    let mut known: Vec<FitConstant> = vec![];
     for &constant in constants {
-        if known.iter().all(|&k| k != constant) && matters(model, muscle, constant, start(constant), points) {
+        if !known.contains(&constant) && matters(muscle, constant.target(), &points, build) {
             known.push(constant);
         }
     }
@@ -353,14 +339,12 @@ fn fitted(
         let message = format!("{points} points are too few to fit {unknowns} constants: measure at least {least}");
         return Err(Problem::new(ProblemKind::Fit, message, ""));
     }
-    let parameter = |&c: &FitConstant| Parameter { start: Some(start(c)), ..Parameter::free(c.target()) };
+    let start = |c: FitConstant| Some(own_value(muscle, c.target()).unwrap_or(STIFF));
+    let parameter = |&c: &FitConstant| Parameter { start: start(c), ..Parameter::free(c.target()) };
     let free: Vec<Parameter> = known.iter().map(parameter).collect();
-    // The model knows its branch; all points count, zeros among them.
-    let points: Vec<DataPoint> =
-        points.iter().map(|p| DataPoint::of(MeasuredPoint { branch: None, ..*p })).collect();
     let request =
         Request { muscle, free: &free, fixed: &[], points: &points, loss: Loss::Squares, two_sided: true };
-    let found = identify(&request, |m: &Muscle| build(model, m, direction)).map_err(|error| match error {
+    let found = identify(&request, build).map_err(|error| match error {
         IdentifyError::Start { error, .. } | IdentifyError::Model(error) => error.into(),
         IdentifyError::Estimate(_) => {
             Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
@@ -368,27 +352,4 @@ fn fitted(
         other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
     })?;
     Ok((found.muscle, known.into_iter().zip(found.parameters.iter().map(|p| p.value)).collect()))
-}
-
-/// Whether a model's pull at the points changes with a constant at all.
-fn matters(
-    model: &Model,
-    muscle: &Muscle,
-    constant: FitConstant,
-    value: f64,
-    points: &[MeasuredPoint],
-) -> bool {
-    let pulls = |factor: f64| -> Option<Vec<f64>> {
-        let changed = Candidate::new(muscle, &[(constant.target(), factor * value)]).ok()?;
-        let bound = model.build(changed.muscle()).ok()?;
-        let mut workspace = Workspace::new();
-        let step = points.len().div_ceil(5).max(1);
-        let some = points.iter().step_by(step);
-        some.map(|p| bound.force_n(&mut workspace, p.pressure_mpa, p.contraction).ok()).collect()
-    };
-    match (pulls(1.0), pulls(1.1)) {
-        (Some(a), Some(b)) => a.iter().zip(&b).any(|(a, b)| (a - b).abs() > 1e-9 * (1.0 + a.abs())),
-        // A model that has no answer is not judged here: the fit says why.
-        _ => true,
-    }
 }

@@ -1,5 +1,6 @@
 //! Fields that requests share.
 
+pub use mckibben::muscle::Direction;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -155,17 +156,4 @@ pub struct AskFields {
     /// Branch of the friction hysteresis; needs the braid's friction.
     #[serde(skip_serializing_if = "is_default")]
     pub direction: Direction,
-}
-
-/// Which branch of the hysteresis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Direction {
-    /// The mean of both branches.
-    #[default]
-    Mean,
-    /// While the muscle shortens: friction takes from the pull.
-    Contraction,
-    /// While it is lengthened: friction adds to the pull.
-    Elongation,
 }

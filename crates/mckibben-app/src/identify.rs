@@ -8,14 +8,14 @@ use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
 use crate::words::{PressureUnit, number};
-use mckibben::compare::MeasuredPoint;
 use mckibben::identify::{
-    DataPoint, Fitted, Identification, Identified, IdentifyError, Parameter, ParameterError, Quantity,
-    Request, Section, Spread, Target, identify_default, identify_with, mean_of_branches, read_data,
+    Fitted, Identification, Identified, IdentifyError, Parameter, ParameterError, Request, Spread, Target,
+    identify_default, identify_with,
 };
 use mckibben::least_squares::{EstimateError, Loss};
+use mckibben::measured::{DataPoint, MeasuredPoint, Quantity, Section, mean_of_data, read_data};
 use mckibben::model::Workspace;
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::muscle::file::to_toml;
 use mckibben::progress::Progress;
 use mckibben_report::Figure;
@@ -269,7 +269,7 @@ impl IdentifyRequest {
             points.extend(list.iter().map(|p| DataPoint { set, weight: p.weight * factor, ..*p }));
         }
         if self.branches == Branches::Mean {
-            points = mean_of_branches(&points);
+            points = mean_of_data(&points);
         }
         let origin: Vec<String> = sets.into_iter().map(|set| set.1).collect();
         Ok((points, origin.join(", ")))
@@ -296,7 +296,7 @@ impl IdentifyRequest {
                 for &contraction in &contractions {
                     for &pressure_mpa in &pressures {
                         let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
-                        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: None };
+                        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
                         points.push(DataPoint {
                             section,
                             line: points.len() as u64 + 2,

@@ -1,12 +1,13 @@
 //! A model bound to its muscle, ready to be asked.
 
-use crate::fields::{AskFields, Direction, ModelFields, MuscleFields};
+use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose, check_direction};
 use crate::point::{ModelAbout, PointAnswer};
 use crate::problem::Problem;
+use mckibben::analysis::source_of;
 use mckibben::answer::{Answer, Options};
-use mckibben::model::{ForceModel, Hysteresis, ModelError, Workspace};
-use mckibben::muscle::{Motion, Muscle};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Muscle;
 
 /// A model bound to its muscle, with the workspace of this request.
 pub(crate) struct Question {
@@ -25,33 +26,19 @@ impl Question {
     ) -> Result<Self, Problem> {
         let muscle = muscle.resolve()?;
         let options = asking.options(&muscle)?;
-        let model = build(&Model::choose(model, purpose)?, &muscle, asking.direction)?;
+        let model = Model::choose(model, purpose)?.build(&muscle)?;
         Ok(Self { muscle, model, workspace: Workspace::new(), options })
     }
 
     pub(crate) fn answered(&self, point: Answer) -> PointAnswer {
-        PointAnswer { point, muscle: (&self.muscle).into(), about: about(&*self.model) }
+        PointAnswer { point, muscle: (&self.muscle).into(), about: about(&*self.model, self.options) }
     }
 }
 
-/// The model of a muscle on a branch of its hysteresis.
-pub(crate) fn build(model: &Model, muscle: &Muscle, direction: Direction) -> Result<Box<dyn ForceModel>, ModelError> {
-    let model = model.build(muscle)?;
-    let motion = match direction {
-        Direction::Mean => return Ok(model),
-        Direction::Contraction => Motion::Shortening,
-        Direction::Elongation => Motion::Lengthening,
-    };
-    Ok(match muscle.friction() {
-        Some(&friction) => Box::new(Hysteresis::new(model, friction, motion)),
-        None => model,
-    })
-}
-
 /// Where a model's numbers come from.
-pub(crate) fn about(model: &dyn ForceModel) -> ModelAbout {
+pub(crate) fn about(model: &dyn ForceModel, options: Options) -> ModelAbout {
     ModelAbout {
-        source: model.source().into(),
+        source: source_of(model, options.direction),
         uncertainty_basis: model.accuracy().basis.to_string(),
     }
 }
@@ -60,6 +47,6 @@ impl AskFields {
     /// How a model of this muscle is asked.
     pub(crate) fn options(self, muscle: &Muscle) -> Result<Options, Problem> {
         check_direction(self.direction, muscle)?;
-        Ok(Options { extrapolate: self.extrapolate, two_sided: self.two_sided })
+        Ok(Options { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.direction })
     }
 }

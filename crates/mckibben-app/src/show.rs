@@ -5,7 +5,6 @@ use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::Problem;
-use crate::question::build;
 use mckibben::analysis::{
     air_per_stroke, blocked_force_n, burst_pressure_mpa, free_contraction, work_per_stroke_j,
 };
@@ -167,18 +166,18 @@ fn characteristics(
 ) -> Result<Characteristics, Problem> {
     let pressure_mpa = finite("pressure_mpa", pressure_mpa)?;
     let options = request.asking.options(muscle)?;
-    let model = build(&Model::choose(&request.model, Purpose::Answer)?, muscle, request.asking.direction)?;
+    let model = Model::choose(&request.model, Purpose::Answer)?.build(muscle)?;
     let (model, w) = (&*model, &mut Workspace::new());
     check_range(model, pressure_mpa, 0.0, options)?;
-    let blocked_force_n = blocked_force_n(model, w, pressure_mpa)?;
-    let free = free_contraction(model, w, pressure_mpa, options.extrapolate).ok();
+    let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
+    let free = free_contraction(model, w, pressure_mpa, options).ok();
     let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
     Ok(Characteristics {
         model: model.name().into(),
         pressure_mpa,
         blocked_force_n,
         free_contraction: free,
-        work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e).ok()),
+        work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.map(|a| a.normal_litres),
         burst_pressure_mpa: burst_pressure_mpa(model, w, 0.0).ok().flatten(),

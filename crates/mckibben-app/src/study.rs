@@ -6,7 +6,6 @@ use crate::figure;
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
-use crate::question::build;
 use crate::words::PressureUnit;
 use mckibben::curve::Test;
 use mckibben::study::{Finding, Study, thickness};
@@ -86,7 +85,7 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer, Problem> {
     let base = request.muscle.resolve()?;
     let options = request.asking.options(&base)?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
-    let study = thickness(&base, options, |m| build(&model, m, request.asking.direction))?;
+    let study = thickness(&base, options, |m| model.build(m))?;
     let figure = request.figure.map(|unit| {
         let MuscleSummary { angle_deg, rubber, .. } = (&base).into();
         let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");

@@ -16,13 +16,15 @@
 //! | [`verification`] | cases with exact values |
 //!
 //! ```
-//! use mckibben::{model::ForceModel, muscle::Muscle};
+//! use mckibben::model::{ForceModel, Workspace};
+//! use mckibben::muscle::Muscle;
 //! use mckibben_fem::axisymmetric::Axisymmetric;
 //!
 //! let muscle = Axisymmetric::new(&Muscle::prototype())?;
-//! let force = muscle.force_n(0.25, 0.10)?;
+//! let workspace = &mut Workspace::new();
+//! let force = muscle.force_n(workspace, 0.25, 0.10)?;
 //! assert!((force - 491.43).abs() < 0.01);
-//! let curve = muscle.isometric(0.10, &[0.05, 0.15, 0.25]);
+//! let curve = muscle.isometric(workspace, 0.10, &[0.05, 0.15, 0.25]);
 //! assert_eq!(curve.iter().flatten().filter(|point| point.slack()).count(), 0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

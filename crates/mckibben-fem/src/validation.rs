@@ -7,12 +7,16 @@
 
 use crate::axisymmetric::Axisymmetric;
 use crate::verification::{Kind, Row};
-use mckibben::compare::{FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured};
+use mckibben::analysis::Options;
+use mckibben::compare::compare;
+use mckibben::identify::{Parameter, Request, Target, identify};
+use mckibben::least_squares::Loss;
+use mckibben::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 
-const SOURCE: &str = "Tondu 2012, Fig. 3, mean of the branches";
+const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
 const POINTS: &str = include_str!("../../../data/tondu2012/static_force_20deg.csv");
 
 type Build = fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>;
@@ -34,7 +38,7 @@ pub fn cases() -> Vec<Row> {
     };
     let thick: Build = |m| Ok(Box::new(ThickWall::new(m)));
     let ideal: Build = |m| Ok(Box::new(Ideal::new(m)));
-    let (modulus, ends) = (FitParameter::Modulus, FitParameter::EndFactor);
+    let (modulus, ends) = (Target::Modulus, Target::EndFactor);
     vec![
         row("ideal, nothing fitted", ideal, &[], &points, 0.10),
         row("thick-wall, modulus fitted", thick, &[modulus], &points, 0.03),
@@ -43,11 +47,23 @@ pub fn cases() -> Vec<Row> {
     ]
 }
 
-fn row(name: &str, build: Build, parameters: &[FitParameter], points: &[MeasuredPoint], allowed: f64) -> Row {
+fn row(name: &str, build: Build, parameters: &[Target], points: &[MeasuredPoint], allowed: f64) -> Row {
     let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
     let rms = muscle().and_then(|m| {
-        let m = if parameters.is_empty() { m } else { fit(&m, parameters, points, build).ok()?.muscle };
-        compare(build(&m).ok()?.as_ref(), &mut Workspace::new(), points, false).ok().map(|c| c.rms_n)
+        let free: Vec<Parameter> = parameters.iter().copied().map(Parameter::free).collect();
+        let data: Vec<DataPoint> = points.iter().copied().map(DataPoint::of).collect();
+        let request = Request {
+            muscle: &m,
+            free: &free,
+            fixed: &[],
+            points: &data,
+            loss: Loss::Squares,
+            two_sided: true,
+        };
+        let m = if free.is_empty() { m } else { identify(&request, build).ok()?.muscle };
+        compare(build(&m).ok()?.as_ref(), &mut Workspace::new(), points, Options::default())
+            .ok()
+            .map(|c| c.rms_n)
     });
     let error = rms.map(|rms| rms / largest);
     Row {

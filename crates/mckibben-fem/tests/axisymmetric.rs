@@ -101,9 +101,9 @@ fn inverses_are_inverses() {
     let start = model.starting_pressure_mpa(&mut Workspace::new(), 0.1).unwrap();
     assert!(model.force_n(&mut Workspace::new(), start, 0.1).unwrap().abs() < 1e-5);
     assert!(model.force_n(&mut Workspace::new(), 0.9 * start, 0.1).unwrap() < 0.0);
-    let pressure = model.pressure_in_closed_form(&mut Workspace::new(), 200.0, 0.1).unwrap().unwrap();
+    let pressure = model.pressure_under_load(&mut Workspace::new(), 200.0, 0.1).unwrap();
     assert!((model.force_n(&mut Workspace::new(), pressure, 0.1).unwrap() - 200.0).abs() < 1e-5);
-    let contraction = model.contraction_in_closed_form(&mut Workspace::new(), 200.0, 0.2).unwrap().unwrap();
+    let contraction = model.contraction_under_load(&mut Workspace::new(), 200.0, 0.2).unwrap();
     assert!((model.force_n(&mut Workspace::new(), 0.2, contraction).unwrap() - 200.0).abs() < 1e-5);
     assert!((model.blocked_force_n(&mut Workspace::new(), 0.25).unwrap() - 921.724).abs() < 1e-3);
     let set = model.validation_set(&mut Workspace::new(), &pressures()).unwrap();

@@ -1,11 +1,11 @@
 //! Identification with finite elements: their own derivatives, and known constants that come back.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-use mckibben::compare::{Branch, MeasuredPoint};
+use mckibben::compare::MeasuredPoint;
 use mckibben::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};
 use mckibben::least_squares::Loss;
 use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
+use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
@@ -59,12 +59,12 @@ fn points() -> Vec<DataPoint> {
         for pressure_mpa in [0.1, 0.2, 0.3] {
             for contraction in [0.0, 0.06, 0.12, 0.18] {
                 let i = out.len();
-                let (branch, sign) = [(Branch::Contraction, -1.0), (Branch::Elongation, 1.0)][i % 2];
+                let (branch, sign) = [(Direction::Contraction, -1.0), (Direction::Elongation, 1.0)][i % 2];
                 let force = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
                 let force_n = force + sign * 30.0 * pressure_mpa.powf(0.7);
                 let measured =
                     [Quantity::Force, Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 4];
-                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Some(branch) };
+                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
                 out.push(DataPoint { section, measured, ..DataPoint::of(at) });
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::{Palette, Style};
 
-/// Okabe and Ito, "Color Universal Design" (2008), without the yellow, which is lost on white.
+/// Okabe & Ito 2008 \[okabe2008\], without the yellow, which is lost on white.
 const CATEGORICAL: [[u8; 3]; 7] = [
     [0x00, 0x72, 0xB2],
     [0xD5, 0x5E, 0x00],

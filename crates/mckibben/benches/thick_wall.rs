@@ -16,7 +16,7 @@ fn points(c: &mut Criterion) {
     group.bench_function("force", |b| b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1))));
     group.bench_function("response", |b| b.iter(|| model.response(w, black_box(0.25), black_box(0.1))));
     group.bench_function("pressure", |b| {
-        b.iter(|| model.pressure_in_closed_form(w, black_box(400.0), black_box(0.1)));
+        b.iter(|| model.exact_pressure(black_box(400.0), black_box(0.1)));
     });
     group.finish();
 }

@@ -12,7 +12,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use std::sync::Arc;
 
-/// Numbers in [0, 1), SplitMix64 (Steele, Lea & Flood 2014).
+/// Numbers in [0, 1), SplitMix64 (Steele, Lea & Flood 2014 \[steele2014\]).
 struct Random(u64);
 
 impl Random {
@@ -41,7 +41,7 @@ fn law(r: &mut Random, mu: f64) -> Law {
         1 => Law::Gent(Gent { mu_mpa: mu, jm: r.between(30.0, 80.0) }),
         2 => Law::Yeoh(Yeoh { c10_mpa: 0.5 * mu, c20_mpa: -0.0035 * mu, c30_mpa: 1e-4 * mu }),
         3 => {
-            // Ogden 1972, Treloar's rubber, to another modulus.
+            // Ogden 1972 [ogden1972], Treloar's rubber, to another modulus.
             let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
             Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * mu / 0.414_319, a)).collect() })
         }

@@ -1,17 +1,13 @@
 //! An answer as a user gets it: range, slack, dead pressure, ± and warnings around a model's bare response.
 
-use crate::analysis::{AnalysisError, contraction_at, free_contraction, pressure_at, start_pressure_mpa};
-use crate::model::{BlockedAt, ForceModel, ModelError, Response, Workspace};
-use serde::{Deserialize, Serialize};
+pub use crate::analysis::Options;
 
-/// How questions are answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Options {
-    /// Answer outside of the model's range, with a warning, instead of refusing.
-    pub extrapolate: bool,
-    /// Give negative forces where the muscle would have to push, instead of slack.
-    pub two_sided: bool,
-}
+use crate::analysis::{
+    AnalysisError, contraction_at, force_on, free_contraction, pressure_at, response_on, start_pressure_mpa,
+};
+use crate::model::{BlockedAt, ForceModel, ModelError, Response, Workspace};
+use crate::muscle::Direction;
+use serde::{Deserialize, Serialize};
 
 /// One answered point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -19,6 +15,8 @@ pub struct Options {
 pub struct Answer {
     /// The model's name.
     pub model: String,
+    /// The branch of the hysteresis loop that was asked for.
+    pub direction: Direction,
     /// What the model knows; `force_n` is 0 where the muscle is slack.
     #[serde(flatten)]
     pub response: Response,
@@ -69,9 +67,9 @@ pub fn force<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<Answer, ModelError> {
     let mut answer = point(model, workspace, pressure_mpa, contraction, options)?;
-    answer.start_pressure_mpa = start_pressure_mpa(model, workspace, contraction, options.extrapolate).ok();
+    answer.start_pressure_mpa = start_pressure_mpa(model, workspace, contraction, options).ok();
     if answer.slack {
-        answer.free_contraction = free_contraction(model, workspace, pressure_mpa, options.extrapolate).ok();
+        answer.free_contraction = free_contraction(model, workspace, pressure_mpa, options).ok();
     }
     Ok(answer)
 }
@@ -89,7 +87,7 @@ pub fn point<M: ForceModel + ?Sized>(
 ) -> Result<Answer, ModelError> {
     let mut warnings = check_range(model, pressure_mpa, contraction, options)?;
     warnings.extend(model.notes(workspace));
-    let mut response = model.response(workspace, pressure_mpa, contraction)?;
+    let mut response = response_on(model, workspace, pressure_mpa, contraction, options.direction)?;
     let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
     if numbers.iter().flatten().any(|v| !v.is_finite()) {
         return Err(ModelError::NotFinite { model: model.name().into(), pressure_mpa, contraction });
@@ -103,7 +101,8 @@ pub fn point<M: ForceModel + ?Sized>(
     warnings.extend(stretch_warning(model, &response));
     Ok(Answer {
         model: model.name().into(),
-        uncertainty_n: uncertainty_n(model, workspace, pressure_mpa),
+        direction: options.direction,
+        uncertainty_n: uncertainty_n(model, workspace, pressure_mpa, options.direction),
         response,
         slack,
         two_sided_force_n,
@@ -125,7 +124,7 @@ pub fn pressure<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<Answer, AnalysisError> {
     check_range(model, model.range().pressure_mpa.0, contraction, options)?;
-    let pressure_mpa = pressure_at(model, workspace, force_n, contraction, options.extrapolate)?;
+    let pressure_mpa = pressure_at(model, workspace, force_n, contraction, options)?;
     Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
 }
 
@@ -141,7 +140,7 @@ pub fn contraction<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<Answer, AnalysisError> {
     check_range(model, pressure_mpa, model.range().contraction.0.max(0.0), options)?;
-    let contraction = contraction_at(model, workspace, force_n, pressure_mpa, options.extrapolate)?;
+    let contraction = contraction_at(model, workspace, force_n, pressure_mpa, options)?;
     Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
 }
 
@@ -159,13 +158,14 @@ pub fn uncertainty_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     pressure_mpa: f64,
+    direction: Direction,
 ) -> Option<f64> {
     let accuracy = model.accuracy();
     let at = match accuracy.blocked_at {
         BlockedAt::SamePressure => pressure_mpa,
         BlockedAt::Pressure(p) => p,
     };
-    let blocked = model.force_n(workspace, at, 0.0).ok()?;
+    let blocked = force_on(model, workspace, at, 0.0, direction).ok()?;
     accuracy.share_of_blocked.map(|share| share * blocked.abs())
 }
 

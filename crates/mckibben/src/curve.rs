@@ -144,7 +144,9 @@ mod tests {
             curves(&model, &mut Workspace::new(), Test::Isometric, &[0.15], &pressures, Options::default());
         let line = family[0].line(Test::Isometric);
         let start = line.iter().find(|p| p.1 == 0.0).unwrap().0;
-        let dead = crate::analysis::start_pressure_mpa(&model, &mut Workspace::new(), 0.15, false).unwrap();
+        let dead =
+            crate::analysis::start_pressure_mpa(&model, &mut Workspace::new(), 0.15, Options::default())
+                .unwrap();
         assert!((start - dead).abs() < 1e-5, "{start} {dead}");
         assert!(model.force_n(&mut Workspace::new(), start, 0.15).unwrap().abs() < 0.05);
         assert!(line.iter().all(|p| p.1.is_nan() || p.1 >= 0.0));

@@ -6,18 +6,19 @@
 //! Units: mm, MPa (= N/mm²), N. Angles are in degrees where a name says `_deg`.
 //!
 //! ```
-//! use mckibben::analysis::{free_contraction, pressure_at};
-//! use mckibben::model::{ForceModel, ThickWall};
+//! use mckibben::analysis::{Options, free_contraction, pressure_at};
+//! use mckibben::model::{ForceModel, ThickWall, Workspace};
 //! use mckibben::muscle::Muscle;
 //!
 //! let muscle = Muscle::prototype().with_section(40.0, 2.0)?;
 //! let model = ThickWall::new(&muscle);
-//! let pull = model.response(0.25, 0.10)?;
+//! let workspace = &mut Workspace::new();
+//! let pull = model.response(workspace, 0.25, 0.10)?;
 //! assert!(pull.force_n > 900.0 && pull.bulged_diameter_mm > Some(50.0));
 //! // Which pressure gives 500 N at 10 %, and how far does it contract when nothing holds it?
-//! let pressure_mpa = pressure_at(&model, 500.0, 0.10, false)?;
+//! let pressure_mpa = pressure_at(&model, workspace, 500.0, 0.10, Options::default())?;
 //! assert!(pressure_mpa < 0.25);
-//! assert!(free_contraction(&model, 0.25, false)? < muscle.max_ideal_contraction());
+//! assert!(free_contraction(&model, workspace, 0.25, Options::default())? < muscle.max_ideal_contraction());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -31,6 +32,7 @@ pub mod design;
 pub mod formula;
 pub mod identify;
 pub mod least_squares;
+pub mod measured;
 pub mod model;
 pub mod muscle;
 pub mod nearest;
@@ -39,3 +41,9 @@ pub mod rubber;
 pub mod status;
 pub mod study;
 pub mod units;
+
+/// The paper whose formula (11) is [`model::Paper`] and whose method makes formulas from campaigns; equation numbers in
+/// code and documents are its. Sources are cited by their key in `literature.bib`.
+pub const PAPER: &str = "M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, An analytical formula for \
+designing McKibben pneumatic muscles, International Journal of Mechanical Engineering and Technology 9 (2018) 320–337, \
+https://hdl.handle.net/11697/130466 [antonelli2018]";

@@ -4,11 +4,10 @@
 //! 150 N, beside the ideal formulas (1) and (4) with D0 = 24 mm (the prototype's bore, as the paper drew them) and with
 //! D0 = 30 mm. The paper's findings are computed from the curves, each with a verdict; they do not all hold.
 
-use crate::analysis::{AnalysisError, contraction_at, start_pressure_mpa};
-use crate::answer::Options;
+use crate::analysis::{AnalysisError, Options, contraction_at, force_on, start_pressure_mpa};
 use crate::curve::{Curve, Test, curves};
 use crate::model::{ForceModel, Ideal, ModelError, Workspace};
-use crate::muscle::{Muscle, MuscleError, Tube};
+use crate::muscle::{Direction, Muscle, MuscleError, Tube};
 use thiserror::Error;
 
 /// Walls in mm.
@@ -122,7 +121,7 @@ where
         }
         panels.push(StudyPanel { test, fixed, curves: list });
     }
-    let findings = findings(&models, &mut workspaces, &ideals)?;
+    let findings = findings(&models, &mut workspaces, &ideals, options.direction)?;
     Ok(Study { model: models[0].name().into(), panels, findings })
 }
 
@@ -138,10 +137,12 @@ fn findings(
     models: &[Box<dyn ForceModel>],
     workspaces: &mut [Workspace],
     ideals: &[(f64, Ideal)],
+    direction: Direction,
 ) -> Result<Vec<Finding>, StudyError> {
+    let options = Options { extrapolate: true, direction, ..Options::default() };
     let contractions = SHORTENINGS_MM.map(|x| x / 285.0);
     let pull = |model: &dyn ForceModel, workspace: &mut Workspace, e: f64| {
-        model.force_n(workspace, HIGHEST_MPA, e).map(|f| f.max(0.0))
+        force_on(model, workspace, HIGHEST_MPA, e, direction).map(|f| f.max(0.0))
     };
     let mut forces = vec![];
     for &e in &contractions {
@@ -153,7 +154,7 @@ fn findings(
     let mut starts = vec![];
     for &e in &contractions[1..] {
         let list = each(models, workspaces)
-            .map(|(m, w)| start_pressure_mpa(m, w, e, true))
+            .map(|(m, w)| start_pressure_mpa(m, w, e, options))
             .collect::<Result<Vec<f64>, _>>()?;
         starts.push(list);
     }
@@ -163,7 +164,7 @@ fn findings(
     let at = |i: usize| contractions.map(|e| format!("{:.0}", ideal(i, e))).join(" / ");
     let thinnest = forces.iter().map(|f| format!("{:.0}", f[0])).collect::<Vec<_>>().join(" / ");
     let steepest = |i: usize| (0..3).all(|j| ideal(i, contractions[j]) >= forces[j][0]);
-    let short = |m: &dyn ForceModel, w: &mut Workspace, f: f64| contraction_at(m, w, f, HIGHEST_MPA, true);
+    let short = |m: &dyn ForceModel, w: &mut Workspace, f: f64| contraction_at(m, w, f, HIGHEST_MPA, options);
     let mut isotonic_falls = true;
     let mut shorter = true;
     for &f in &PULLS_N {

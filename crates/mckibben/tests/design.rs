@@ -1,6 +1,7 @@
 //! The design search against brute force and against its own promises.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use mckibben::analysis::Options;
 use mckibben::design::{
     BraidChoice, Build, Limits, Objective, OperatingPoint, Reason, Relaxation, Spec, Tolerances, design,
     spread,
@@ -68,8 +69,14 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
                     continue;
                 }
                 fitting += 1;
-                let p = mckibben::analysis::pressure_at(&model, &mut Workspace::new(), 300.0, 0.1, false)
-                    .unwrap();
+                let p = mckibben::analysis::pressure_at(
+                    &model,
+                    &mut Workspace::new(),
+                    300.0,
+                    0.1,
+                    Options::default(),
+                )
+                .unwrap();
                 let (ours, other) = match objective {
                     Objective::Diameter => (best.muscle.outer_diameter_mm(), d0),
                     Objective::Pressure => (best.pressure_mpa, p),

@@ -95,18 +95,16 @@ fn closed_inverses_come_back() {
         let name = model.name().to_owned();
         for (p, e) in grid(&*model).into_iter().filter(|(p, _)| *p > 0.0) {
             let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
-            if let Some(back) = model.pressure_in_closed_form(&mut Workspace::new(), force, e) {
-                assert!((back.unwrap() - p).abs() < 1e-9, "{name} {p} {e}");
+            if let Some(back) = model.exact_pressure(force, e) {
+                assert!((back - p).abs() < 1e-9, "{name} {p} {e}");
             }
             let falls = model
                 .response(&mut Workspace::new(), p, e)
                 .unwrap()
                 .stiffness_n_per_mm
                 .is_some_and(|k| k > 0.0);
-            if let Some(back) =
-                model.contraction_in_closed_form(&mut Workspace::new(), force, p).filter(|_| falls)
-            {
-                assert!((back.unwrap() - e).abs() < 1e-9, "{name} {p} {e}");
+            if let Some(back) = model.exact_contraction(force, p).filter(|_| falls) {
+                assert!((back - e).abs() < 1e-9, "{name} {p} {e}");
             }
         }
     }
@@ -174,8 +172,7 @@ fn ideal_figures_of_the_literature() {
         assert!((f - relative).abs() < 5e-4, "{angle}°: {f}");
         assert!((m.max_ideal_contraction() - e_max).abs() < 5e-6);
         // Free contraction ends where the strands stand at 54.7356°.
-        let free =
-            Ideal::new(&m).contraction_in_closed_form(&mut Workspace::new(), 0.0, 0.3).unwrap().unwrap();
+        let free = Ideal::new(&m).exact_contraction(0.0, 0.3).unwrap();
         let theta = ((1.0 - free) * angle.to_radians().cos()).acos().to_degrees();
         assert!((theta - NEUTRAL_ANGLE_DEG).abs() < 1e-10, "{theta}");
     }
@@ -258,7 +255,7 @@ fn measured(text: &'static str) -> Vec<csv::StringRecord> {
         .collect()
 }
 
-/// Validation: the Festo presets against other specimens of the same sizes (Martens & Boblan 2017), points that pull.
+/// Validation: the Festo presets against other specimens of the same sizes (Martens & Boblan 2017 \[martens2017\]), points that pull.
 #[test]
 fn festo_presets_against_measured_maps() {
     let ten = include_str!("../../../data/martens_boblan_2017/DMSP-10-250_force_map.csv");
@@ -290,7 +287,7 @@ fn between(points: &[(f64, f64)], x: f64) -> f64 {
     pair[0].1 + (pair[1].1 - pair[0].1) * (x - pair[0].0) / (pair[1].0 - pair[0].0)
 }
 
-/// Validation: on the mean of both branches measured on the 20° muscle of Tondu (2012), the best constant end factor is
+/// Validation: on the mean of both branches measured on the 20° muscle of Tondu (2012) \[tondu2012\], the best constant end factor is
 /// 1.29. (Over all points read from the figure, which are denser on the upper branch, it is 1.278.)
 #[test]
 fn tondu_lopez_on_the_muscle_of_tondu_2012() {
@@ -347,7 +344,7 @@ proptest! {
         let h = 1e-5;
         let by_volume = p * (ideal.volume(e + h) - ideal.volume(e - h)) / (2.0 * h * length);
         prop_assert!((by_volume - force).abs() < 1e-6 * scale, "{} {}", by_volume, force);
-        let back = ideal.contraction_in_closed_form(&mut Workspace::new(), force, p).unwrap().unwrap();
+        let back = ideal.exact_contraction(force, p).unwrap();
         prop_assert!((back - e).abs() < 1e-12, "{} {}", back, e);
     }
 
@@ -390,8 +387,8 @@ proptest! {
             if let Ok(r) = model.response(&mut Workspace::new(), p, e) {
                 prop_assert!(r.force_n.is_finite(), "{}", kind);
             }
-            let inverses = [model.pressure_in_closed_form(&mut Workspace::new(), 10.0, e), model.contraction_in_closed_form(&mut Workspace::new(), 10.0, p)];
-            for x in inverses.into_iter().flatten().flatten() {
+            let inverses = [model.exact_pressure(10.0, e), model.exact_contraction(10.0, p)];
+            for x in inverses.into_iter().flatten() {
                 prop_assert!(x.is_finite(), "{}", kind);
             }
         }

@@ -34,7 +34,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let spreads = spreads(request, &build, &outcome)?;
     let winner = outcome.candidates.first();
     let verified = match (request.verify, winner) {
-        (Verify::Fe, Some(winner)) if model.name() != Model::FE.name() => verified(&spec, winner)?,
+        (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => verified(&spec, winner)?,
         _ => vec![],
     };
     let figure = match request.figure {
@@ -64,7 +64,7 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Vec<VerifiedPoint>, Probl
     let mut out = vec![];
     for point in &spec.points {
         let available = fe.force_n(&mut workspace, spec.max_pressure_mpa, point.contraction);
-        let pressure = pressure_at(&*fe, &mut workspace, point.force_n, point.contraction, true);
+        let pressure = pressure_at(&*fe, &mut workspace, point.force_n, point.contraction, Options::extrapolating());
         out.push(VerifiedPoint {
             force_n: point.force_n,
             contraction: point.contraction,

@@ -2,10 +2,11 @@
 
 use super::caption;
 use crate::words::{PressureUnit, number, percent};
-use mckibben::compare::Branch;
-use mckibben::identify::{Fitted, Identification, Section};
+use mckibben::analysis::force_on;
+use mckibben::identify::{Fitted, Identification};
+use mckibben::measured::Section;
 use mckibben::model::{ForceModel, ModelError, Workspace};
-use mckibben::muscle::{Motion, Muscle};
+use mckibben::muscle::{Direction, Muscle};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Makes the model of a muscle.
@@ -33,11 +34,11 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
 }
 
-fn word(branch: Option<Branch>) -> &'static str {
+fn word(branch: Direction) -> &'static str {
     match branch {
-        None => "points",
-        Some(Branch::Contraction) => "shortening",
-        Some(Branch::Elongation) => "lengthening",
+        Direction::Mean => "points",
+        Direction::Contraction => "shortening",
+        Direction::Elongation => "lengthening",
     }
 }
 
@@ -59,8 +60,7 @@ pub(crate) fn identified(
     }
     let left = |x: fn(&Fitted) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new("model less data [N]").from_zero());
-        for (n, branch) in [None, Some(Branch::Contraction), Some(Branch::Elongation)].into_iter().enumerate()
-        {
+        for (n, branch) in Direction::ALL.into_iter().enumerate() {
             let mine = found.points.iter().filter(|f| f.point.at.branch == branch);
             let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), f.residual_n)).collect();
             if !points.is_empty() {
@@ -128,8 +128,8 @@ fn fit(found: &Identification, build: &Build<'_>, section: &Section, p: Pressure
         let Some(model) = &model else { continue };
         let ends = on.iter().map(|f| if isobaric { f.point.at.contraction } else { f.point.at.pressure_mpa });
         let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
-        let mut branches: Vec<Option<Branch>> = on.iter().map(|f| f.point.at.branch).collect();
-        branches.sort_by_key(|b| b.map(|b| b as u8));
+        let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.branch).collect();
+        branches.sort_by_key(|b| *b as u8);
         branches.dedup();
         for branch in branches {
             let mut workspace = Workspace::new();
@@ -139,7 +139,7 @@ fn fit(found: &Identification, build: &Build<'_>, section: &Section, p: Pressure
                 let force = pulled(model.as_ref(), &mut workspace, found, (pressure, contraction), branch)?;
                 Some((if isobaric { x } else { p.value(x) }, force))
             });
-            let style = if branch == Some(Branch::Elongation) { Style::Dashed } else { Style::Line };
+            let style = if branch == Direction::Elongation { Style::Dashed } else { Style::Line };
             panel = panel.series(Series::new("", points.collect::<Vec<_>>()).style(style).colour(n));
         }
     }
@@ -152,13 +152,7 @@ fn pulled(
     w: &mut Workspace,
     found: &Identification,
     (p, e): (f64, f64),
-    branch: Option<Branch>,
+    branch: Direction,
 ) -> Option<f64> {
-    let motion = match branch {
-        None => Motion::Mean,
-        Some(Branch::Contraction) => Motion::Shortening,
-        Some(Branch::Elongation) => Motion::Lengthening,
-    };
-    let friction = m.muscle().friction().map_or(0.0, |f| f.force_n(p, motion));
-    Some(m.force_n(w, p, e + found.candidate.contraction_offset).ok()? + friction)
+    force_on(m, w, p, e + found.candidate.contraction_offset, branch).ok()
 }

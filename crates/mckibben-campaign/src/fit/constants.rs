@@ -14,7 +14,7 @@ use mckibben::compare::MeasuredPoint;
 use mckibben::identify::{DataPoint, Parameter, Request, Section, Target, identify};
 use mckibben::least_squares::Loss;
 use mckibben::model::{Coefficients, ForceModel, ModelError};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber};
+use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
 use mckibben::rubber::{Law, MooneyRivlin, RubberLaw};
 use mckibben_fem::axisymmetric::Axisymmetric;
 
@@ -88,7 +88,12 @@ fn points(d: f64, s: f64, force: impl Fn(f64, f64) -> Option<f64>) -> Vec<DataPo
     let blocked = force(FULL_PRESSURE, 0.0).unwrap_or(1.0);
     let one = |contraction: f64, pressure_mpa: f64| {
         let force_n = force(pressure_mpa, contraction)?;
-        Some(point(d, s, MeasuredPoint { pressure_mpa, contraction, force_n, branch: None }, blocked))
+        Some(point(
+            d,
+            s,
+            MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean },
+            blocked,
+        ))
     };
     CONTRACTIONS.iter().flat_map(|&e| PRESSURES.iter().filter_map(move |&p| one(e, p))).collect()
 }

@@ -11,7 +11,7 @@ use crate::quantities::{contractions, points};
 use crate::word::word;
 use clap::Args;
 use mckibben::units::Dimension;
-use mckibben_app::{CompareAnswer, CompareRequest, DataBranch, FitConstant, ProblemKind};
+use mckibben_app::{CompareAnswer, CompareRequest, Direction, FitConstant, ProblemKind};
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
@@ -32,8 +32,8 @@ pub struct CompareArgs {
     #[arg(long, value_name = "FILE.csv")]
     pub data: Option<PathBuf>,
     /// Which branch of measured hysteresis
-    #[arg(long, value_parser = word::<DataBranch>(), default_value = "mean")]
-    pub branch: DataBranch,
+    #[arg(long, value_parser = word::<Direction>(), default_value = "mean")]
+    pub branch: Direction,
     /// Constants to fit to the points, for each model: modulus, end-factor, stiffness
     #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "data")]
     pub fit: Vec<String>,
@@ -97,7 +97,7 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer) -> String {
     let mut out = format!("{}\n", answer.muscle.line());
     match &args.data {
         Some(path) => {
-            let mean = args.branch == DataBranch::Mean;
+            let mean = args.branch == Direction::Mean;
             let which = if mean { " (mean of the branches where both stand)" } else { "" };
             out.push_str(&format!(
                 "against {} points of {}{which}, largest {} N\n\n",

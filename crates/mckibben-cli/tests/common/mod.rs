@@ -2,9 +2,11 @@
 #![allow(dead_code)]
 
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 /// No command in these tests may take longer.
@@ -67,7 +69,46 @@ pub fn run_in<S: AsRef<OsStr>>(folder: &Path, args: &[S]) -> Ran {
     let from = Instant::now();
     let result = ran(command(folder).args(args).output().unwrap());
     assert!(from.elapsed() < LIMIT, "took {:?}", from.elapsed());
+    let words: Vec<&str> = args.iter().filter_map(|a| a.as_ref().to_str()).collect();
+    if words.windows(2).any(|w| w == ["--format", "json"]) {
+        assert_schema(&words, &result);
+    }
     result
+}
+
+/// The name of a command line's schema.
+fn schema_name(words: &[&str]) -> Option<String> {
+    let [first, second] = [words.first()?, words.get(1).unwrap_or(&"")];
+    Some(match *first {
+        "curve" if words.contains(&"--study") => "study".into(),
+        "validate" if words.contains(&"--sweep") => "sweep".into(),
+        "muscle" | "rubber" | "formula" => format!("{first}-{second}"),
+        "campaign" if ["show", "merge"].contains(second) => format!("campaign-{second}"),
+        "fit" if words.contains(&"--report") => "fit-report".into(),
+        other => other.into(),
+    })
+}
+
+/// Every answer and every error is what the schema of its command says.
+fn assert_schema(words: &[&str], result: &Ran) {
+    static KNOWN: Mutex<BTreeMap<String, Arc<[jsonschema::Validator; 2]>>> = Mutex::new(BTreeMap::new());
+    let Some(name) = schema_name(words) else { return };
+    let known = KNOWN.lock().unwrap().get(&name).cloned();
+    let validators = known.unwrap_or_else(|| {
+        let schema = mckibben_app::schema(&name).unwrap_or_else(|e| panic!("{words:?}: {e}"));
+        let validator = |part: &str| jsonschema::validator_for(&schema[part]).unwrap();
+        let made = Arc::new([validator("answer"), validator("error")]);
+        KNOWN.lock().unwrap().insert(name.clone(), Arc::clone(&made));
+        made
+    });
+    let (validator, value) = match (result.out.is_empty(), result.err.trim()) {
+        (false, _) => (&validators[0], result.json()),
+        (true, err) if err.starts_with('{') => (&validators[1], result.error()),
+        _ => return,
+    };
+    let errors: Vec<String> =
+        validator.iter_errors(&value).map(|e| format!("{} at {}", e, e.instance_path())).take(3).collect();
+    assert!(errors.is_empty(), "{name}: {errors:?}");
 }
 
 /// Runs with these arguments at the root of the repository.

@@ -233,25 +233,20 @@ impl ForceModel for Axisymmetric {
         names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn pressure_under_load(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let e = self.engine(workspace);
         self.reach_pressure(e, force_n, contraction).ok()?;
-        Some(e.walker.body.state.pressure).filter(|p| *p >= 0.0).map(Ok)
+        Some(e.walker.body.state.pressure).filter(|p| *p >= 0.0)
     }
 
-    fn contraction_in_closed_form(
+    fn contraction_under_load(
         &self,
         workspace: &mut Workspace,
         force_n: f64,
         pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    ) -> Option<f64> {
         let e = self.engine(workspace);
         self.reach_force(e, force_n, pressure_mpa).ok()?;
-        Some(-e.walker.body.state.terminal / e.half_length()).filter(|e| *e >= 0.0).map(Ok)
+        Some(-e.walker.body.state.terminal / e.half_length()).filter(|e| *e >= 0.0)
     }
 }

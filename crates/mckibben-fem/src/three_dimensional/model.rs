@@ -205,25 +205,20 @@ impl ForceModel for ThreeDimensional {
         e.map(|e| e.body.totals.pull).map_err(|e| e.into_model(pressure_mpa, contraction))
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn pressure_under_load(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         let e = self.engine(workspace).ok()?;
         e.reach_pressure(force_n, contraction).ok()?;
-        Some(e.body.state.pressure).filter(|p| *p >= 0.0).map(Ok)
+        Some(e.body.state.pressure).filter(|p| *p >= 0.0)
     }
 
-    fn contraction_in_closed_form(
+    fn contraction_under_load(
         &self,
         workspace: &mut Workspace,
         force_n: f64,
         pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    ) -> Option<f64> {
         let e = self.engine(workspace).ok()?;
         e.reach_force(force_n, pressure_mpa).ok()?;
-        Some(e.contraction()).filter(|e| *e >= 0.0).map(Ok)
+        Some(e.contraction()).filter(|e| *e >= 0.0)
     }
 }

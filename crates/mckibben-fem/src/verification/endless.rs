@@ -10,7 +10,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::MooneyRivlin;
 use std::f64::consts::PI;
 
-const SOURCE: &str = "G: Liu & Rahn 2003, thick wall, strands that do not stretch";
+const SOURCE: &str = "G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch";
 const STRANDS: &str = "F: endless muscle with strands that stretch (thick-wall energy)";
 /// A, B, α, p.
 const SECTION: (f64, f64, f64, f64) = (8.0, 9.5, 25.0, 0.3);

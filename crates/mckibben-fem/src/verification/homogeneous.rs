@@ -1,4 +1,4 @@
-//! A. Homogeneous states (Rivlin 1948; Treloar 1975), at a point and on a distorted patch.
+//! A. Homogeneous states (Rivlin 1948 \[rivlin1948\]; Treloar 1975 \[treloar1975\]), at a point and on a distorted patch.
 
 use super::{Row, at, body, rubber};
 use crate::axisymmetric::discrete::Ends;
@@ -7,7 +7,7 @@ use crate::axisymmetric::mesh::Mesh;
 use crate::element::plane::{Gradient, PlaneLaw, PlaneVisitor, visit};
 use std::f64::consts::PI;
 
-const SOURCE: &str = "A: Rivlin 1948; Treloar 1975";
+const SOURCE: &str = "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975]";
 
 /// A mesh of an annulus 1 ≤ R ≤ 2, 0 ≤ Z ≤ 3 whose inner nodes are moved about.
 fn distorted() -> Mesh {

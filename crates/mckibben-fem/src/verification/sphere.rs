@@ -8,7 +8,7 @@ use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 use std::f64::consts::FRAC_PI_2;
 
-const SOURCE: &str = "C: Green & Zerna 1954, thick sphere";
+const SOURCE: &str = "C: Green & Zerna 1954 [green1954], thick sphere";
 
 /// The rows of C: half a sphere from the equator to the pole.
 pub fn thick_sphere() -> Vec<Row> {

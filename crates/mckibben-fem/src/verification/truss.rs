@@ -7,7 +7,7 @@
 use super::Row;
 use crate::element::truss::Truss;
 
-const SOURCE: &str = "F: von Mises truss with Green strain";
+const SOURCE: &str = "F: von Mises truss with Green strain, Crisfield 1991 [crisfield1991]";
 /// E·A in N.
 const EA: f64 = 1000.0;
 /// Half the width in mm.

@@ -1,4 +1,4 @@
-//! B. Thick tube under inside pressure at a fixed axial stretch (Rivlin 1949; Haughton & Ogden 1979), and Lamé's.
+//! B. Thick tube under inside pressure at a fixed axial stretch (Rivlin 1949 \[rivlin1949\]; Haughton & Ogden 1979 \[haughton1979\]), and Lamé's.
 
 use super::{Row, at, body, radius};
 use crate::axisymmetric::discrete::{Discrete, Ends, Make};
@@ -8,7 +8,7 @@ use crate::axisymmetric::path::Walker;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 
-const SOURCE: &str = "B: Rivlin 1949; Haughton & Ogden 1979";
+const SOURCE: &str = "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979]";
 
 /// (A, B, λz, a/A, p, b, N − πa²p).
 const ROWS: [(f64, f64, f64, f64, f64, f64, f64); 5] = [

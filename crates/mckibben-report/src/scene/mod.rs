@@ -2,7 +2,7 @@
 //!
 //! The projection is parallel, so that lengths compare along the picture. What hides what is settled by the painter's
 //! order: pieces are drawn from far to near by the depth of their middle, which is right for bodies whose faces are
-//! small beside the body (Foley et al. 1990, ch. 15).
+//! small beside the body (Foley et al. 1990 \[foley1990\], ch. 15).
 
 mod camera;
 mod draw;

@@ -1,5 +1,6 @@
 //! Blocked force, free contraction, dead pressure, work and burst.
 
+use super::ask::{Options, force_on};
 use super::error::AnalysisError;
 use super::inverse::{contraction_at, pressure_at};
 use super::root::find_root;
@@ -13,8 +14,9 @@ pub fn blocked_force_n<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     pressure_mpa: f64,
+    options: Options,
 ) -> Result<f64, AnalysisError> {
-    Ok(model.force_n(workspace, pressure_mpa, 0.0)?)
+    Ok(force_on(model, workspace, pressure_mpa, 0.0, options.direction)?)
 }
 
 /// Free contraction: the ε at which a muscle at this pressure no longer pulls.
@@ -25,9 +27,9 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     pressure_mpa: f64,
-    extrapolate: bool,
+    options: Options,
 ) -> Result<f64, AnalysisError> {
-    contraction_at(model, workspace, 0.0, pressure_mpa, extrapolate)
+    contraction_at(model, workspace, 0.0, pressure_mpa, options)
 }
 
 /// Dead pressure P′ in MPa: below it the muscle does not pull at this contraction. Zero where it pulls from the start.
@@ -39,14 +41,16 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     contraction: f64,
-    extrapolate: bool,
+    options: Options,
 ) -> Result<f64, AnalysisError> {
     let lowest = model.range().pressure_mpa.0;
     // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
-    if lowest <= 0.0 && model.force_n(workspace, lowest, contraction).is_ok_and(|force| force >= 0.0) {
+    if lowest <= 0.0
+        && force_on(model, workspace, lowest, contraction, options.direction).is_ok_and(|force| force >= 0.0)
+    {
         return Ok(lowest);
     }
-    pressure_at(model, workspace, 0.0, contraction, extrapolate)
+    pressure_at(model, workspace, 0.0, contraction, options)
 }
 
 /// Work in J that the muscle does at constant pressure from ε = `from` to ε = `to`: L0 ∫ F dε.
@@ -59,6 +63,7 @@ pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     from: f64,
     to: f64,
+    options: Options,
 ) -> Result<f64, AnalysisError> {
     // Ten panels of four-point Gauss; the curves are smooth.
     const PANELS: usize = 10;
@@ -67,7 +72,8 @@ pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
     for panel in 0..PANELS {
         let mid = from + h * (panel as f64 + 0.5);
         for &(x, weight) in crate::model::gauss(4) {
-            sum += 0.5 * h * weight * model.force_n(workspace, pressure_mpa, mid + 0.5 * h * x)?;
+            let e = mid + 0.5 * h * x;
+            sum += 0.5 * h * weight * force_on(model, workspace, pressure_mpa, e, options.direction)?;
         }
     }
     Ok(sum * model.muscle().length_mm() * 1e-3)

@@ -1,15 +1,16 @@
 //! What can be asked of any [`ForceModel`](crate::model::ForceModel): inverses, blocked force, free contraction, dead pressure, work, air and burst.
 
 mod air;
+mod ask;
 mod characteristics;
 mod error;
 mod inverse;
 mod root;
 
 pub use air::{Air, air_per_stroke};
+pub use ask::{Options, force_on, response_on, source_of};
 pub use characteristics::{
     blocked_force_n, burst_pressure_mpa, free_contraction, start_pressure_mpa, work_per_stroke_j,
 };
 pub use error::AnalysisError;
 pub use inverse::{contraction_at, pressure_at};
-pub use root::{RootError, find_root};

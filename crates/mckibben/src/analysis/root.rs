@@ -20,7 +20,7 @@ pub enum RootError<E> {
 
 /// Root of a continuous function between `low` and `high`, where it changes its sign.
 ///
-/// Chandrupatla's method (Adv. Eng. Software 28 (1997) 145–149): inverse quadratic interpolation where it is safe, else
+/// Chandrupatla's method (1997 \[chandrupatla1997\]): inverse quadratic interpolation where it is safe, else
 /// bisection; the bracket always shrinks. Ends when the bracket is narrower than `tolerance` or a few units in the last
 /// place.
 ///

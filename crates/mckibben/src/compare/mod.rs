@@ -1,11 +1,8 @@
-//! Models against measured points: rms and largest error of each, and a small fit.
+//! Models against measured points: rms and largest error of each.
 
-mod fit;
-mod measured;
+pub use crate::measured::{MeasuredError, MeasuredPoint, mean_of_branches, read_measured};
 
-pub use fit::{Fit, FitError, FitParameter, fit};
-pub use measured::{Branch, MeasuredError, MeasuredPoint, mean_of_branches, read_measured};
-
+use crate::analysis::{Options, force_on};
 use crate::model::{ForceModel, ModelError, Workspace};
 
 /// How far a model is from measured points.
@@ -33,17 +30,19 @@ pub fn compare<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     points: &[MeasuredPoint],
-    extrapolate: bool,
+    options: Options,
 ) -> Result<Comparison, ModelError> {
     let (mut squares, mut sum, mut max_n, mut count) = (0.0, 0.0, 0.0_f64, 0usize);
     let mut failed: Option<(usize, ModelError)> = None;
     for point in points {
-        let checked = if extrapolate {
+        let checked = if options.extrapolate {
             Ok(())
         } else {
             model.range().check(model.name(), point.pressure_mpa, point.contraction)
         };
-        match checked.and_then(|()| model.force_n(workspace, point.pressure_mpa, point.contraction)) {
+        match checked.and_then(|()| {
+            force_on(model, workspace, point.pressure_mpa, point.contraction, options.direction)
+        }) {
             Ok(force) => {
                 let difference = force.max(0.0) - point.force_n;
                 squares += difference * difference;

@@ -3,11 +3,12 @@
 use super::reason::Reason;
 use super::spec::{Build, Objective, OperatingPoint, Spec};
 use crate::analysis::{
-    AnalysisError, air_per_stroke, burst_pressure_mpa, free_contraction, pressure_at, work_per_stroke_j,
+    AnalysisError, Options, air_per_stroke, burst_pressure_mpa, free_contraction, pressure_at,
+    work_per_stroke_j,
 };
 use crate::answer::uncertainty_n;
 use crate::model::{ForceModel, Response, ThickWall, Workspace};
-use crate::muscle::Muscle;
+use crate::muscle::{Direction, Muscle};
 
 /// A candidate at one operating point.
 #[derive(Debug, Clone, PartialEq)]
@@ -196,7 +197,7 @@ fn need(
     workspace: &mut Workspace,
     point: &OperatingPoint,
 ) -> Result<f64, Reason> {
-    match pressure_at(model, workspace, point.force_n, point.contraction, spec.extrapolate) {
+    match pressure_at(model, workspace, point.force_n, point.contraction, spec.options()) {
         Ok(p) => Ok(p),
         // At the lowest pressure of its range the model already pulls more: that pressure is enough.
         Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. })
@@ -302,13 +303,13 @@ pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Resu
             margin: available_n / point.force_n - 1.0,
             response,
             air_normal_litres,
-            uncertainty_n: uncertainty_n(model, workspace, pressure_mpa),
+            uncertainty_n: uncertainty_n(model, workspace, pressure_mpa, Direction::Mean),
         });
     }
     let max = spec.max_pressure_mpa;
-    let free = free_contraction(model, workspace, max, false).ok().or_else(|| {
+    let free = free_contraction(model, workspace, max, Options::default()).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        free_contraction(&aide, workspace, max, false).ok()
+        free_contraction(&aide, workspace, max, Options::default()).ok()
     });
     let (burst, helped) = burst_of(spec, model, workspace, &aide);
     if helped && burst.is_some() {
@@ -322,7 +323,7 @@ pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Resu
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
         blocked_force_n: model.force_n(workspace, max, 0.0).map_err(Reason::Model)?,
         free_contraction: free,
-        work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest).ok(),
+        work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, Options::default()).ok(),
         burst_pressure_mpa: burst,
         from_thick_wall,
         points,

@@ -3,7 +3,7 @@
 use super::candidate::screen;
 use super::reason::Reason;
 use super::spec::{Build, Limits, OperatingPoint, Spec};
-use crate::analysis::{contraction_at, pressure_at};
+use crate::analysis::{Options, contraction_at, pressure_at};
 use crate::model::{ForceModel, ThickWall, Workspace};
 use crate::muscle::Muscle;
 
@@ -66,7 +66,7 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
         out.extend(
             points(spec, build, muscle, &pulls, |p, _| {
                 let contraction =
-                    contraction_at(model, workspace, p.force_n, spec.max_pressure_mpa, spec.extrapolate)
+                    contraction_at(model, workspace, p.force_n, spec.max_pressure_mpa, spec.options())
                         .ok()?;
                 Some(OperatingPoint { contraction, ..*p })
             })
@@ -102,8 +102,10 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
 fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
     let model = build(muscle).ok()?;
     let workspace = &mut Workspace::new();
-    let needs =
-        spec.points.iter().map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, true));
+    let needs = spec
+        .points
+        .iter()
+        .map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, Options::extrapolating()));
     let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
     let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
     let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };

@@ -1,5 +1,6 @@
 //! What is wanted, and what may be varied.
 
+use crate::analysis::Options;
 use crate::model::{ForceModel, ModelError};
 use crate::muscle::{Muscle, MuscleError, Rubber};
 use crate::units::Values;
@@ -123,6 +124,30 @@ pub enum SpecError {
 }
 
 impl Spec {
+    /// A specification of points and a supply: the prototype's length, braid and rubber, diameters from 5 to 80 mm and walls
+    /// from 0.5 to 10 mm, the smallest diameter the best, five candidates. Everything else is a field to be set.
+    pub fn new(points: Vec<OperatingPoint>, max_pressure_mpa: f64) -> Self {
+        let base = Muscle::prototype();
+        Self {
+            points,
+            max_pressure_mpa,
+            outer_diameter_mm: Values::Interval(5.0, 80.0),
+            wall_mm: Values::Interval(0.5, 10.0),
+            braid: BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+            base,
+            rubbers: vec![],
+            limits: Limits::default(),
+            objective: Objective::default(),
+            top: 5,
+            extrapolate: false,
+        }
+    }
+
+    /// How its models are asked.
+    pub(super) fn options(&self) -> Options {
+        Options { extrapolate: self.extrapolate, ..Options::default() }
+    }
+
     /// Checks the specification.
     ///
     /// # Errors

@@ -108,26 +108,16 @@ impl ForceModel for FormulaModel {
         self.at(pressure_mpa, contraction).map(|all| all[0])
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         match &self.bound {
-            Bound::Paper(s) => s.pressure_mpa(force_n, contraction).map(Ok),
+            Bound::Paper(s) => s.pressure_mpa(force_n, contraction),
             Bound::Global(_) => None,
         }
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         match &self.bound {
-            Bound::Paper(s) => s.contraction(force_n, pressure_mpa).map(Ok),
+            Bound::Paper(s) => s.contraction(force_n, pressure_mpa),
             Bound::Global(_) => None,
         }
     }

@@ -1,12 +1,12 @@
 //! Sentences about data and result: what does not fit together, what is not told, where the model does not follow.
 
-use super::data::{DataPoint, Quantity};
 use super::error::IdentifyError;
 use super::parameter::Target;
 use super::problem::Build;
 use super::result::{Fitted, Identification};
 use super::run::distinct;
 use crate::least_squares::Loss;
+use crate::measured::{DataPoint, Quantity};
 use crate::model::{Ideal, Workspace};
 use crate::muscle::Muscle;
 
@@ -142,7 +142,7 @@ fn contradictions(points: &[DataPoint]) -> Option<String> {
     let found: Vec<&[&DataPoint]> = order.windows(2).filter(clash).collect();
     let first = found.first()?;
     let (a, b) = (first[0], first[1]);
-    let branch = if a.at.branch.is_none() {
+    let branch = if a.at.branch.is_mean() {
         "; if they are the two branches of the hysteresis loop, say so in a column `branch`"
     } else {
         "; one of them is wrong, or the muscle changed in between (the first inflation is stiffer than later ones)"
@@ -290,7 +290,7 @@ fn pattern(points: &[Fitted]) -> Option<String> {
     let mut order: Vec<&Fitted> = points.iter().collect();
     let key = |f: &Fitted| {
         let s = &f.point.section;
-        let branch = f.point.at.branch.map_or(0.0, |b| 1.0 + f64::from(b as u8));
+        let branch = f64::from(f.point.at.branch as u8);
         let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
         [measures[0], measures[1], measures[2], measures[3], f.point.at.pressure_mpa, branch]
     };
@@ -311,7 +311,7 @@ fn pattern(points: &[Fitted]) -> Option<String> {
         return None;
     }
     let rho = pairs.iter().map(|p| p.0 * p.1).sum::<f64>() / square;
-    // Without a pattern ρ is normal with 1/√n (Bartlett 1946).
+    // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
     if rho < 3.0 / (pairs.len() as f64).sqrt() {
         return None;
     }

@@ -1,7 +1,7 @@
 //! A muscle with values for the parameters: what is tried, and what comes out.
 
-use super::data::Section;
 use super::parameter::Target;
+use crate::measured::Section;
 use crate::muscle::{BraidStiffness, EndFactor, Friction, Muscle, MuscleError};
 use crate::rubber::RubberLaw;
 
@@ -16,7 +16,7 @@ pub(super) struct Family {
     pub exponent: f64,
 }
 
-/// β where nothing is known: between the 0.57 and 0.82 seen by Tondu (2012).
+/// β where nothing is known: between the 0.57 and 0.82 seen by Tondu (2012) \[tondu2012\].
 const FRICTION_EXPONENT: f64 = 0.6;
 
 /// A muscle that is tried.

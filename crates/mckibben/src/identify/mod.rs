@@ -2,13 +2,12 @@
 //!
 //! Least squares of the residuals (`problem.rs`) by Levenberg–Marquardt ([`crate::least_squares`]), on any mix of isometric,
 //! isobaric and isotonic points; any parameter of [`Target`] free or fixed. Standard errors are those of linearised least
-//! squares (Seber & Wild 2003, ch. 2). A parameter is told by the data where the half-width of its 95 % interval is below
+//! squares (Seber & Wild 2003 \[seber2003\], ch. 2). A parameter is told by the data where the half-width of its 95 % interval is below
 //! its limit ([`Target`]: half of the shear modulus for constants of the law, half of its value for most others) and it
 //! lies on no bound.
 
 mod advice;
 mod candidate;
-mod data;
 mod error;
 mod parameter;
 mod problem;
@@ -16,14 +15,14 @@ mod result;
 mod run;
 mod unasked;
 
+pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
 pub use candidate::{Candidate, own_value};
-pub use data::{DataPoint, Quantity, Section, mean_of_branches, read_data};
 pub use error::IdentifyError;
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
 pub use result::{Fitted, Identification, Identified, Spread};
 pub use run::{Request, identify, identify_with};
-pub use unasked::{default_targets, identify_default};
+pub use unasked::{default_targets, identify_default, matters};
 
 #[cfg(test)]
 mod tests;

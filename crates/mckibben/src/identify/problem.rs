@@ -10,12 +10,12 @@
 //! ([`ForceModel::force_by`]) where it has one.
 
 use super::candidate::Candidate;
-use super::data::{DataPoint, Quantity, Section};
 use super::parameter::Target;
-use crate::compare::Branch;
+use crate::analysis::{force_on, response_on};
 use crate::least_squares::Residuals;
+use crate::measured::{DataPoint, Quantity, Section};
 use crate::model::{ForceModel, ModelError, Workspace};
-use crate::muscle::{BraidStiffness, Friction, Motion, Muscle};
+use crate::muscle::{BraidStiffness, Direction, Muscle};
 use crate::progress::Progress;
 use crate::rubber::RubberLaw;
 use rayon::prelude::*;
@@ -56,39 +56,16 @@ struct Local {
     by_pressure: f64,
 }
 
-fn motion(branch: Option<Branch>) -> Motion {
-    match branch {
-        None => Motion::Mean,
-        Some(Branch::Contraction) => Motion::Shortening,
-        Some(Branch::Elongation) => Motion::Lengthening,
-    }
-}
-
-fn friction_force(friction: Option<&Friction>, p: f64, branch: Option<Branch>) -> f64 {
-    friction.map_or(0.0, |f| f.force_n(p, motion(branch)))
-}
-
-/// Pull on a branch.
-fn force(
-    m: &dyn ForceModel,
-    w: &mut Workspace,
-    p: f64,
-    e: f64,
-    branch: Option<Branch>,
-) -> Result<f64, ModelError> {
-    Ok(m.force_n(w, p, e)? + friction_force(m.muscle().friction(), p, branch))
-}
-
 fn local(
     m: &dyn ForceModel,
     w: &mut Workspace,
     p: f64,
     e: f64,
-    branch: Option<Branch>,
+    branch: Direction,
 ) -> Result<Local, ModelError> {
-    let r = m.response(w, p, e)?;
+    let r = response_on(m, w, p, e, branch)?;
     let mut difference = |up: (f64, f64), down: (f64, f64), width: f64| -> Result<f64, ModelError> {
-        Ok((m.force_n(w, up.0, up.1)? - m.force_n(w, down.0, down.1)?) / width)
+        Ok((force_on(m, w, up.0, up.1, branch)? - force_on(m, w, down.0, down.1, branch)?) / width)
     };
     const H: f64 = 1e-5;
     let by_contraction = match r.stiffness_n_per_mm {
@@ -99,9 +76,7 @@ fn local(
         Some(slope) => slope,
         None => difference((p + H, e), ((p - H).max(0.0), e), H + H.min(p))?,
     };
-    let slope = m.muscle().friction().map_or(0.0, |f| f.slope(p, motion(branch)));
-    let force = r.force_n + friction_force(m.muscle().friction(), p, branch);
-    Ok(Local { force, by_contraction, by_pressure: by_pressure + slope })
+    Ok(Local { force: r.force_n, by_contraction, by_pressure })
 }
 
 /// Newton's method for what was read, from where it was read.
@@ -187,7 +162,7 @@ impl<'a, B: Build> Problem<'a, B> {
             match point.measured {
                 Quantity::Force => {
                     let e = at.contraction + candidate.contraction_offset;
-                    Ok(force(m, w, at.pressure_mpa, e, at.branch)? - at.force_n)
+                    Ok(force_on(m, w, at.pressure_mpa, e, at.branch)? - at.force_n)
                 }
                 Quantity::Contraction => {
                     let (_, e, _) = found(m, w, point, candidate.contraction_offset)?;
@@ -311,11 +286,7 @@ impl<'a, B: Build> Problem<'a, B> {
             |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
         let muscle = m.muscle();
         let friction = muscle.friction().copied();
-        let sign = match point.at.branch {
-            None => 0.0,
-            Some(Branch::Contraction) => -1.0,
-            Some(Branch::Elongation) => 1.0,
-        };
+        let sign = point.at.branch.sign();
         let (d, s) = (muscle.outer_diameter_mm(), &point.section);
         let one = |(&target, &v): (&Target, &f64)| match target {
             Target::Modulus => {

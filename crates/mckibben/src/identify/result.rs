@@ -1,9 +1,9 @@
 //! What was identified.
 
 use super::candidate::Candidate;
-use super::data::{DataPoint, Quantity};
 use super::parameter::Target;
-use crate::compare::Branch;
+use crate::measured::{DataPoint, Quantity};
+use crate::muscle::Direction;
 use crate::muscle::Muscle;
 use serde::Serialize;
 
@@ -129,12 +129,12 @@ pub(super) fn spreads(points: &[Fitted]) -> Vec<Spread> {
         let list: Vec<f64> = points.iter().filter(|p| keep(p)).map(|p| p.residual_n).collect();
         (!list.is_empty() && list.len() < points.len()).then(|| spread(label, &list))
     };
-    let branch = |b: Option<Branch>| move |p: &Fitted| p.point.at.branch == b;
+    let branch = |b: Direction| move |p: &Fitted| p.point.at.branch == b;
     let read = |q: Quantity| move |p: &Fitted| p.point.measured == q;
     let mut out: Vec<Spread> = [
-        of("branch contraction".into(), &branch(Some(Branch::Contraction))),
-        of("branch elongation".into(), &branch(Some(Branch::Elongation))),
-        of("no branch".into(), &branch(None)),
+        of("branch contraction".into(), &branch(Direction::Contraction)),
+        of("branch elongation".into(), &branch(Direction::Elongation)),
+        of("no branch".into(), &branch(Direction::Mean)),
         of("read: force".into(), &read(Quantity::Force)),
         of("read: contraction".into(), &read(Quantity::Contraction)),
         of("read: pressure".into(), &read(Quantity::Pressure)),

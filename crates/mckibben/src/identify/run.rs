@@ -2,14 +2,14 @@
 
 use super::advice;
 use super::candidate::own_value;
-use super::data::{DataPoint, Quantity};
 use super::error::IdentifyError;
 use super::parameter::{Parameter, Target};
 use super::problem::{Build, Problem};
 use super::result::{Fitted, Identification, Identified, spread, spreads};
-use crate::compare::Branch;
 use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
+use crate::measured::{DataPoint, Quantity};
 use crate::model::ModelError;
+use crate::muscle::Direction;
 use crate::muscle::Muscle;
 use crate::progress::{Progress, Silent};
 
@@ -41,13 +41,13 @@ pub(super) fn distinct(values: impl Iterator<Item = f64>) -> usize {
 /// Half the width of the hysteresis loop that the data show at 1 MPa, roughly: a start for C.
 fn friction_start(points: &[DataPoint], exponent: f64) -> f64 {
     let sum = |branch| {
-        let list = points.iter().filter(|p| p.at.branch == Some(branch));
+        let list = points.iter().filter(|p| p.at.branch == branch);
         let (f, n) = list.fold((0.0, 0.0), |(f, n), p| (f + p.at.force_n, n + 1.0));
         if n > 0.0 { f / n } else { 0.0 }
     };
     let p = points.iter().map(|p| p.at.pressure_mpa).sum::<f64>() / points.len().max(1) as f64;
     let forces = points.iter().map(|p| p.at.force_n).fold(0.0, f64::max);
-    let half = 0.5 * (sum(Branch::Elongation) - sum(Branch::Contraction));
+    let half = 0.5 * (sum(Direction::Elongation) - sum(Direction::Contraction));
     half.max(0.005 * forces).max(1e-3) / p.max(1e-3).powf(exponent)
 }
 

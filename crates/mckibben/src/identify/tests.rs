@@ -1,8 +1,8 @@
 use super::*;
-use crate::compare::{Branch, MeasuredPoint};
 use crate::least_squares::Loss;
+use crate::measured::MeasuredPoint;
 use crate::model::{ForceModel, ModelError, ThickWall, Workspace};
-use crate::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
+use crate::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
 use crate::progress::{Progress, Silent};
 use crate::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
 
@@ -55,19 +55,15 @@ const PLACES: [(f64, f64); 15] = [
 /// less `offset`.
 fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
     let model = ThickWall::new(m);
-    let branches: &[Option<Branch>] = match m.friction() {
-        None => &[None],
-        Some(_) => &[Some(Branch::Contraction), Some(Branch::Elongation)],
+    let branches: &[Direction] = match m.friction() {
+        None => &[Direction::Mean],
+        Some(_) => &[Direction::Contraction, Direction::Elongation],
     };
     let mut out = vec![];
     for (pressure_mpa, contraction) in PLACES {
         for &branch in branches {
             let half = m.friction().map_or(0.0, |f| f.coefficient * pressure_mpa.powf(f.exponent));
-            let signed = match branch {
-                None => 0.0,
-                Some(Branch::Contraction) => -half,
-                Some(Branch::Elongation) => half,
-            };
+            let signed = branch.sign() * half;
             let force_n =
                 model.force_n(&mut Workspace::new(), pressure_mpa, contraction + offset).unwrap() + signed;
             let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
@@ -356,7 +352,7 @@ fn a_model_that_misses_in_a_pattern_is_told() {
         for i in 0..12 {
             let contraction = f64::from(i) * 0.015;
             let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
-            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: None };
+            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
             points.push(DataPoint::of(at));
         }
     }

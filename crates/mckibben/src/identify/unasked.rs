@@ -1,15 +1,20 @@
 //! What is free where nothing is said.
 
-use super::data::DataPoint;
+use super::candidate::{Candidate, own_value};
 use super::error::IdentifyError;
 use super::parameter::{Parameter, Target};
 use super::problem::Build;
 use super::result::Identification;
 use super::run::{Request, distinct, identify_with};
-use crate::compare::Branch;
+use crate::measured::DataPoint;
+use crate::model::Workspace;
+use crate::muscle::Direction;
 use crate::muscle::Muscle;
 use crate::progress::Progress;
 use crate::rubber::RubberLaw;
+
+/// A stiffness in N/mm of strands that do not stretch.
+const STIFF: f64 = 1e5;
 
 /// The law's modulus (its one constant, or a factor on all of them), the stiffness of strands that stretch, and the friction
 /// where both branches were measured.
@@ -24,8 +29,8 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
     if muscle.family_stiffness_n_per_mm().is_some() {
         out.push(Target::Stiffness);
     }
-    let has = |branch| points.iter().any(|p| p.at.branch == Some(branch));
-    if has(Branch::Contraction) && has(Branch::Elongation) {
+    let has = |branch| points.iter().any(|p| p.at.branch == branch);
+    if has(Direction::Contraction) && has(Direction::Elongation) {
         out.push(Target::FrictionCoefficient);
         if distinct(points.iter().map(|p| p.at.pressure_mpa)) > 2 {
             out.push(Target::FrictionExponent);
@@ -65,4 +70,22 @@ pub fn identify_default<B: Build>(
         "braid.stiffness is not told by these data and was left as it is; free it by name to see".into(),
     );
     Ok(found)
+}
+
+/// Whether a model's answers to the points depend on a parameter at all, by asking it of two muscles that differ in it: the
+/// ideal formula knows no modulus, and one that computes the ends no end factor.
+pub fn matters<B: Build>(muscle: &Muscle, target: Target, points: &[DataPoint], build: B) -> bool {
+    let own = own_value(muscle, target).unwrap_or(STIFF);
+    let made = |value: f64| build(Candidate::new(muscle, &[(target, value)]).ok()?.muscle()).ok();
+    let (Some(a), Some(b)) = (made(own), made(1.1 * own + if own == 0.0 { 0.01 } else { 0.0 })) else {
+        return false;
+    };
+    let (mut wa, mut wb) = (Workspace::new(), Workspace::new());
+    points.iter().any(|p| {
+        let (p, e) = (p.at.pressure_mpa, p.at.contraction);
+        match (a.force_n(&mut wa, p, e), b.force_n(&mut wb, p, e)) {
+            (Ok(a), Ok(b)) => (a - b).abs() > 1e-9 * (1.0 + a.abs()),
+            _ => false,
+        }
+    })
 }

@@ -1,6 +1,6 @@
 //! Unknowns with bounds, as unknowns without any.
 //!
-//! James & Roos (1975), the transformations of MINUIT:
+//! James & Roos (1975) \[james1975\], the transformations of MINUIT:
 //!
 //!   both ends      x = (low + high)/2 + (high − low)/2 · sin u
 //!   low end only   x = low + h (√(u² + 1) − 1)

@@ -4,7 +4,7 @@
 //!
 //!   s² = Σ w r²/(n − m),   cov x = s² (JᵀWJ)⁻¹,   correlation ρᵢⱼ = covᵢⱼ/√(covᵢᵢ covⱼⱼ)
 //!
-//! with n points and m unknowns that are not on a bound (Seber & Wild 2003, ch. 2). An unknown is told by the data where
+//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). An unknown is told by the data where
 //! the half-width of its 95 % interval, t(n − m) √covᵢᵢ, is below its scale and it does not lie on a bound.
 
 use super::bounds::Unknown;
@@ -38,7 +38,7 @@ pub enum Loss {
     Squares,
     /// By its sixth power: what counts is the largest. Standard errors then say little.
     Largest,
-    /// By its square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964).
+    /// By its square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 \[huber1964\]).
     Huber,
 }
 
@@ -238,7 +238,7 @@ fn huber(r: &[f64], weights: &[f64]) -> Vec<f64> {
 }
 
 /// Factors that turn squares into sixth powers, r⁴ over the largest, approached by halves in the logarithm: the whole
-/// step overshoots for powers above three (Kahng 1972).
+/// step overshoots for powers above three (Kahng 1972 \[kahng1972\]).
 fn sixth_power(r: &[f64], weights: &[f64], before: &[f64]) -> Vec<f64> {
     let size: Vec<f64> = r.iter().zip(weights).map(|(r, w)| w * r * r).collect();
     let largest = size.iter().copied().fold(0.0, f64::max);

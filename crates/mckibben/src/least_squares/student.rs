@@ -2,7 +2,7 @@
 
 /// The 97.5 % quantile of Student's t distribution with so many degrees of freedom (at least 1).
 ///
-/// Exact for 1 and 2; from 3 on Hill's expansion (Hill 1970, algorithm 396) about the normal quantile z = 1.959964,
+/// Exact for 1 and 2; from 3 on Hill's expansion (Hill 1970 \[hill1970\], algorithm 396) about the normal quantile z = 1.959964,
 /// within 1 % at 3 and 0.01 % from 8.
 pub fn t95(freedom: usize) -> f64 {
     const Z: f64 = 1.959_963_984_540_054;
@@ -25,7 +25,7 @@ pub fn t95(freedom: usize) -> f64 {
 mod tests {
     use super::t95;
 
-    /// Tables of Student's distribution (e.g. Abramowitz & Stegun 1964, table 26.10).
+    /// Tables of Student's distribution (e.g. Abramowitz & Stegun 1964 \[abramowitz1964\], table 26.10).
     #[test]
     fn quantiles_are_those_of_the_tables() {
         for (n, t, tolerance) in [

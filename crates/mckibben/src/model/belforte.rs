@@ -51,7 +51,7 @@ impl ForceModel for Belforte {
     }
 
     fn source(&self) -> &str {
-        "Belforte et al.; the paper's (3) with its squares restored"
+        "Belforte et al., as given by Antonelli et al. 2018 [antonelli2018], (3), with its squares restored"
     }
 
     fn range(&self) -> ModelRange {
@@ -91,26 +91,16 @@ impl ForceModel for Belforte {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         let l = (1.0 - contraction) * self.muscle.length_mm();
         let per_pressure = (3.0 * l * l - self.b * self.b) / self.n2;
-        (per_pressure > 0.0 && l > 0.0 && l < self.b).then(|| Ok(force_n / per_pressure))
+        (per_pressure > 0.0 && l > 0.0 && l < self.b).then(|| force_n / per_pressure)
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let l2 = (self.b * self.b + self.n2 * force_n / pressure_mpa) / 3.0;
         (pressure_mpa > 0.0 && l2 > 0.0 && l2 < self.b * self.b)
-            .then(|| Ok(1.0 - l2.sqrt() / self.muscle.length_mm()))
+            .then(|| 1.0 - l2.sqrt() / self.muscle.length_mm())
     }
 }
 

@@ -3,7 +3,7 @@
 //!   F = (π D90²/4) P (3cos²θ − 1) + π P [s D90 (2 sinθ − 1/sinθ) − s²],   D90 = D0/sinθ0,  cosθ = (1−ε) cosθ0
 //!     = −P dV/dL,   V = π (r − s)² L
 //!
-//! Source: Chou & Hannaford (1996), whose text was not at hand: the formula is taken from Tondu's review (2012) and
+//! Source: Chou & Hannaford (1996) \[chou1996\], whose text was not at hand: the formula is taken from Tondu's review (2012) \[tondu2012\] and
 //! agrees with the volume above.
 
 use super::pantograph::Pantograph;
@@ -60,7 +60,7 @@ impl ForceModel for ChouHannaford {
     }
 
     fn source(&self) -> &str {
-        "Chou & Hannaford 1996, as given by Tondu 2012"
+        "Chou & Hannaford 1996 [chou1996], as given by Tondu 2012 [tondu2012]"
     }
 
     fn range(&self) -> ModelRange {
@@ -95,16 +95,9 @@ impl ForceModel for ChouHannaford {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        match self.pull(contraction) {
-            Ok(pull) => (pull.f > 0.0).then(|| Ok(force_n / pull.f)),
-            Err(error) => Some(Err(error)),
-        }
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        let pull = self.pull(contraction).ok()?;
+        (pull.f > 0.0).then(|| force_n / pull.f)
     }
 }
 

@@ -95,7 +95,7 @@ impl FestoHunt {
             }
         }
         let guess = ((kpa - P0) / P_F).clamp(low, high);
-        rising_root(low, high, guess, |f| {
+        rising_root(low, high, guess, 0.0, |f| {
             let (p, p_f, _) = self.pressure(f, e);
             (p - kpa, p_f)
         })
@@ -113,7 +113,7 @@ impl ForceModel for FestoHunt {
     }
 
     fn source(&self) -> &str {
-        "Hunt, Graber-Tilton & Quinn 2017, mean of both branches"
+        "Hunt, Graber-Tilton & Quinn 2017 [hunt2017], mean of both branches"
     }
 
     fn range(&self) -> ModelRange {
@@ -129,7 +129,7 @@ impl ForceModel for FestoHunt {
         Accuracy {
             share_of_blocked: Some(0.09),
             blocked_at: BlockedAt::Pressure(0.45),
-            basis: "rms 17 N on the 24 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017) that lie in the box, with the largest contraction taken from the length",
+            basis: "rms 17 N on the 24 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017 [martens2017]) that lie in the box, with the largest contraction taken from the length",
         }
     }
 
@@ -158,27 +158,16 @@ impl ForceModel for FestoHunt {
         })
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         let highest = (self.e_max - contraction / (SHIFT + FRAC_PI_2 / STEEP)) / LOSS;
-        (contraction >= 0.0 && force_n < highest)
-            .then(|| Ok(self.pressure(force_n, contraction).0 / KPA_PER_MPA))
+        (contraction >= 0.0 && force_n < highest).then(|| self.pressure(force_n, contraction).0 / KPA_PER_MPA)
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let m = self.e_max - LOSS * force_n;
         let tan = (KPA_PER_MPA * pressure_mpa - P0 - P_F * force_n) / P_TAN;
         let e = m * (tan.atan() / STEEP + SHIFT);
-        (m > 0.0 && e >= 0.0).then_some(Ok(e))
+        (m > 0.0 && e >= 0.0).then_some(e)
     }
 }
 
@@ -204,7 +193,7 @@ mod tests {
     #[test]
     fn without_load_the_largest_contraction_takes_620_kpa() {
         let model = FestoHunt::new(&Muscle::prototype());
-        let p = model.pressure_in_closed_form(&mut Workspace::new(), 0.0, model.e_max).unwrap().unwrap();
+        let p = model.exact_pressure(0.0, model.e_max).unwrap();
         assert!((p - 0.62).abs() < 0.006, "{p}");
     }
 

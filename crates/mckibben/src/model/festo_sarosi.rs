@@ -2,7 +2,7 @@
 //!
 //!   F = (aP + b) e^(cκ) + dPκ + eP + f,   P in bar, κ = 100 ε in %, F in N
 //!
-//! Source: Sárosi, fits to measured DMSP-10 and DMSP-20-200N. The fits fall in κ and rise in P over the whole box: c < 0,
+//! Source: Sárosi (2012) \[sarosi2012\], fits to measured DMSP-10 and DMSP-20-200N. The fits fall in κ and rise in P over the whole box: c < 0,
 //! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
 
 use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response, Workspace};
@@ -39,7 +39,7 @@ const DMSP_10: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.25),
         blocked_at: BlockedAt::Pressure(0.6),
-        basis: "rms 73 N on the 40 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017), another specimen than the fitted one, which pulls less",
+        basis: "rms 73 N on the 40 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017 [martens2017]), another specimen than the fitted one, which pulls less",
     },
 };
 
@@ -56,7 +56,7 @@ const DMSP_20_200: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.11),
         blocked_at: BlockedAt::Pressure(0.6),
-        basis: "rms 98 N on 55 points of the static force map of a DMSP-20-300 (Martens & Boblan 2017), another and longer specimen than the fitted one",
+        basis: "rms 98 N on 55 points of the static force map of a DMSP-20-300 (Martens & Boblan 2017 [martens2017]), another and longer specimen than the fitted one",
     },
 };
 
@@ -101,7 +101,7 @@ impl ForceModel for FestoSarosi {
     }
 
     fn source(&self) -> &str {
-        "Sárosi's six-constant fit to a measured Festo muscle"
+        "Sárosi 2012 [sarosi2012], six constants fitted to a measured Festo muscle"
     }
 
     fn range(&self) -> ModelRange {
@@ -148,14 +148,9 @@ impl ForceModel for FestoSarosi {
         })
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         let (rest, slope) = self.line(contraction);
-        (slope > 0.0 && rest.is_finite()).then(|| Ok((force_n - rest) / slope / BAR_PER_MPA))
+        (slope > 0.0 && rest.is_finite()).then(|| (force_n - rest) / slope / BAR_PER_MPA)
     }
 }
 

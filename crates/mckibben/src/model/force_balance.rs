@@ -3,7 +3,7 @@
 //!   F = P [2π r ri cot²θ − π ri²],   ri² = r² − (Ro² − Ri²)/λ,   r = r0 sinθ/sinθ0,  cosθ = λ cosθ0
 //!
 //! Hoop balance: the strands hold P·2 ri per unit of length; axial balance of a cut: F + P π ri² = (tensions)·cosθ.
-//! Sources: Ferraresi et al. (2001); Kothera & Wereley (2009); Tondu (2012) eq. (18).
+//! Sources: Ferraresi et al. (2001) \[ferraresi2001\]; Kothera & Wereley (2009) \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
 
 use super::pantograph::Pantograph;
 use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
@@ -69,7 +69,7 @@ impl ForceModel for ForceBalance {
     }
 
     fn source(&self) -> &str {
-        "Ferraresi et al. 2001; Kothera & Wereley 2009; Tondu 2012 eq. (18)"
+        "Ferraresi et al. 2001 [ferraresi2001]; Kothera & Wereley 2009 [kothera2009]; Tondu 2012 [tondu2012] eq. (18)"
     }
 
     fn range(&self) -> ModelRange {
@@ -105,16 +105,9 @@ impl ForceModel for ForceBalance {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        match balance(&self.braid, contraction) {
-            Ok(b) => (b.f > 0.0).then(|| Ok(force_n / b.f)),
-            Err(error) => Some(Err(error)),
-        }
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        let b = balance(&self.braid, contraction).ok()?;
+        (b.f > 0.0).then(|| force_n / b.f)
     }
 }
 

@@ -5,7 +5,7 @@
 //!          F = −P dV/dL,  V = (B² − L²) L/(4π N²),  B = L0/cosθ0,  N = L0 tanθ0/(π D0)
 //!   (4)    ε = 1 − √{ (1 + 4 sin²θ0 F/(π D0² P)) / (3 cos²θ0) }
 //!
-//! Sources: Gaylord (1958); Schulte (1961); Chou & Hannaford (1996); Tondu & Lopez (2000). Equation numbers are those
+//! Sources: Gaylord (1958) \[gaylord1958\]; Schulte (1961) \[schulte1961\]; Chou & Hannaford (1996) \[chou1996\]; Tondu & Lopez (2000) \[tondu2000\]. Equation numbers are those
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
 use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
@@ -61,7 +61,7 @@ impl ForceModel for Ideal {
     }
 
     fn source(&self) -> &str {
-        "Chou & Hannaford 1996; the paper's (1)"
+        "Chou & Hannaford 1996 [chou1996]; Antonelli et al. 2018 [antonelli2018], (1)"
     }
 
     fn range(&self) -> ModelRange {
@@ -107,24 +107,14 @@ impl ForceModel for Ideal {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         let per_pressure = self.pull(1.0, contraction);
-        (per_pressure > 0.0).then(|| Ok(force_n / per_pressure))
+        (per_pressure > 0.0).then(|| force_n / per_pressure)
     }
 
     /// Formula (4).
-    fn contraction_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let inside = (1.0 + force_n / (self.area * pressure_mpa)) / (3.0 * self.cos2);
-        (pressure_mpa > 0.0 && inside > 0.0).then(|| Ok(1.0 - inside.sqrt()))
+        (pressure_mpa > 0.0 && inside > 0.0).then(|| 1.0 - inside.sqrt())
     }
 }

@@ -5,8 +5,8 @@
 //!   dI1/dλ = 2λ(1−c) − 2λ(1+c−2cλ²)/(λ²+cλ²(1−λ²))²
 //!   dI2/dλ = 2λ(1+c−2cλ²) − 2/λ³ + 2cλ/(1+c(1−λ²))²
 //!
-//! Vb: volume of the rubber. Source: Klute & Hannaford (2000), whose text was not at hand; derived here anew from the
-//! energy (the form printed in Tondu's review of 2012 omits 1/L0). It is the thin-wall limit of the thick-wall model.
+//! Vb: volume of the rubber. Source: Klute & Hannaford (2000) \[klute2000\], whose text was not at hand; derived here anew from the
+//! energy (the form printed in Tondu's review of 2012 \[tondu2012\] omits 1/L0). It is the thin-wall limit of the thick-wall model.
 
 use super::pantograph::Pantograph;
 use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response, Workspace};
@@ -84,7 +84,7 @@ impl ForceModel for KluteHannaford {
     }
 
     fn source(&self) -> &str {
-        "Klute & Hannaford 2000, derived anew from the energy"
+        "Klute & Hannaford 2000 [klute2000], derived anew from the energy"
     }
 
     fn range(&self) -> ModelRange {
@@ -118,14 +118,9 @@ impl ForceModel for KluteHannaford {
         Ok(response)
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         self.braid.at(contraction).ok()?;
-        self.ideal.pressure_in_closed_form(workspace, force_n - self.elastic_pull(contraction), contraction)
+        self.ideal.exact_pressure(force_n - self.elastic_pull(contraction), contraction)
     }
 }
 

@@ -12,7 +12,6 @@ mod error;
 mod festo_hunt;
 mod festo_sarosi;
 mod force_balance;
-mod hysteresis;
 mod ideal;
 mod kind;
 mod klute_hannaford;
@@ -42,7 +41,6 @@ pub use festo_hunt::{
 };
 pub use festo_sarosi::FestoSarosi;
 pub use force_balance::ForceBalance;
-pub use hysteresis::Hysteresis;
 pub use ideal::Ideal;
 pub use kind::{ModelKind, UnknownModel};
 pub use klute_hannaford::KluteHannaford;
@@ -50,6 +48,7 @@ pub use paper::{Coefficients, Paper, Section};
 pub use paper_batch::{BatchPath, LengthMismatch};
 pub use range::{ModelRange, RangeViolation};
 pub use response::Response;
+pub(crate) use root::rising_root;
 pub use rounded_ends::RoundedEnds;
 pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
@@ -130,24 +129,35 @@ pub trait ForceModel: Send + Sync {
         None
     }
 
-    /// The pressure in MPa at which the pull is `force_n`, where the model has a shorter way to it than a general
-    /// root finder; `None` where it has not.
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        _force_n: f64,
-        _contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    /// The pressure in MPa at which the pull is `force_n`, where the formula can be solved for it exactly; not checked
+    /// against [`ForceModel::range`]. Whoever wants an inverse of any model takes [`crate::analysis::pressure_at`].
+    fn exact_pressure(&self, _force_n: f64, _contraction: f64) -> Option<f64> {
         None
     }
 
     /// The contraction at which the pull is `force_n`, likewise.
-    fn contraction_in_closed_form(
+    fn exact_contraction(&self, _force_n: f64, _pressure_mpa: f64) -> Option<f64> {
+        None
+    }
+
+    /// The pressure in MPa of the equilibrium under a pull of `force_n`, for a model that solves equilibria with the load
+    /// held in place of the pressure; `None` where it has none or finds none.
+    fn pressure_under_load(
+        &self,
+        _workspace: &mut Workspace,
+        _force_n: f64,
+        _contraction: f64,
+    ) -> Option<f64> {
+        None
+    }
+
+    /// The contraction of the equilibrium under a pull of `force_n`, likewise.
+    fn contraction_under_load(
         &self,
         _workspace: &mut Workspace,
         _force_n: f64,
         _pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    ) -> Option<f64> {
         None
     }
 }

@@ -1,4 +1,5 @@
-//! The paper's formula: force as a polynomial of pressure, contraction, wall and diameter.
+//! The paper's formula: force as a polynomial of pressure, contraction, wall and diameter (Antonelli et al. 2018
+//! \[antonelli2018\]; [`crate::PAPER`]).
 //!
 //!   (11)  F = a ε² + b ε + c,   a = m_a P + q_a,   m_a = A1 s² + A2 s + A3,   q_a = A4 s² + A5 s + A6
 //!         A_k = A_k1 D0² + A_k2 D0 + A_k3;  b likewise with B, c with C, where C_k is a straight line in D0
@@ -155,7 +156,7 @@ impl ForceModel for Paper {
     }
 
     fn source(&self) -> &str {
-        "the paper's (11) with its Table 2"
+        "formula (11) with Table 2 of M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, Int. J. Mech. Eng. Technol. 9 (2018) 320–337 [antonelli2018]"
     }
 
     fn range(&self) -> ModelRange {
@@ -226,22 +227,12 @@ impl ForceModel for Paper {
         }
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        self.section.pressure_mpa(force_n, contraction).map(Ok)
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        self.section.pressure_mpa(force_n, contraction)
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        self.section.contraction(force_n, pressure_mpa).map(Ok)
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
+        self.section.contraction(force_n, pressure_mpa)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Rounded ends: quarter circles from the terminals to the bulge shorten the cylinder between them.
 //!
-//! Kothera & Wereley (2009) put the effective length L − 2(r − r0) in place of L in the force balance: each end rounds
+//! Kothera & Wereley (2009) \[kothera2009\] put the effective length L − 2(r − r0) in place of L in the force balance: each end rounds
 //! off with a quarter circle of radius r − r0 and so takes r − r0 of the muscle's length. The pull is the same in every
 //! cross-section, so it is that of the cylinder in the middle. What is measured is the whole length,
 //!
@@ -59,7 +59,7 @@ impl RoundedEnds {
         if !(contraction < highest && length(self.turn).0 > 0.0) {
             return Err(error);
         }
-        let lm = rising_root(1e-12, self.turn, l.min(self.turn), length).ok_or(error)?;
+        let lm = rising_root(1e-12, self.turn, l.min(self.turn), 0.0, length).ok_or(error)?;
         Ok((lm, 1.0 / length(lm).1))
     }
 
@@ -80,7 +80,7 @@ impl ForceModel for RoundedEnds {
     }
 
     fn source(&self) -> &str {
-        "effective length of Kothera & Wereley 2009 in the force balance"
+        "effective length of Kothera & Wereley 2009 [kothera2009] in the force balance"
     }
 
     fn range(&self) -> ModelRange {
@@ -111,16 +111,9 @@ impl ForceModel for RoundedEnds {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        match self.balance(contraction) {
-            Ok((b, _)) => (b.f > 0.0).then(|| Ok(force_n / b.f)),
-            Err(error) => Some(Err(error)),
-        }
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        let (b, _) = self.balance(contraction).ok()?;
+        (b.f > 0.0).then(|| force_n / b.f)
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //!   F = (π D0²/4) P [a (1 − kε)² − b],   a = 3/tan²θ0,  b = 1/sin²θ0,   k constant or k(P) = a_k e^(−P) + b_k, P in bar
 //!
-//! Source: Tondu & Lopez (2000), whose text was not at hand: the formula is taken from Tondu's review (2012).
+//! Source: Tondu & Lopez (2000) \[tondu2000\], whose text was not at hand: the formula is taken from Tondu's review (2012) \[tondu2012\].
 
 use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::{EndFactor, Muscle};
@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 /// The ideal formula at the contraction kε.
 ///
 /// k stands for whatever makes a real muscle shorten less than the ideal one: rounded ends, but also the rubber. On the
-/// 20° muscle of Tondu (2012) the best constant is 1.29 over 1–5 bar; fitted pressure by pressure it falls from 1.60 to
+/// 20° muscle of Tondu (2012) \[tondu2012\] the best constant is 1.29 over 1–5 bar; fitted pressure by pressure it falls from 1.60 to
 /// 1.24, as the form k(P) has it.
 #[derive(Debug, Clone)]
 pub struct TonduLopez {
@@ -43,7 +43,7 @@ impl ForceModel for TonduLopez {
     }
 
     fn source(&self) -> &str {
-        "Tondu & Lopez 2000, as given by Tondu 2012"
+        "Tondu & Lopez 2000 [tondu2000], as given by Tondu 2012 [tondu2012]"
     }
 
     fn range(&self) -> ModelRange {
@@ -82,27 +82,16 @@ impl ForceModel for TonduLopez {
         .with_braid_tension(tension, self.muscle().braid().strands.map(|s| s.count)))
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
         match self.factor {
-            EndFactor::Constant(k) => self.ideal.pressure_in_closed_form(workspace, force_n, k * contraction),
+            EndFactor::Constant(k) => self.ideal.exact_pressure(force_n, k * contraction),
             EndFactor::OfPressure { .. } => None,
         }
     }
 
-    fn contraction_in_closed_form(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Option<Result<f64, ModelError>> {
+    fn exact_contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
         let k = self.factor.at(pressure_mpa);
-        let middle = self.ideal.contraction_in_closed_form(workspace, force_n, pressure_mpa)?;
-        Some(middle.map(|e| e / k))
+        self.ideal.exact_contraction(force_n, pressure_mpa).map(|e| e / k)
     }
 }
 

@@ -4,7 +4,7 @@
 //!   h0 = s/r0,   λ = 1 − ε_max,   λ1 = ri/(r0 − s) (stretch of the bore)
 //!
 //! P_min is what it takes to blow up a thin tube of shear modulus G to its largest contraction; at P_max the tube, were
-//! it alone, would reach the strength σb of its rubber (true stress). Source: Tondu (2012) eqs. (23), (24).
+//! it alone, would reach the strength σb of its rubber (true stress). Source: Tondu (2012) \[tondu2012\] eqs. (23), (24).
 
 use super::ModelError;
 use super::pantograph::Pantograph;
@@ -53,7 +53,7 @@ mod tests {
         Muscle::prototype().with_tube(tube).and_then(|m| m.with_braid(braid)).unwrap()
     }
 
-    /// Tondu (2012): h0 = .1, G = .54 MPa.
+    /// Tondu (2012) \[tondu2012\]: h0 = .1, G = .54 MPa.
     #[test]
     fn smallest_pressures_of_tondu() {
         for (angle, bar) in [(20.0, 0.92), (30.0, 0.67)] {

@@ -5,7 +5,7 @@
 //!   u = λθ² = (ro² − (Ro² − t)/λ)/t,   v = λz² = λ²,   λr² = 1/(uv)
 //!   W(λ, ro) = ∫ ŵ(u, v) 2πR dR = π ∫ ŵ dt
 //!
-//! with λ the axial stretch and ro the outer radius now. Source: Green & Zerna (1954); Liu & Rahn (2003) use the same
+//! with λ the axial stretch and ro the outer radius now. Source: Green & Zerna (1954) \[green1954\]; Liu & Rahn (2003) \[liu2003\] use the same
 //! kinematics for the muscle. The integral runs over y = ln t, where Gauss points converge fastest; for neo-Hookean and
 //! Mooney–Rivlin rubber it is known in closed form ([`super::wall_mooney`]).
 

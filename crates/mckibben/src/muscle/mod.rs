@@ -4,6 +4,7 @@
 
 mod braid;
 mod derived;
+mod direction;
 mod error;
 pub mod file;
 mod friction;
@@ -13,8 +14,9 @@ mod tube;
 
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, Strands};
 pub use derived::BuildSheet;
+pub use direction::{Direction, UnknownDirection};
 pub use error::MuscleError;
-pub use friction::{Friction, Motion};
+pub use friction::Friction;
 pub use rubber::{Bulk, Rubber};
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
@@ -126,5 +128,13 @@ impl Muscle {
     /// As [`Muscle::new`].
     pub fn with_terminals(&self, terminals: Terminals) -> Result<Self, MuscleError> {
         Self::new(self.tube.clone(), self.braid.clone(), terminals, self.friction)
+    }
+
+    /// The same muscle with another friction of its braid.
+    ///
+    /// # Errors
+    /// As [`Muscle::new`].
+    pub fn with_friction(&self, friction: Option<Friction>) -> Result<Self, MuscleError> {
+        Self::new(self.tube.clone(), self.braid.clone(), self.terminals.clone(), friction)
     }
 }

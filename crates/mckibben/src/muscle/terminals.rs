@@ -2,12 +2,12 @@
 
 use super::error::{MuscleError, not_negative, positive};
 
-/// The empirical factor of Tondu & Lopez (2000) by which the contraction is multiplied to account for the ends.
+/// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is multiplied to account for the ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum EndFactor {
     /// k, constant; 1 means no end effect.
     Constant(f64),
-    /// k(P) = a·e^(−P) + b, P in bar as in Tondu & Lopez (2000).
+    /// k(P) = a·e^(−P) + b, P in bar as in Tondu & Lopez (2000) \[tondu2000\].
     OfPressure {
         /// a
         a: f64,
@@ -41,7 +41,7 @@ pub struct Terminals {
     pub insertion_mm: f64,
     /// Empirical end factor, where one was measured or fitted.
     pub end_factor: Option<EndFactor>,
-    /// kc of the conical-ends model (Tondu 2012 eq. 25): tips of length kc·L0·ε.
+    /// kc of the conical-ends model (Tondu 2012 \[tondu2012\] eq. 25): tips of length kc·L0·ε.
     pub cone_factor: Option<f64>,
 }
 

@@ -7,7 +7,7 @@ use crate::verification::Row;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 
-const SOURCE: &str = "H: Cook's membrane, Q1P0, plane strain";
+const SOURCE: &str = "H: Cook 1974 [cook1974], membrane, Q1P0, plane strain";
 
 /// u_y of the upper right corner in mm with n × n bricks and F = 100 N.
 fn tip(n: usize) -> Option<f64> {

@@ -9,7 +9,7 @@ use crate::three_dimensional::{Body, Brick, Freedom};
 use crate::verification::{Row, rubber};
 use mckibben::muscle::Bulk;
 
-const SOURCE: &str = "A: Rivlin; Treloar (bricks)";
+const SOURCE: &str = "A: Rivlin 1948 [rivlin1948]; Treloar 1975 [treloar1975] (bricks)";
 
 /// A unit cube in 2 × 2 × 2 bricks, inner places bent; the planes through the origin held, and what `held` says of
 /// (node on the far faces x, y, z; direction).

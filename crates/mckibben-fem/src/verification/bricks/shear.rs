@@ -1,4 +1,4 @@
-//! A. Simple shear (Rivlin 1948) with bricks whose inner nodes are out of place: x = X + γ Y.
+//! A. Simple shear (Rivlin 1948 \[rivlin1948\]) with bricks whose inner nodes are out of place: x = X + γ Y.
 //!
 //! σ12 = 2(C1 + C2)γ, σ11 − σ33 = 2 C1 γ², σ22 − σ33 = −2 C2 γ². The mean nominal stress P = Σ f⊗X/V over the nodes (virtual work of
 //! an affine displacement) gives σ = P Fᵀ at J = 1. The far face z = 1 is free along z, so that the pressure is determined.
@@ -12,7 +12,7 @@ use crate::three_dimensional::{Brick, Freedom};
 use crate::verification::{Row, rubber};
 use mckibben::muscle::Bulk;
 
-const SOURCE: &str = "A: Rivlin 1948, simple shear (bricks)";
+const SOURCE: &str = "A: Rivlin 1948 [rivlin1948], simple shear (bricks)";
 const GAMMA: f64 = 1.0;
 
 /// (σ12, σ11 − σ33, σ22 − σ33) in MPa, and the largest distance of a node from where the homogeneous state has it.

@@ -1,4 +1,4 @@
-//! D. Torsion of a solid cylinder (Rivlin 1949): M = πR⁴ψ(C1 + C2), N = −½πR⁴ψ²(C1 + 2 C2).
+//! D. Torsion of a solid cylinder (Rivlin 1949 \[rivlin1949\]): M = πR⁴ψ(C1 + C2), N = −½πR⁴ψ²(C1 + 2 C2).
 
 use super::block::Block;
 use super::{body, push};
@@ -6,7 +6,7 @@ use crate::three_dimensional::{Body, Brick, Freedom};
 use crate::verification::{Row, rubber};
 use mckibben::muscle::Bulk;
 
-const SOURCE: &str = "D: Rivlin, torsion";
+const SOURCE: &str = "D: Rivlin 1949 [rivlin1949], torsion";
 const RADIUS: f64 = 5.0;
 /// ψ in rad/mm.
 const TWIST: f64 = 0.05;

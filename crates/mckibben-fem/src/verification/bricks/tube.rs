@@ -7,7 +7,7 @@ use crate::verification::{Row, rubber};
 use mckibben::muscle::Bulk;
 use std::f64::consts::FRAC_PI_2;
 
-const SOURCE: &str = "B: Rivlin 1949; Haughton & Ogden 1979 (bricks)";
+const SOURCE: &str = "B: Rivlin 1949 [rivlin1949]; Haughton & Ogden 1979 [haughton1979] (bricks)";
 
 /// Inner radius now over that at rest, and N − πa²p in N, of a quarter of a ring of radii `a0`, `b0` and height 1 mm.
 fn ring(

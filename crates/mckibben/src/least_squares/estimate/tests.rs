@@ -121,7 +121,7 @@ fn a_model_that_ends_somewhere_is_followed_up_to_there() {
     assert!((e.x[0] - 2f64.exp()).abs() < 1e-5 && (e.x[1] - 3.0).abs() < 1e-6, "{:?}", e.x);
 }
 
-/// Rosenbrock (1960): minimum 0 at (1, 1). The third point is met by any unknowns.
+/// Rosenbrock (1960) \[rosenbrock1960\]: minimum 0 at (1, 1). The third point is met by any unknowns.
 #[test]
 fn rosenbrocks_valley_is_followed_to_its_end() {
     let valley = |x: &[f64]| Some(vec![10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0], 0.0]);

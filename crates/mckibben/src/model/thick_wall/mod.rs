@@ -11,7 +11,7 @@
 //!   F = F_ideal(outer D0) + dW/dλ.
 //!
 //! Strands carry no compression unless the braid says so: where the tube alone would not reach the braid, they are left
-//! out. Sources: Liu & Rahn (2003); Soleymani & Khajehsaeid (2020) for inextensible strands; derived here for strands
+//! out. Sources: Liu & Rahn (2003) \[liu2003\]; Soleymani & Khajehsaeid (2020) \[soleymani2020\] for inextensible strands; derived here for strands
 //! that stretch.
 
 mod equilibrium;
@@ -30,7 +30,7 @@ use std::f64::consts::PI;
 ///
 /// Valid for long muscles: the terminals cost the paper's prototype (L0/D0 9.5) 3 % of the force at ε = 0 and 10 % at .10. The
 /// rubber is taken as incompressible. An end factor of the terminals multiplies ε in the pressure term and the wall
-/// energy alike (Tondu & Lopez 2000).
+/// energy alike (Tondu & Lopez 2000 \[tondu2000\]).
 #[derive(Debug, Clone)]
 pub struct ThickWall {
     muscle: Muscle,
@@ -114,6 +114,18 @@ impl ThickWall {
     }
 }
 
+impl ThickWall {
+    /// The pressure of the equilibrium with a given pull: in closed form where strands do not stretch, else by Newton's
+    /// method for the radius.
+    fn pressure_of(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        if matches!(self.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
+            return None;
+        }
+        let (l, _, _) = self.stretch(0.0, contraction);
+        self.pressure_for(force_n, l)
+    }
+}
+
 impl ForceModel for ThickWall {
     fn name(&self) -> &str {
         "thick-wall"
@@ -124,7 +136,7 @@ impl ForceModel for ThickWall {
     }
 
     fn source(&self) -> &str {
-        "energy of the endless muscle: Liu & Rahn 2003 for rigid strands, extended here to strands that stretch"
+        "energy of the endless muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch"
     }
 
     fn range(&self) -> ModelRange {
@@ -183,16 +195,11 @@ impl ForceModel for ThickWall {
         Ok(self.state(pressure_mpa, l)?.force)
     }
 
-    fn pressure_in_closed_form(
-        &self,
-        _: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Option<Result<f64, ModelError>> {
-        if matches!(self.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
-            return None;
-        }
-        let (l, _, _) = self.stretch(0.0, contraction);
-        self.pressure_for(force_n, l).map(Ok)
+    fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {
+        if self.k.is_none() { self.pressure_of(force_n, contraction) } else { None }
+    }
+
+    fn pressure_under_load(&self, _: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
+        self.pressure_of(force_n, contraction)
     }
 }

@@ -12,7 +12,7 @@ fn muscle(stiffness: BraidStiffness) -> Muscle {
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
-/// Verification G: A = 8, B = 9.5, α = 25°, p = 0.3 (kinematics of Liu & Rahn 2003).
+/// Verification G: A = 8, B = 9.5, α = 25°, p = 0.3 (kinematics of Liu & Rahn 2003 \[liu2003\]).
 #[test]
 fn verification_g_rigid_strands() {
     let model = ThickWall::new(&muscle(BraidStiffness::Inextensible));

@@ -1,20 +1,10 @@
-//! Measured points from CSV.
+//! Measured points, and the mean of both branches.
 
-use crate::identify::read_data;
+use super::read::read_data;
+use crate::muscle::Direction;
 use serde::{Deserialize, Serialize};
 use std::io::Read;
 use thiserror::Error;
-
-/// Which branch of the hysteresis loop a point was measured on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum Branch {
-    /// While the muscle shortened (the lower branch).
-    Contraction,
-    /// While it was lengthened (the upper branch).
-    Elongation,
-}
 
 /// One measured point of a muscle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -26,9 +16,14 @@ pub struct MeasuredPoint {
     pub contraction: f64,
     /// Pull in N.
     pub force_n: f64,
-    /// The branch, where it is stated.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub branch: Option<Branch>,
+    /// The branch of the hysteresis loop; the mean where none is stated.
+    #[serde(default, skip_serializing_if = "is_mean")]
+    pub branch: Direction,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+fn is_mean(branch: &Direction) -> bool {
+    *branch == Direction::Mean
 }
 
 /// Why measured points cannot be read. Lines are counted from 1, the header being line 1.
@@ -112,15 +107,15 @@ pub fn mean_of_branches(points: &[MeasuredPoint]) -> Vec<MeasuredPoint> {
             list.sort_by(|a, b| a.contraction.total_cmp(&b.contraction));
             list
         };
-        let (lower, upper) = (of(Some(Branch::Contraction)), of(Some(Branch::Elongation)));
-        out.extend(of(None));
+        let (lower, upper) = (of(Direction::Contraction), of(Direction::Elongation));
+        out.extend(of(Direction::Mean));
         if lower.is_empty() || upper.is_empty() {
             out.extend(lower.into_iter().chain(upper));
             continue;
         }
         out.extend(lower.iter().filter_map(|p| {
             let above = interpolate(&upper, p.contraction)?;
-            Some(MeasuredPoint { force_n: 0.5 * (p.force_n + above), branch: None, ..*p })
+            Some(MeasuredPoint { force_n: 0.5 * (p.force_n + above), branch: Direction::Mean, ..*p })
         }));
     }
     out
@@ -152,7 +147,12 @@ mod tests {
             let points = read(&format!("{column},contraction,force_n\n{value},0.1,300\n")).unwrap();
             assert_eq!(
                 points,
-                [MeasuredPoint { pressure_mpa: 0.25, contraction: 0.1, force_n: 300.0, branch: None }]
+                [MeasuredPoint {
+                    pressure_mpa: 0.25,
+                    contraction: 0.1,
+                    force_n: 300.0,
+                    branch: Direction::Mean
+                }]
             );
         }
     }

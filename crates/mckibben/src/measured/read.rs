@@ -1,7 +1,7 @@
 //! Points from CSV: what was measured, where, on which muscle, and how well.
 
-use crate::compare::{self, Branch, MeasuredError, MeasuredPoint};
-use crate::muscle::{Muscle, MuscleError};
+use super::point::{MeasuredError, MeasuredPoint, mean_of_branches};
+use crate::muscle::{Direction, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};
 use std::io::Read;
 
@@ -202,8 +202,10 @@ pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>, MeasuredError> {
                 "is no contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent";
             return Err(row.impossible(contraction, e, expected));
         }
-        let branches = [("contraction", Branch::Contraction), ("elongation", Branch::Elongation)];
-        let branch = row.word(branch, &branches, |line, text| MeasuredError::Branch { line, text })?;
+        let branches = [("contraction", Direction::Contraction), ("elongation", Direction::Elongation)];
+        let branch = row
+            .word(branch, &branches, |line, text| MeasuredError::Branch { line, text })?
+            .unwrap_or_default();
         let quantities = [
             ("force", Quantity::Force),
             ("contraction", Quantity::Contraction),
@@ -237,9 +239,9 @@ pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>, MeasuredError> {
     if points.is_empty() { Err(MeasuredError::Empty) } else { Ok(points) }
 }
 
-/// The mean of the two hysteresis branches, muscle by muscle; see [`compare::mean_of_branches`]. A mean keeps the line of its
+/// The mean of the two hysteresis branches, muscle by muscle; see [`mean_of_branches`]. A mean keeps the line of its
 /// lower point.
-pub fn mean_of_branches(points: &[DataPoint]) -> Vec<DataPoint> {
+pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
     let mut groups: Vec<Vec<DataPoint>> = vec![];
     for p in points {
         match groups
@@ -253,11 +255,11 @@ pub fn mean_of_branches(points: &[DataPoint]) -> Vec<DataPoint> {
     let mut out = vec![];
     for group in groups {
         let rows: Vec<MeasuredPoint> = group.iter().map(|p| p.at).collect();
-        for mean in compare::mean_of_branches(&rows) {
+        for mean in mean_of_branches(&rows) {
             let same = |p: &&DataPoint| {
                 p.at.pressure_mpa == mean.pressure_mpa && p.at.contraction == mean.contraction
             };
-            let lower = |p: &&DataPoint| same(p) && p.at.branch != Some(Branch::Elongation);
+            let lower = |p: &&DataPoint| same(p) && p.at.branch != Direction::Elongation;
             let origin = group.iter().find(lower).or_else(|| group.iter().find(same));
             out.extend(origin.map(|p| DataPoint { at: mean, ..*p }));
         }

@@ -1,0 +1,98 @@
+//! How a model is asked, and what it says on a branch of the hysteresis loop.
+
+use crate::model::{ForceModel, ModelError, Response, Workspace};
+use crate::muscle::{Direction, Friction};
+
+/// How questions are answered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Options {
+    /// Answer outside of the model's range, with a warning, instead of refusing.
+    pub extrapolate: bool,
+    /// Give negative forces where the muscle would have to push, instead of slack.
+    pub two_sided: bool,
+    /// The branch of the hysteresis loop, for a muscle whose friction is known.
+    pub direction: Direction,
+}
+
+impl Options {
+    /// Also outside of the model's range.
+    pub fn extrapolating() -> Self {
+        Self { extrapolate: true, ..Self::default() }
+    }
+}
+
+/// The friction that counts: none for the mean of both branches.
+pub(super) fn friction<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> Option<&Friction> {
+    model.muscle().friction().filter(|_| !direction.is_mean())
+}
+
+/// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± C P^β.
+///
+/// # Errors
+/// The model's.
+pub fn response_on<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+    direction: Direction,
+) -> Result<Response, ModelError> {
+    let mut response = model.response(workspace, pressure_mpa, contraction)?;
+    if let Some(friction) = friction(model, direction) {
+        response.force_n += friction.force_n(pressure_mpa, direction);
+        let slope = friction.slope_mm2(pressure_mpa, direction);
+        response.force_per_pressure_mm2 = response.force_per_pressure_mm2.map(|f| f + slope);
+    }
+    Ok(response)
+}
+
+/// The pull alone, in N, likewise.
+///
+/// # Errors
+/// The model's.
+pub fn force_on<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+    direction: Direction,
+) -> Result<f64, ModelError> {
+    let force_n = model.force_n(workspace, pressure_mpa, contraction)?;
+    Ok(force_n + friction(model, direction).map_or(0.0, |f| f.force_n(pressure_mpa, direction)))
+}
+
+/// Where an answer comes from: the model's source, and that of the friction.
+pub fn source_of<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> String {
+    let branch = match (friction(model, direction), direction) {
+        (None, _) | (_, Direction::Mean) => return model.source().into(),
+        (_, Direction::Contraction) => "branch of shortening",
+        (_, Direction::Elongation) => "branch of lengthening",
+    };
+    format!("{}; braid friction C·P^β (Tondu 2012), {branch}", model.source())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Ideal;
+    use crate::muscle::Muscle;
+
+    #[test]
+    fn the_branches_lie_on_both_sides_of_the_mean() {
+        let m = Muscle::prototype();
+        let friction = Friction { coefficient: 40.0, exponent: 0.7 };
+        let m = m.with_friction(Some(friction)).unwrap();
+        let (model, w) = (Ideal::new(&m), &mut Workspace::new());
+        let (p, e, h) = (0.2, 0.1, 1e-6);
+        let ideal = model.force_n(w, p, e).unwrap();
+        let half = 40.0 * 0.2f64.powf(0.7);
+        for direction in Direction::ALL {
+            let response = response_on(&model, w, p, e, direction).unwrap();
+            let mut force = |p: f64| force_on(&model, w, p, e, direction).unwrap();
+            assert!((response.force_n - ideal - direction.sign() * half).abs() < 1e-10);
+            assert_eq!(force(p), response.force_n);
+            let slope = (force(p + h) - force(p - h)) / (2.0 * h);
+            assert!((slope / response.force_per_pressure_mm2.unwrap() - 1.0).abs() < 1e-6);
+        }
+    }
+}

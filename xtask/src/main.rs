@@ -1,0 +1,228 @@
+//! Maintenance of the repository in one place: `cargo xtask` lists the tasks.
+//!
+//! What a task makes it makes in `target/xtask` first. It then replaces what is kept in the repository, or with
+//! `--check` compares the two and fails where they differ. `MCKIBBEN=PROGRAM` takes another build of the program.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+use std::{env, fs};
+
+type Done = Result<(), String>;
+
+/// Name, what it does, and how; the flag of the function is `--check`.
+type Task = (&'static str, &'static str, fn(bool) -> Done);
+
+const TASKS: [Task; 7] = [
+    ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
+    ("golds", "tables and formulas that the program computes itself; --check compares", golds),
+    ("schemas", "JSON Schemas of requests and answers in docs/schema; --check compares", schemas),
+    ("checks", "outputs read by foreign programs (python3, ccx, chromium)", checks),
+    ("wasm", "numeric crates build for wasm32-unknown-unknown", wasm),
+    ("benches", "speed of the closed forms and of the finite elements", benches),
+    ("peers", "finite elements side by side with FElupe and CalculiX (python3, ccx)", peers),
+];
+
+/// File in `docs/figures` and the command line that draws it.
+const FIGURES: [(&str, &str); 11] = [
+    ("design.svg", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
+    ("models.svg", "compare --models fe,paper,thick-wall,ideal"),
+    ("simulate.svg", "simulate examples/prototype.toml -e 0,10,20% -p 0.1,0.25"),
+    ("picture.png", "simulate examples/prototype.toml -e 15% -p 0.25 --show stress_hoop_mpa --cut"),
+    (
+        "picture3d.png",
+        "simulate --model fe3d examples/prototype.toml -e 15% -p 0.25 --show stress_hoop_mpa --cut",
+    ),
+    ("rubber-treloar.svg", "rubber fit data/treloar/tension.csv --up-to 3"),
+    ("rubber-silicone.svg", "rubber fit data/silicones/dragon_skin_30.csv --up-to 200%"),
+    ("identify_bench.svg", "identify examples/bench.toml --data examples/bench.csv"),
+    (
+        "identify_tondu2012.svg",
+        "identify examples/tondu2012.toml --data data/tondu2012/static_force_20deg.csv",
+    ),
+    (
+        "identify_festo.svg",
+        "identify examples/festo-dmsp-20.toml --data data/martens_boblan_2017/DMSP-20-300.csv --free mu,braid.angle",
+    ),
+    (
+        "identify_paper.svg",
+        "identify -D 50 --data data/paper/table1.csv --data data/paper/formula11.csv \
+         --free c10=0.1,braid.stiffness=600,braid.stiffness_exponent=1",
+    ),
+];
+
+/// Commands whose requests and answers have a schema.
+const SCHEMAS: [&str; 8] =
+    ["design", "force", "pressure", "contraction", "curve", "compare", "identify", "validate"];
+
+fn main() -> ExitCode {
+    let args: Vec<String> = env::args().skip(1).collect();
+    let check = args.iter().any(|a| a == "--check");
+    let task = args.first().and_then(|name| TASKS.iter().find(|(known, ..)| known == name));
+    let Some((_, _, run)) = task else {
+        println!("cargo xtask TASK\n");
+        TASKS.iter().for_each(|(name, about, _)| println!("  {name:<8} {about}"));
+        return if args.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };
+    };
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let done = env::set_current_dir(root).map_err(|e| e.to_string()).and_then(|()| run(check));
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("xtask: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn figures(check: bool) -> Done {
+    let (program, made, kept) = (program()?, made("figures")?, Path::new("docs/figures"));
+    for (file, line) in FIGURES {
+        let flag = if file.ends_with(".png") { "--picture" } else { "--plot" };
+        let path = made.join(file);
+        quiet(Command::new(&program).args(line.split_whitespace()).arg(flag).arg(&path))?;
+        settle(&path, &kept.join(file), check)?;
+    }
+    for (file, example, more) in
+        [("peers.svg", "peers_figure", None), ("universal.svg", "universal_figure", Some("150"))]
+    {
+        let path = made.join(file);
+        quiet(example_of("mckibben-cli", example).arg("--").arg(&path).args(more))?;
+        settle(&path, &kept.join(file), check)?;
+    }
+    Ok(())
+}
+
+fn golds(check: bool) -> Done {
+    let (program, made) = (program()?, made("golds")?);
+    let campaign = made.join("universal.parquet");
+    quiet(Command::new(&program).args(["campaign", "plans/universal.toml", "-o"]).arg(&campaign))?;
+    for form in ["universal", "universal-small"] {
+        let file = format!("{form}.json");
+        let path = made.join(&file);
+        quiet(Command::new(&program).arg("fit").arg(&campaign).args(["--method", form, "-o"]).arg(&path))?;
+        settle(&path, &Path::new("crates/mckibben/data").join(file), check)?;
+    }
+    let path = made.join("paper.csv");
+    save(&mut example_of("mckibben-campaign", "paper_campaign_csv"), &path)?;
+    settle(&path, Path::new("data/campaign/paper.csv"), check)
+}
+
+fn schemas(check: bool) -> Done {
+    let (program, made) = (program()?, made("schemas")?);
+    for command in SCHEMAS {
+        let file = format!("{command}.json");
+        let path = made.join(&file);
+        save(Command::new(&program).args(["schema", command]), &path)?;
+        settle(&path, &Path::new("docs/schema").join(file), check)?;
+    }
+    Ok(())
+}
+
+fn checks(_: bool) -> Done {
+    let packages = "mpmath pillow meshio numpy pandas pyarrow duckdb felupe pypardiso scipy";
+    let (program, python, made) = (program()?, python(packages)?, made("checks")?);
+    let script = |name: &str| {
+        let mut command = Command::new(&python);
+        command.arg(name);
+        command
+    };
+    run(script("checks/oracle.py").arg(&program))?;
+    run(script("checks/campaign.py").arg(&program))?;
+    for (name, line) in [
+        ("checks/vtu.py", "-e 10% -p 0.05..0.25:0.05"),
+        ("checks/vtu3d.py", "--model fe3d -e 10% -p 0.05,0.25 --whole"),
+    ] {
+        let (folder, answer) = (made.join("vtu"), made.join("answer.json"));
+        let mut simulate = Command::new(&program);
+        simulate.args(["simulate", "examples/prototype.toml", "--format", "json", "--vtu"]).arg(&folder);
+        save(simulate.args(line.split_whitespace()), &answer)?;
+        run(script(name).arg(&folder).arg(&answer))?;
+        fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    }
+    run(script("benches/peers/compare.py").arg("--quick"))?;
+    run(script("checks/outputs.py").arg(&program).arg("chromium"))
+}
+
+fn wasm(_: bool) -> Done {
+    run(Command::new("sh").arg("checks/wasm.sh"))
+}
+
+fn benches(_: bool) -> Done {
+    run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem"]))
+}
+
+fn peers(_: bool) -> Done {
+    run(Command::new(python("numpy felupe pypardiso scipy")?).arg("benches/peers/compare.py"))
+}
+
+fn cargo() -> Command {
+    Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+}
+
+fn example_of(package: &str, name: &str) -> Command {
+    let mut command = cargo();
+    command.args(["run", "--quiet", "--release", "--locked", "-p", package, "--example", name]);
+    command
+}
+
+fn target() -> PathBuf {
+    env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
+}
+
+/// The program, built for release.
+fn program() -> Result<PathBuf, String> {
+    if let Some(given) = env::var_os("MCKIBBEN") {
+        return Ok(given.into());
+    }
+    run(cargo().args(["build", "--quiet", "--release", "--locked", "-p", "mckibben-cli"]))?;
+    let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
+    fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
+}
+
+/// Python with packages, in an environment of its own.
+fn python(packages: &str) -> Result<PathBuf, String> {
+    let folder = env::temp_dir().join("mckibben-checks");
+    run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
+    let python = folder.join("bin/python");
+    run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages.split(' ')))?;
+    Ok(python)
+}
+
+/// An empty folder for what a task makes.
+fn made(task: &str) -> Result<PathBuf, String> {
+    let folder = target().join("xtask").join(task);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    Ok(folder)
+}
+
+/// Puts what was made in the place of what is kept, or compares the two.
+fn settle(made: &Path, kept: &Path, check: bool) -> Done {
+    let read = |path: &Path| fs::read(path).map_err(|e| format!("{}: {e}", path.display()));
+    let new = read(made)?;
+    if check {
+        let same = read(kept)? == new;
+        let message = || format!("{} is not what the program makes ({})", kept.display(), made.display());
+        return same.then_some(()).ok_or_else(message);
+    }
+    if let Some(folder) = kept.parent() {
+        fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    }
+    fs::write(kept, new).map_err(|e| format!("{}: {e}", kept.display()))
+}
+
+fn run(command: &mut Command) -> Done {
+    let status = command.status().map_err(|e| format!("{command:?}: {e}"))?;
+    status.success().then_some(()).ok_or_else(|| format!("{command:?}: {status}"))
+}
+
+/// Runs a command without its output.
+fn quiet(command: &mut Command) -> Done {
+    run(command.stdout(std::process::Stdio::null()))
+}
+
+/// Runs a command with its output into a file.
+fn save(command: &mut Command, path: &Path) -> Done {
+    let file = fs::File::create(path).map_err(|e| format!("{}: {e}", path.display()))?;
+    run(command.stdout(file))
+}
