@@ -44,6 +44,7 @@ pub const COMMANDS: &[CommandEntry] = &[
     command!("validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
     command!("sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
     command!("compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
+    command!("identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
     command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
     command!("models", ModelsRequest => ModelsAnswer, |r, _progress| Ok::<_, Problem>(models(&r))),
 ];
@@ -83,7 +84,8 @@ fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
         let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
         let meant = nearest(command, names.iter().copied())
             .map_or_else(String::new, |name| format!(" (did you mean {name}?)"));
-        let message = format!("there is no command \"{command}\"{meant}; the commands are {}", names.join(", "));
+        let message =
+            format!("there is no command \"{command}\"{meant}; the commands are {}", names.join(", "));
         Problem::new(ProblemKind::Usage, message, "")
     })
 }

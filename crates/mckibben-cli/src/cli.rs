@@ -4,6 +4,7 @@ use crate::commands;
 use crate::commands::compare::CompareArgs;
 use crate::commands::curve::CurveArgs;
 use crate::commands::design::DesignArgs;
+use crate::commands::identify::IdentifyArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::muscle::MuscleShowArgs;
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
@@ -51,30 +52,30 @@ pub enum Command {
     /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),
-//B     /// Many finite-element tests from a plan, resumable, into Parquet
-//B     #[command(after_help = campaign::CAMPAIGN_EXAMPLES)]
-//B     Campaign(Box<CampaignArgs>),
+    //B     /// Many finite-element tests from a plan, resumable, into Parquet
+    //B     #[command(after_help = campaign::CAMPAIGN_EXAMPLES)]
+    //B     Campaign(Box<CampaignArgs>),
     /// Verification against exact values and validation against measured muscles
     #[command(after_help = commands::validate::EXAMPLES)]
     Validate(ValidateArgs),
     /// Several models, and measured points, on one figure with their errors
     #[command(after_help = commands::compare::EXAMPLES)]
     Compare(Box<CompareArgs>),
-//B     /// Constants of rubber, braid and friction from measured or published curves, with their uncertainty
-//B     #[command(after_help = identify::IDENTIFY_EXAMPLES)]
-//B     Identify(Box<IdentifyArgs>),
-//B     /// From a table of finite-element points to a formula, with its errors and where it holds
-//B     #[command(after_help = FIT_EXAMPLES)]
-//B     Fit(Box<FitArgs>),
-//B     /// Fitted formulas
-//B     #[command(subcommand)]
-//B     Formula(FormulaCommand),
+    /// Constants of rubber, braid and friction from measured or published curves, with their uncertainty
+    #[command(after_help = commands::identify::EXAMPLES)]
+    Identify(Box<IdentifyArgs>),
+    //B     /// From a table of finite-element points to a formula, with its errors and where it holds
+    //B     #[command(after_help = FIT_EXAMPLES)]
+    //B     Fit(Box<FitArgs>),
+    //B     /// Fitted formulas
+    //B     #[command(subcommand)]
+    //B     Formula(FormulaCommand),
     /// What was understood of a muscle, what follows from it, and a build sheet
     #[command(subcommand)]
     Muscle(MuscleCommand),
-//B     /// Named rubbers
-//B     #[command(subcommand)]
-//B     Rubber(RubberCommand),
+    //B     /// Named rubbers
+    //B     #[command(subcommand)]
+    //B     Rubber(RubberCommand),
     /// The force models: what they are, their source, and where they hold
     #[command(after_help = "Example:\n  mckibben models")]
     Models(ModelsArgs),
@@ -127,7 +128,7 @@ pub enum MuscleCommand {
 //B     #[command(after_help = FORMULA_EXAMPLES)]
 //B     Show(FormulaShowArgs),
 //B }
-//B 
+//B
 //B /// `rubber …`.
 //B #[derive(Debug, Subcommand)]
 //B pub enum RubberCommand {
@@ -141,4 +142,4 @@ pub enum MuscleCommand {
 //B //B     #[command(after_help = RUBBER_FIT_EXAMPLES)]
 //B //B     Fit(Box<RubberFitArgs>),
 //B }
-//B 
+//B

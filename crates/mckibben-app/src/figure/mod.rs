@@ -3,6 +3,7 @@
 mod compare;
 mod curves;
 mod design;
+mod identify;
 mod picture;
 mod simulate;
 mod study;
@@ -10,6 +11,7 @@ mod study;
 pub(crate) use compare::compare;
 pub(crate) use curves::curves;
 pub(crate) use design::design;
+pub(crate) use identify::identified;
 pub(crate) use picture::picture;
 pub(crate) use simulate::simulate;
 pub(crate) use study::study;

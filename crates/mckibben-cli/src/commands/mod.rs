@@ -3,6 +3,7 @@
 pub mod compare;
 pub mod curve;
 pub mod design;
+pub mod identify;
 pub mod models;
 pub mod muscle;
 pub mod point;
@@ -28,6 +29,7 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Simulate(args) => simulate::run(&args, format),
         Command::Validate(args) => validate::run(&args, format),
         Command::Compare(args) => compare::run(&args, format),
+        Command::Identify(args) => identify::run(&args, format),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),

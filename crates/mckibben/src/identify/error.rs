@@ -11,6 +11,9 @@ pub enum IdentifyError {
     /// Nothing is free.
     #[error("nothing is free: name at least one parameter to identify")]
     NothingFree,
+    /// The caller wanted it to end.
+    #[error("cancelled before a minimum was found")]
+    Cancelled,
     /// A parameter twice.
     #[error("{name} is named twice, free or fixed: name it once")]
     Twice {

@@ -21,7 +21,7 @@ pub use error::IdentifyError;
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
 pub use result::{Fitted, Identification, Identified, Spread};
-pub use run::{Request, identify};
+pub use run::{Request, identify, identify_with};
 pub use unasked::{default_targets, identify_default, matters};
 
 #[cfg(test)]

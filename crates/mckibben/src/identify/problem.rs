@@ -16,6 +16,7 @@ use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::{BraidStiffness, Direction, Muscle};
+use crate::progress::Progress;
 use rayon::prelude::*;
 
 /// Makes the model of a muscle.
@@ -39,6 +40,7 @@ pub struct Problem<'a, B> {
     fixed: &'a [(Target, f64)],
     points: &'a [DataPoint],
     build: &'a B,
+    progress: &'a dyn Progress,
     chunks: Vec<Chunk>,
     /// N per unit of contraction and per MPa.
     scales: (f64, f64),
@@ -118,6 +120,7 @@ impl<'a, B: Build> Problem<'a, B> {
         points: &'a [DataPoint],
         build: &'a B,
         start: &[f64],
+        progress: &'a dyn Progress,
     ) -> Self {
         let mut out = Self {
             base,
@@ -125,6 +128,7 @@ impl<'a, B: Build> Problem<'a, B> {
             fixed,
             points,
             build,
+            progress,
             chunks: chunks(points),
             scales: (1.0, 1.0),
             analytic: false,
@@ -178,6 +182,9 @@ impl<'a, B: Build> Problem<'a, B> {
         one: impl Fn(&dyn ForceModel, &mut Workspace, &DataPoint) -> Result<T, ModelError> + Sync,
     ) -> Option<Vec<Result<T, ModelError>>> {
         let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
+            if self.progress.cancelled() {
+                return None;
+            }
             let muscle = candidate.of_section(&chunk.section).ok()?;
             let model = (self.build)(&muscle).ok()?;
             let mut w = Workspace::new();

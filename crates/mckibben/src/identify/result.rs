@@ -5,11 +5,14 @@ use super::parameter::Target;
 use crate::measured::{DataPoint, Quantity};
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
+use serde::Serialize;
 
 /// One parameter with what the data say of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Identified {
     /// What.
+    #[serde(skip)]
     pub target: Target,
     /// Its name, as in the muscle file.
     pub name: String,
@@ -19,9 +22,12 @@ pub struct Identified {
     pub value: f64,
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
-    /// Standard error; infinite where the data do not tell it at all, 0 on a bound.
+    /// Standard error; infinite (null in JSON) where the data do not tell it at all, 0 on a bound.
+    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub standard_error: f64,
     /// Half-width of the 95 % interval; likewise.
+    #[serde(rename = "half_width_95")]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub half_width: f64,
     /// The half-width up to which it counts as told.
     pub limit: f64,
@@ -49,9 +55,11 @@ pub struct Fitted {
 }
 
 /// Root mean square and largest residual of some points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Spread {
     /// Of which points.
+    #[serde(rename = "of")]
     pub label: String,
     /// How many.
     pub points: usize,

@@ -11,6 +11,7 @@ use crate::measured::{DataPoint, Quantity};
 use crate::model::ModelError;
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
+use crate::progress::{Progress, Silent};
 
 /// What is to be identified.
 #[derive(Debug, Clone, Copy)]
@@ -100,6 +101,28 @@ fn weights(points: &[DataPoint], scale: impl Fn(Quantity) -> f64) -> Result<(Vec
 /// # Errors
 /// [`IdentifyError`] with what to do about it.
 pub fn identify<B: Build>(request: &Request<'_>, build: B) -> Result<Identification, IdentifyError> {
+    identify_with(request, build, &Silent)
+}
+
+/// The same for a caller who may want it to end before its end.
+///
+/// # Errors
+/// As [`identify`]; [`IdentifyError::Cancelled`].
+pub fn identify_with<B: Build>(
+    request: &Request<'_>,
+    build: B,
+    progress: &dyn Progress,
+) -> Result<Identification, IdentifyError> {
+    let found = search(request, build, progress);
+    // A model without an answer and a caller who has gone look alike to the search.
+    if progress.cancelled() { Err(IdentifyError::Cancelled) } else { found }
+}
+
+fn search<B: Build>(
+    request: &Request<'_>,
+    build: B,
+    progress: &dyn Progress,
+) -> Result<Identification, IdentifyError> {
     if request.free.is_empty() {
         return Err(IdentifyError::NothingFree);
     }
@@ -117,9 +140,12 @@ pub fn identify<B: Build>(request: &Request<'_>, build: B) -> Result<Identificat
     let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
     build(first.muscle()).map_err(IdentifyError::Model)?;
 
-    let rows = rows_at(request, &free, &points, &build, &start)?;
+    let problem = Problem::new(muscle, &free, request.fixed, &points, &build, &start, progress);
+    // Residuals at the start, point by point.
+    let rows = problem.rows(&start).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
+
     notes.extend(leave_out(&mut points, rows)?);
-    let problem = Problem::new(muscle, &free, request.fixed, &points, &build, &start);
+    let problem = Problem::new(muscle, &free, request.fixed, &points, &build, &start, progress);
     let (weights, errors_stated) = weights(&points, |q| problem.scale(q))?;
     let before = rms(&crate::least_squares::Residuals::at(&problem, &start).unwrap_or_default());
     let found = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {
@@ -164,18 +190,6 @@ pub fn identify<B: Build>(request: &Request<'_>, build: B) -> Result<Identificat
 }
 
 type Rows = Vec<Result<f64, ModelError>>;
-
-/// Residuals at the start, point by point.
-fn rows_at<B: Build>(
-    request: &Request<'_>,
-    free: &[Target],
-    points: &[DataPoint],
-    build: &B,
-    start: &[f64],
-) -> Result<Rows, IdentifyError> {
-    let problem = Problem::new(request.muscle, free, request.fixed, points, build, start);
-    problem.rows(start).ok_or(IdentifyError::Estimate(EstimateError::Start))
-}
 
 /// Points without an answer at the start are left out, where they are few.
 fn leave_out(points: &mut Vec<DataPoint>, rows: Rows) -> Result<Option<String>, IdentifyError> {

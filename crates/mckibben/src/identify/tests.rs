@@ -3,6 +3,7 @@ use crate::least_squares::Loss;
 use crate::measured::MeasuredPoint;
 use crate::model::{ForceModel, ModelError, ThickWall, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
+use crate::progress::{Progress, Silent};
 use crate::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
 
 /// Numbers as good as normal ones: the sum of twelve from a linear congruential generator.
@@ -91,6 +92,27 @@ fn found(
 ) -> Result<Identification, IdentifyError> {
     let free = free(m, names);
     identify(&Request { muscle: m, free: &free, fixed: &[], points, loss, two_sided: false }, thick)
+}
+
+#[test]
+fn whoever_no_longer_wants_the_answer_gets_none() {
+    struct Gone;
+    impl Progress for Gone {
+        fn cancelled(&self) -> bool {
+            true
+        }
+    }
+    let m = soft();
+    let (free, points) = (free(&m, &["mu"]), bench(&m, 0.0));
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    assert_eq!(identify_with(&request, thick, &Gone).unwrap_err(), IdentifyError::Cancelled);
 }
 
 fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
@@ -257,7 +279,7 @@ fn the_default_leaves_a_stiffness_alone_that_is_not_told() {
         loss: Loss::Squares,
         two_sided: false,
     };
-    let f = identify_default(&request, thick).unwrap();
+    let f = identify_default(&request, thick, &Silent).unwrap();
     assert_eq!(f.parameters.len(), 1);
     assert!((f.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", f.parameters);
     assert!(f.notes.iter().any(|n| n.contains("left as it is")), "{:?}", f.notes);

@@ -5,11 +5,12 @@ use super::error::IdentifyError;
 use super::parameter::{Parameter, Target};
 use super::problem::Build;
 use super::result::Identification;
-use super::run::{Request, distinct, identify};
+use super::run::{Request, distinct, identify_with};
 use crate::measured::DataPoint;
 use crate::model::Workspace;
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
+use crate::progress::Progress;
 
 /// A stiffness in N/mm of strands that do not stretch.
 const STIFF: f64 = 1e5;
@@ -38,18 +39,22 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
     out
 }
 
-/// [`identify`] with the [`default_targets`] that are not fixed; a stiffness that the data do not tell is left at the
+/// [`identify_with`] with the [`default_targets`] that are not fixed; a stiffness that the data do not tell is left at the
 /// muscle's own.
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn identify_default<B: Build>(request: &Request<'_>, build: B) -> Result<Identification, IdentifyError> {
+pub fn identify_default<B: Build>(
+    request: &Request<'_>,
+    build: B,
+    progress: &dyn Progress,
+) -> Result<Identification, IdentifyError> {
     let fixed = |t: &Target| request.fixed.iter().any(|f| f.0 == *t);
     let targets: Vec<Target> =
         default_targets(request.muscle, request.points).into_iter().filter(|t| !fixed(t)).collect();
     let run = |targets: &[Target]| {
         let free: Vec<Parameter> = targets.iter().map(|t| Parameter::free(*t)).collect();
-        identify(&Request { free: &free, ..*request }, &build)
+        identify_with(&Request { free: &free, ..*request }, &build, progress)
     };
     let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
     let all = run(&targets);

@@ -2,11 +2,13 @@
 
 use super::read::read_data;
 use crate::muscle::Direction;
+use serde::{Deserialize, Serialize};
 use std::io::Read;
 use thiserror::Error;
 
 /// One measured point of a muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct MeasuredPoint {
     /// Gauge pressure in MPa.
     pub pressure_mpa: f64,
@@ -15,7 +17,13 @@ pub struct MeasuredPoint {
     /// Pull in N.
     pub force_n: f64,
     /// The branch of the hysteresis loop; the mean where none is stated.
+    #[serde(default, skip_serializing_if = "is_mean")]
     pub branch: Direction,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+fn is_mean(branch: &Direction) -> bool {
+    *branch == Direction::Mean
 }
 
 /// Why measured points cannot be read. Lines are counted from 1, the header being line 1.

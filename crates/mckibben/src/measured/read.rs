@@ -2,10 +2,13 @@
 
 use super::point::{MeasuredError, MeasuredPoint, mean_of_branches};
 use crate::muscle::{Direction, Muscle, MuscleError};
+use serde::{Deserialize, Serialize};
 use std::io::Read;
 
 /// What the bench read; the two others were set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Quantity {
     /// The pull, at a set pressure and length (isometric, isobaric).
     #[default]
@@ -17,15 +20,21 @@ pub enum Quantity {
 }
 
 /// Measures of the muscle that a row states; the others are the muscle file's.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Section {
     /// D0 in mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub outer_diameter_mm: Option<f64>,
     /// s in mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub wall_mm: Option<f64>,
     /// L0 in mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub length_mm: Option<f64>,
     /// θ0 in degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub angle_deg: Option<f64>,
 }
 

@@ -60,7 +60,7 @@ pub enum TensionError {
     Needs {
         /// Column name.
         column: String,
-        /// What is missing, and the flag that gives it.
+        /// What is missing, and the field that gives it.
         needs: &'static str,
     },
     /// A field that is not a finite number.
@@ -169,10 +169,13 @@ impl<'a> Table<'a> {
             .map_err(|i| TensionError::NoUnit { column: header[i].into() })?;
         let needs = |i: usize, needs| TensionError::Needs { column: header[i].into(), needs };
         if matches!(stress.1, StressKind::Force(_)) && options.area_mm2.is_none() {
-            return Err(needs(stress.0, "the cross-section of the specimen at rest: --area, such as 8mm2"));
+            return Err(needs(
+                stress.0,
+                "the cross-section of the specimen at rest: `area_mm2`, such as 8 mm²",
+            ));
         }
         if stretch.1 == StretchKind::ExtensionMm && options.gauge_length_mm.is_none() {
-            return Err(needs(stretch.0, "the length at rest: --gauge-length, such as 25mm"));
+            return Err(needs(stretch.0, "the length at rest: `gauge_length_mm`, such as 25 mm"));
         }
         Ok(Self { header, stretch, stress, mode: columns::mode(&plain), options, decimal_comma })
     }

@@ -126,7 +126,7 @@ impl fmt::Display for TensionWarning {
             ),
             Self::NegativeC01 { c01_mpa } => write!(
                 f,
-                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from one-axis tests and misleads in two axes. Take the fit with C01 ≥ 0 (--stable), neo-hookean or yeoh"
+                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from one-axis tests and misleads in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
             ),
             Self::NoStiffness { law, modulus_mpa } => {
                 write!(f, "{law}: the shear modulus at rest is {modulus_mpa:.3} MPa: no rubber")

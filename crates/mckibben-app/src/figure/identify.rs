@@ -1,0 +1,158 @@
+//! What was identified: the model over the points, and what is left of them.
+
+use super::caption;
+use crate::words::{PressureUnit, number, percent};
+use mckibben::analysis::force_on;
+use mckibben::identify::{Fitted, Identification};
+use mckibben::measured::Section;
+use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::muscle::{Direction, Muscle};
+use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+
+/// Makes the model of a muscle.
+type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + 'a;
+
+/// Curves of one figure at most; of more levels some are shown.
+const CURVES: usize = 6;
+
+fn levels(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut list: Vec<f64> = values.collect();
+    list.sort_by(f64::total_cmp);
+    list.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * (1e-3 + b.abs()));
+    list
+}
+
+/// Some of many, first and last among them.
+fn thinned(list: &[f64]) -> Vec<f64> {
+    if list.len() <= CURVES {
+        return list.to_vec();
+    }
+    (0..CURVES).map(|i| list[i * (list.len() - 1) / (CURVES - 1)]).collect()
+}
+
+fn same(a: f64, b: f64) -> bool {
+    (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
+}
+
+fn word(branch: Direction) -> &'static str {
+    match branch {
+        Direction::Mean => "points",
+        Direction::Contraction => "shortening",
+        Direction::Elongation => "lengthening",
+    }
+}
+
+/// The model over the points of the first muscle, and the residuals of all over contraction and pressure.
+pub(crate) fn identified(
+    found: &Identification,
+    build: &Build<'_>,
+    origin: &str,
+    about: &str,
+    p: PressureUnit,
+) -> Figure {
+    let mut figure = Figure::new(format!("Identified from {origin}"))
+        .caption(caption(format!("Dots: data; lines: {about}. rms {} N", number(found.rms_n, 3))))
+        .palette(Palette::Sequential)
+        .columns(2);
+    let sections = sections(found);
+    for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
+        figure = figure.panel(fit(found, build, section, p, sections.len() > 1));
+    }
+    let left = |x: fn(&Fitted) -> f64, axis: Axis, scale: f64| {
+        let mut panel = Panel::new(axis, Axis::new("model less data [N]").from_zero());
+        for (n, branch) in Direction::ALL.into_iter().enumerate() {
+            let mine = found.points.iter().filter(|f| f.point.at.branch == branch);
+            let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), f.residual_n)).collect();
+            if !points.is_empty() {
+                panel = panel.series(Series::scatter(word(branch), points).colour(n));
+            }
+        }
+        panel
+    };
+    figure
+        .panel(left(|f| f.point.at.contraction, Axis::new("contraction ratio ε [–]").from_zero(), 1.0))
+        .panel(left(
+            |f| f.point.at.pressure_mpa,
+            Axis::new(format!("pressure P [{}]", p.name())).from_zero(),
+            p.value(1.0),
+        ))
+}
+
+/// The muscles of the data, those with most points first.
+fn sections(found: &Identification) -> Vec<Section> {
+    let mut list: Vec<(Section, usize)> = vec![];
+    for f in &found.points {
+        match list.iter_mut().find(|s| s.0 == f.point.section) {
+            Some(entry) => entry.1 += 1,
+            None => list.push((f.point.section, 1)),
+        }
+    }
+    list.sort_by_key(|s| std::cmp::Reverse(s.1));
+    // The first and the last of several: the ends of the range, as a rule.
+    if list.len() > 2 {
+        let last = list.len() - 1;
+        list.swap(1, last);
+    }
+    list.into_iter().map(|s| s.0).collect()
+}
+
+fn fit(found: &Identification, build: &Build<'_>, section: &Section, p: PressureUnit, named: bool) -> Panel {
+    let mine: Vec<&Fitted> = found.points.iter().filter(|f| f.point.section == *section).collect();
+    let pressures = levels(mine.iter().map(|f| f.point.at.pressure_mpa));
+    let contractions = levels(mine.iter().map(|f| f.point.at.contraction));
+    let isobaric = pressures.len() <= contractions.len();
+    let pull = Axis::new("pull F [N]").from_zero();
+    let (x_axis, fixed) = if isobaric {
+        (Axis::new("contraction ratio ε [–]").from_zero(), thinned(&pressures))
+    } else {
+        (Axis::new(format!("pressure P [{}]", p.name())).from_zero(), thinned(&contractions))
+    };
+    let mut panel = Panel::new(x_axis, pull);
+    let muscle = found.candidate.of_section(section);
+    if named && let Ok(m) = &muscle {
+        panel =
+            panel.title(format!("D0 {}, s {} mm", number(m.outer_diameter_mm(), 4), number(m.wall_mm(), 3)));
+    }
+    let model = muscle.ok().and_then(|m| build(&m).ok());
+    for (n, &value) in fixed.iter().enumerate() {
+        let key = |f: &&&Fitted| {
+            same(if isobaric { f.point.at.pressure_mpa } else { f.point.at.contraction }, value)
+        };
+        let label = if isobaric { p.show(value) } else { format!("ε {}", percent(value)) };
+        let on: Vec<&&Fitted> = mine.iter().filter(key).collect();
+        let dots = on.iter().map(|f| {
+            let at = &f.point.at;
+            (if isobaric { at.contraction } else { p.value(at.pressure_mpa) }, at.force_n)
+        });
+        panel = panel.series(Series::scatter(label.clone(), dots.collect::<Vec<_>>()).colour(n));
+        let Some(model) = &model else { continue };
+        let ends = on.iter().map(|f| if isobaric { f.point.at.contraction } else { f.point.at.pressure_mpa });
+        let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+        let mut branches: Vec<Direction> = on.iter().map(|f| f.point.at.branch).collect();
+        branches.sort_by_key(|b| *b as u8);
+        branches.dedup();
+        for branch in branches {
+            let mut workspace = Workspace::new();
+            let points = (0..=40).filter_map(|i| {
+                let x = low + (high - low) * f64::from(i) / 40.0;
+                let (pressure, contraction) = if isobaric { (value, x) } else { (x, value) };
+                let force = pulled(model.as_ref(), &mut workspace, found, (pressure, contraction), branch)?;
+                Some((if isobaric { x } else { p.value(x) }, force))
+            });
+            let style = if branch == Direction::Elongation { Style::Dashed } else { Style::Line };
+            panel = panel.series(Series::new("", points.collect::<Vec<_>>()).style(style).colour(n));
+        }
+    }
+    panel
+}
+
+/// The model's pull at a contraction of the data, on a branch.
+fn pulled(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    found: &Identification,
+    (p, e): (f64, f64),
+    branch: Direction,
+) -> Option<f64> {
+    force_on(m, w, p, e + found.candidate.contraction_offset, branch).ok()
+}

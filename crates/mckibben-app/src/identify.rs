@@ -1,0 +1,411 @@
+//! `identify`: constants of rubber, braid and friction from measured or published points.
+
+use crate::curve::{check_count, contractions, list, steps};
+use crate::fields::{MeshFields, ModelFields, MuscleFields, TextFile};
+use crate::figure;
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use crate::words::{PressureUnit, number};
+use mckibben::identify::{
+    Fitted, Identification, Identified, IdentifyError, Parameter, ParameterError, Request, Spread, Target,
+    identify_default, identify_with,
+};
+use mckibben::least_squares::{EstimateError, Loss};
+use mckibben::measured::{DataPoint, MeasuredPoint, Quantity, Section, mean_of_data, read_data};
+use mckibben::model::Workspace;
+use mckibben::muscle::{Direction, Muscle};
+use mckibben::muscle::file::to_toml;
+use mckibben::progress::Progress;
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Points of a formula at most.
+const MOST_POINTS: usize = 100_000;
+
+/// Points, and what of a muscle they shall tell.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct IdentifyRequest {
+    /// The muscle, with a value for everything that is not free.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// Tables of points (CSV: pressure_mpa, contraction, force_n, and more).
+    pub data: Vec<TextFile>,
+    /// A published formula as data: the name of a model, or of one of `formulas`.
+    pub formula: Option<String>,
+    /// Pressures P of `formula` in MPa; 0.05 to 0.25 by 0.05 where they are left out.
+    pub pressures_mpa: Option<Vec<f64>>,
+    /// Contraction ratios ε of `formula`; 0 to 0.2 by 0.05 where they are left out.
+    pub contractions: Option<Vec<f64>>,
+    /// Outer diameters D0 of `formula` in mm; that of the muscle where they are left out.
+    pub outer_diameters_mm: Option<Vec<f64>>,
+    /// Walls s of `formula` in mm; that of the muscle where they are left out.
+    pub walls_mm: Option<Vec<f64>>,
+    /// How much each of `data` counts, then `formula`; all alike where they are left out.
+    pub weights: Vec<f64>,
+    /// What is done with the branches of the hysteresis.
+    pub branches: Branches,
+    /// Forces of zero and below are measurements; else the muscle was slack there.
+    pub two_sided: bool,
+    /// What is free: NAME, NAME=START or NAME=START:LOW:HIGH. Where nothing is named, the modulus, and stiffness and friction
+    /// where the data tell them.
+    pub free: Vec<String>,
+    /// What is held: NAME=VALUE.
+    pub fix: Vec<String>,
+    /// Bounds of what is free: NAME=LOW:HIGH.
+    pub bounds: Vec<String>,
+    /// How residuals count.
+    pub loss: LossWord,
+    /// The answer shall carry a figure, with pressures in this unit.
+    pub figure: Option<PressureUnit>,
+}
+
+/// How residuals count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LossWord {
+    /// By their squares.
+    #[default]
+    Squares,
+    /// Those far off less (Huber).
+    Huber,
+    /// The largest most (sixth powers).
+    Largest,
+}
+
+/// What is done with the branches of the hysteresis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Branches {
+    /// Both, with the friction between them.
+    #[default]
+    Both,
+    /// Their mean.
+    Mean,
+}
+
+/// What the points tell.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct IdentifyAnswer {
+    /// The model.
+    pub model: String,
+    /// Where the points come from.
+    pub data: String,
+    /// What was free, with its value and error.
+    pub parameters: Vec<Identified>,
+    /// Correlation of the parameters, row by row.
+    pub correlation: Vec<Vec<f64>>,
+    /// Root mean square of the residuals at the start, N.
+    pub rms_before_n: f64,
+    /// Root mean square of the residuals, N.
+    pub rms_n: f64,
+    /// Largest residual, N.
+    pub max_n: f64,
+    /// Standard deviation of one point: in N, or of stated errors.
+    pub deviation: f64,
+    /// Whether the points state their errors.
+    pub errors_stated: bool,
+    /// Points less parameters that lie on no bound.
+    pub degrees_of_freedom: usize,
+    /// Residuals by branch, by what was read, and by table.
+    pub spreads: Vec<Spread>,
+    /// Points that were left out because the muscle was slack.
+    pub slack_points: usize,
+    /// The muscle with the values found.
+    pub muscle: MuscleSummary,
+    /// The points, with what the model makes of them.
+    pub points: Vec<IdentifiedPoint>,
+    /// What does not fit together, is not told, or should be measured.
+    pub warnings: Vec<String>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+    /// What was found, muscle and all.
+    #[serde(skip)]
+    pub found: Identification,
+}
+
+/// A point, with what the model makes of it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct IdentifiedPoint {
+    /// Measures of its muscle that it states.
+    #[serde(flatten)]
+    pub section: Section,
+    /// Pressure, contraction, pull and branch.
+    #[serde(flatten)]
+    pub at: MeasuredPoint,
+    /// What the bench read; the two others were set.
+    pub measured: Quantity,
+    /// The model's pull where that was read, N.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_force_n: Option<f64>,
+    /// The model's contraction ratio where that was read.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_contraction: Option<f64>,
+    /// The model's pressure where that was read, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_pressure_mpa: Option<f64>,
+    /// Model less measured, N.
+    pub residual_n: f64,
+    /// What it counted in the end.
+    pub weight: f64,
+    /// Whether it lies far off the others.
+    pub outlier: bool,
+    /// Its line in its table.
+    pub line: u64,
+    /// Number of its table, from 1.
+    pub data: usize,
+}
+
+impl From<&Fitted> for IdentifiedPoint {
+    fn from(f: &Fitted) -> Self {
+        let DataPoint { at, measured, section, line, set, .. } = f.point;
+        let of = |quantity, read: f64| (measured == quantity).then_some(read + f.residual);
+        Self {
+            section,
+            at,
+            measured,
+            model_force_n: of(Quantity::Force, at.force_n),
+            model_contraction: of(Quantity::Contraction, at.contraction),
+            model_pressure_mpa: of(Quantity::Pressure, at.pressure_mpa),
+            residual_n: f.residual_n,
+            weight: f.weight,
+            outlier: f.outlier,
+            line,
+            data: set + 1,
+        }
+    }
+}
+
+impl IdentifyAnswer {
+    /// The muscle with the values found as a muscle file, with what was identified in its head.
+    pub fn muscle_file(&self) -> String {
+        let one_line = |text: &str| text.replace(char::is_control, " ");
+        format!(
+            "# Identified from {} with the model {}:\n# {}\n{}",
+            one_line(&self.data),
+            one_line(&self.model),
+            in_one_line(&self.parameters),
+            to_toml(&self.found.muscle)
+        )
+    }
+}
+
+/// The constants of a muscle that bring the model closest to the points, with their errors.
+///
+/// # Errors
+/// [`Problem`].
+pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer, Problem> {
+    let muscle = request.muscle.resolve()?;
+    let model = Model::choose(&request.model, Purpose::Answer)?;
+    let (points, origin) = request.points(&muscle)?;
+    let (free, fixed) = request.parameters(&muscle)?;
+    let asked = Request {
+        muscle: &muscle,
+        free: &free,
+        fixed: &fixed,
+        points: &points,
+        loss: request.loss.into(),
+        two_sided: request.two_sided,
+    };
+    let build = |m: &Muscle| model.build(m);
+    let found = if free.is_empty() {
+        identify_default(&asked, build, progress)?
+    } else {
+        identify_with(&asked, build, progress)?
+    };
+    let summary = MuscleSummary::from(&found.muscle);
+    let figure = request.figure.map(|unit| {
+        let about = format!("{}. {}", summary.line(), in_one_line(&found.parameters));
+        figure::identified(&found, &build, &origin, &about, unit)
+    });
+    Ok(IdentifyAnswer {
+        model: model.name().into(),
+        data: origin,
+        parameters: found.parameters.clone(),
+        correlation: found.correlation.clone(),
+        rms_before_n: found.rms_before_n,
+        rms_n: found.rms_n,
+        max_n: found.max_n,
+        deviation: found.deviation,
+        errors_stated: found.errors_stated,
+        degrees_of_freedom: found.freedom,
+        spreads: found.spreads.clone(),
+        slack_points: found.slack.len(),
+        muscle: summary,
+        points: found.points.iter().map(IdentifiedPoint::from).collect(),
+        warnings: found.notes.clone(),
+        figure,
+        found,
+    })
+}
+
+impl IdentifyRequest {
+    /// All points, and where they come from.
+    fn points(&self, muscle: &Muscle) -> Result<(Vec<DataPoint>, String), Problem> {
+        let mut sets: Vec<(Vec<DataPoint>, String)> = vec![];
+        for file in &self.data {
+            let read = read_data(file.text.as_bytes())
+                .map_err(|e| Problem::new(ProblemKind::Data, format!("{}: {e}", file.name), ""))?;
+            sets.push((read, file.name.clone()));
+        }
+        if let Some(name) = &self.formula {
+            sets.push((self.of_formula(name, muscle)?, format!("the formula {name}")));
+        }
+        if sets.is_empty() {
+            let hint = "give `data` with pressure_mpa, contraction and force_n, or `formula` paper";
+            return Err(Problem::new(ProblemKind::MissingInput, "there is nothing to identify from", hint));
+        }
+        self.check_weights(sets.len())?;
+        let mut points = vec![];
+        for (set, (list, _)) in sets.iter().enumerate() {
+            let factor = self.weights.get(set).copied().unwrap_or(1.0);
+            points.extend(list.iter().map(|p| DataPoint { set, weight: p.weight * factor, ..*p }));
+        }
+        if self.branches == Branches::Mean {
+            points = mean_of_data(&points);
+        }
+        let origin: Vec<String> = sets.into_iter().map(|set| set.1).collect();
+        Ok((points, origin.join(", ")))
+    }
+
+    /// A formula's pulls as if they had been measured.
+    fn of_formula(&self, name: &str, muscle: &Muscle) -> Result<Vec<DataPoint>, Problem> {
+        let model = Model::named(name, &self.model.formulas, &MeshFields::default())?;
+        let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
+        let contractions = contractions(&self.contractions, || steps(5, 0.0, 0.2))?;
+        let measures = |field: &str, values: &Option<Vec<f64>>| -> Result<Vec<Option<f64>>, Problem> {
+            let Some(_) = values else { return Ok(vec![None]) };
+            Ok(list(field, values, Vec::new)?.into_iter().map(Some).collect())
+        };
+        let diameters = measures("outer_diameters_mm", &self.outer_diameters_mm)?;
+        let walls = measures("walls_mm", &self.walls_mm)?;
+        check_count(&[pressures.len(), contractions.len(), diameters.len(), walls.len()], MOST_POINTS)?;
+        let mut points = vec![];
+        for &outer_diameter_mm in &diameters {
+            for &wall_mm in &walls {
+                let section = Section { outer_diameter_mm, wall_mm, ..Section::default() };
+                let model = model.build(&section.apply(muscle)?)?;
+                let mut workspace = Workspace::new();
+                for &contraction in &contractions {
+                    for &pressure_mpa in &pressures {
+                        let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
+                        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+                        points.push(DataPoint {
+                            section,
+                            line: points.len() as u64 + 2,
+                            ..DataPoint::of(at)
+                        });
+                    }
+                }
+            }
+        }
+        Ok(points)
+    }
+
+    fn check_weights(&self, sets: usize) -> Result<(), Problem> {
+        let wrong =
+            |message: String, hint| Err(Problem::new(ProblemKind::Usage, message, hint).in_field("weights"));
+        if !self.weights.is_empty() && self.weights.len() != sets {
+            let message = format!("{} numbers for {sets} sets of data", self.weights.len());
+            return wrong(message, "one for each of `data`, then one for `formula`");
+        }
+        for &w in &self.weights {
+            if finite("weights", w)? < 0.0 {
+                return wrong(format!("{w} is below zero"), "a weight of 0 leaves a set out");
+            }
+        }
+        Ok(())
+    }
+
+    /// What is free and what is held.
+    fn parameters(&self, muscle: &Muscle) -> Result<(Vec<Parameter>, Vec<(Target, f64)>), Problem> {
+        let wrong = |field: &str, message: String, hint| {
+            Err(Problem::new(ProblemKind::Parameter, message, hint).in_field(field))
+        };
+        let parse = |text: &String| Parameter::parse(text, muscle);
+        let mut free: Vec<Parameter> = self.free.iter().map(parse).collect::<Result<_, _>>()?;
+        let mut fixed = vec![];
+        for text in &self.fix {
+            let p = parse(text)?;
+            match p.start.filter(|_| p.bounds.is_none()) {
+                Some(value) => fixed.push((p.target, value)),
+                None => {
+                    return wrong("fix", format!("\"{}\" holds nothing", text.trim()), "write NAME=VALUE");
+                }
+            }
+        }
+        for text in &self.bounds {
+            let (target, bounds) = Parameter::parse_bounds(text, muscle)?;
+            match free.iter_mut().find(|p| p.target == target) {
+                Some(p) => p.bounds = Some(bounds),
+                None => {
+                    let message = format!("{} is not free", target.name(muscle));
+                    return wrong("bounds", message, "name it in `free` too");
+                }
+            }
+        }
+        Ok((free, fixed))
+    }
+}
+
+/// A value with as many digits as its error bar leaves, and the bar.
+pub fn with_error_bar(p: &Identified) -> (String, String) {
+    if !p.half_width.is_finite() || p.half_width <= 0.0 || p.value == 0.0 {
+        return (number(p.value, 5), "–".into());
+    }
+    let digits = (p.value.abs() / p.half_width).log10().floor().clamp(0.0, 6.0) as usize + 2;
+    (number(p.value, digits.max(3)), number(p.half_width, 2))
+}
+
+/// `tube.material.c10 0.123 ± 0.004 MPa, …`.
+fn in_one_line(parameters: &[Identified]) -> String {
+    let one = |p: &Identified| {
+        let (value, bar) = with_error_bar(p);
+        let told = if p.identifiable { "" } else { " (not told)" };
+        let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
+        let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
+        format!("{} {value}{bar}{unit}{told}", p.name)
+    };
+    parameters.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+impl From<LossWord> for Loss {
+    fn from(word: LossWord) -> Self {
+        match word {
+            LossWord::Squares => Self::Squares,
+            LossWord::Huber => Self::Huber,
+            LossWord::Largest => Self::Largest,
+        }
+    }
+}
+
+impl From<ParameterError> for Problem {
+    fn from(error: ParameterError) -> Self {
+        Self::new(ProblemKind::Parameter, error.to_string(), "")
+    }
+}
+
+impl From<IdentifyError> for Problem {
+    fn from(error: IdentifyError) -> Self {
+        let message = error.to_string();
+        let (kind, hint) = match error {
+            IdentifyError::Cancelled => return Self::cancelled(),
+            IdentifyError::Model(model) => return model.into(),
+            IdentifyError::Estimate(EstimateError::NoMinimum { .. } | EstimateError::Start)
+            | IdentifyError::Start { .. } => (ProblemKind::NotConverged, ""),
+            IdentifyError::Implausible(_) => {
+                (ProblemKind::Data, "if they are right, free what may be wrong: `free` ...,braid.angle")
+            }
+            IdentifyError::TooFew { .. } | IdentifyError::ErrorsOfSome { .. } => (ProblemKind::Data, ""),
+            _ => (ProblemKind::Parameter, ""),
+        };
+        Self::new(kind, message, hint)
+    }
+}

@@ -1,0 +1,185 @@
+//! `identify`: constants of a muscle from points.
+
+mod text;
+
+use crate::failure::Failure;
+use crate::files;
+use crate::flags::{Format, MuscleFlags, PlotFlag, pressure_unit};
+use crate::output::text::PressureUnit;
+use crate::output::{save, show};
+use crate::plot;
+use crate::progress::Bar;
+use crate::quantities::{contractions, pressures, ratio, values};
+use crate::word::word;
+use clap::Args;
+use mckibben::units::Dimension;
+use mckibben_app::{Branches, IdentifyRequest, LossWord, MeshFields, ModelFields};
+use std::path::PathBuf;
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben identify examples/bench.toml --data examples/bench.csv
+  mckibben identify examples/tondu2012.toml \\
+    --data data/tondu2012/static_force_20deg.csv --model thick-wall \\
+    --free mu,terminals.end_factor,friction.c,friction.beta \\
+    --plot fit.svg -o found.toml
+  mckibben identify --formula paper -D 50 -s 1 -p 0.05..0.25:0.05 \\
+    -e 0..0.2:0.05 --free c10,braid.stiffness=600:100:5000";
+
+/// `identify`.
+#[derive(Debug, Args)]
+pub struct IdentifyArgs {
+    /// Muscle file (TOML) with a value for everything; flags override it
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
+    pub file: Option<PathBuf>,
+    /// Points (CSV: pressure_mpa, contraction, force_n, and more); may be repeated
+    #[arg(long, value_name = "FILE.csv", help_heading = "Data")]
+    pub data: Vec<PathBuf>,
+    /// A published formula as data: a model's name or a formula's JSON, at -p and -e (-D and -s may be lists)
+    #[arg(long, value_name = "NAME or FILE.json", help_heading = "Data")]
+    pub formula: Option<String>,
+    /// Pressures of --formula [0.05..0.25:0.05]
+    #[arg(
+        short,
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "formula",
+        help_heading = "Data"
+    )]
+    pub pressure: Option<String>,
+    /// Contraction ratios of --formula [0..0.2:0.05]
+    #[arg(
+        short = 'e',
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "formula",
+        help_heading = "Data"
+    )]
+    pub contraction: Option<String>,
+    /// How much each --data counts, then --formula [1,1,...]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        help_heading = "Data"
+    )]
+    pub weights: Vec<String>,
+    /// What is done with the branches of the hysteresis
+    #[arg(long, value_parser = word::<Branches>(), default_value = "both", help_heading = "Data")]
+    pub branches: Branches,
+    /// Forces of zero and below are measurements; else the muscle was slack there
+    #[arg(long, help_heading = "Data")]
+    pub two_sided: bool,
+    /// What is free: NAME, NAME=START or NAME=START:LOW:HIGH [modulus, and stiffness and friction where the data tell them]
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        help_heading = "Parameters"
+    )]
+    pub free: Vec<String>,
+    /// What is held: NAME=VALUE
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        help_heading = "Parameters"
+    )]
+    pub fix: Vec<String>,
+    /// Bounds of what is free: NAME=LOW:HIGH
+    #[arg(
+        long,
+        value_name = "LIST",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        help_heading = "Parameters"
+    )]
+    pub bounds: Vec<String>,
+    /// How residuals count
+    #[arg(long, value_parser = word::<LossWord>(), default_value = "squares", help_heading = "Parameters")]
+    pub loss: LossWord,
+    /// The same as --loss huber
+    #[arg(long, conflicts_with = "loss", help_heading = "Parameters")]
+    pub robust: bool,
+    /// Force model [fe]
+    #[arg(long, value_name = "NAME", help_heading = "Model")]
+    pub model: Option<String>,
+    /// Mesh of `fe`, as for the other commands [chosen]
+    #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
+    pub mesh: Option<String>,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    /// Unit of pressures in figures [MPa]
+    #[arg(long, value_parser = word::<PressureUnit>(), value_name = "UNIT", help_heading = "Output")]
+    pub units: Option<PressureUnit>,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    /// Write the muscle with what was found as a muscle file
+    #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
+    pub output: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
+    let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
+    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    if let Some(path) = &args.output {
+        save(path, answer.muscle_file().as_bytes())?;
+    }
+    let text = || {
+        let mut text = text::of(&answer);
+        if let Some(path) = &args.output {
+            text.push_str(&format!("\nThe muscle is in {}.\n", path.display()));
+        }
+        text
+    };
+    show(&answer, format, "points", text, None)?;
+    Ok(0)
+}
+
+fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
+    // -D and -s may be lists of a formula's muscles.
+    let mut muscle = args.muscle.clone();
+    let list = |flag: &str, text: &mut Option<String>| -> Result<Option<Vec<f64>>, Failure> {
+        if args.formula.is_none() {
+            return Ok(None);
+        }
+        let several =
+            values(flag, text.as_deref(), Dimension::Length)?.map(|v| v.sampled(4)).filter(|v| v.len() > 1);
+        text.take_if(|_| several.is_some());
+        Ok(several)
+    };
+    let outer_diameters_mm = list("--outer-diameter", &mut muscle.outer_diameter)?;
+    let walls_mm = list("--wall", &mut muscle.wall)?;
+    let words = [&args.model, &args.formula].into_iter().flatten();
+    let formulas = words.map(|word| files::formula(word)).collect::<Result<Vec<_>, _>>()?;
+    let weight = |text: &String| Ok(ratio("--weights", Some(text))?.unwrap_or(1.0));
+    let unit = pressure_unit(args.units, args.pressure.as_deref());
+    Ok(IdentifyRequest {
+        muscle: muscle.fields(args.file.as_deref())?,
+        model: ModelFields {
+            model: args.model.clone(),
+            formulas: formulas.into_iter().flatten().collect(),
+            mesh: MeshFields { mesh: args.mesh.clone(), ..MeshFields::default() },
+        },
+        data: args.data.iter().map(|path| files::table(path)).collect::<Result<_, _>>()?,
+        formula: args.formula.clone(),
+        pressures_mpa: pressures(args.pressure.as_deref(), 5)?,
+        contractions: contractions(args.contraction.as_deref())?,
+        outer_diameters_mm,
+        walls_mm,
+        weights: args.weights.iter().map(weight).collect::<Result<_, Failure>>()?,
+        branches: args.branches,
+        two_sided: args.two_sided,
+        free: args.free.clone(),
+        fix: args.fix.clone(),
+        bounds: args.bounds.clone(),
+        loss: if args.robust { LossWord::Huber } else { args.loss },
+        figure: args.plot.plot.as_ref().map(|_| unit),
+    })
+}

@@ -1,0 +1,73 @@
+//! What was identified, for people.
+
+use crate::output::text::{number, table};
+use mckibben::identify::Identification;
+use mckibben_app::{IdentifyAnswer, with_error_bar};
+
+/// The whole answer.
+pub fn of(answer: &IdentifyAnswer) -> String {
+    let found = &answer.found;
+    let mut out = format!(
+        "model {}, {} points of {}\n{}\n\n",
+        answer.model,
+        found.points.len(),
+        answer.data,
+        answer.muscle.line()
+    );
+    let header = ["", "value", "± 95 %", "std. error", "unit", "start", "told by the data"];
+    let rows = found.parameters.iter().map(|p| {
+        let (value, bar) = with_error_bar(p);
+        let told = match p {
+            p if p.identifiable => "yes",
+            p if p.at_bound => "no (on its bound)",
+            p if !p.matters => "no (no effect)",
+            _ => "no",
+        };
+        let error = if p.standard_error.is_finite() { number(p.standard_error, 2) } else { "–".into() };
+        vec![p.name.clone(), value, bar, error, p.unit.into(), number(p.start, 4), told.into()]
+    });
+    out.push_str(&table(&header, rows.collect()));
+    if found.parameters.len() > 1 {
+        out.push_str(&correlation(found));
+    }
+    out.push_str(&format!(
+        "\nresiduals: rms {} N ({} N at the start), largest {} N",
+        number(found.rms_n, 3),
+        number(found.rms_before_n, 3),
+        number(found.max_n, 3)
+    ));
+    let largest = found.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
+    if largest > 0.0 {
+        out.push_str(&format!("; the largest force is {} N", number(largest, 4)));
+    }
+    out.push('\n');
+    for s in &found.spreads {
+        out.push_str(&format!(
+            "  {}: {} points, rms {} N, largest {} N, mean {} N\n",
+            s.label,
+            s.points,
+            number(s.rms_n, 3),
+            number(s.max_n, 3),
+            number(s.mean_n, 2)
+        ));
+    }
+    if !found.notes.is_empty() {
+        out.push('\n');
+    }
+    for note in &found.notes {
+        out.push_str(&format!("- {note}\n"));
+    }
+    out
+}
+
+/// The lower triangle.
+fn correlation(found: &Identification) -> String {
+    let names: Vec<&str> = found.parameters.iter().map(|p| p.name.as_str()).collect();
+    let header: Vec<&str> =
+        std::iter::once("correlation").chain(names.iter().copied().take(names.len() - 1)).collect();
+    let rows = (1..names.len()).map(|i| {
+        let cell = |j: usize| if j < i { format!("{:.2}", found.correlation[i][j]) } else { String::new() };
+        std::iter::once(names[i].to_owned()).chain((0..names.len() - 1).map(cell)).collect()
+    });
+    format!("\n{}", table(&header, rows.collect()))
+}
