@@ -2,7 +2,8 @@
 
 use mckibben::model::{ForceModel, ThickWall};
 use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::{FemError, Solution};
+use mckibben_fem::axisymmetric::Solution;
+use mckibben_fem::FemError;
 use mckibben_fem::simulation::Simulation;
 
 /// One point of the test: what was asked, and what came out.

@@ -33,6 +33,7 @@
 
 pub mod axisymmetric;
 pub mod element;
+mod error;
 pub mod load;
 pub mod output;
 pub mod simulation;
@@ -40,3 +41,5 @@ pub mod solver;
 pub mod three_dimensional;
 pub mod validation;
 pub mod verification;
+
+pub use error::{FemError, LastConverged};

@@ -1,6 +1,7 @@
 //! What finite-element models have in common beyond [`ForceModel`]: whole solutions and tests.
 
-use crate::axisymmetric::{Axisymmetric, FemError, MeshSpec, Solution, TangentPoint};
+use crate::axisymmetric::{Axisymmetric, MeshSpec, Solution, TangentPoint};
+use crate::FemError;
 use crate::three_dimensional::{BrickSpec, ThreeDimensional};
 use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;

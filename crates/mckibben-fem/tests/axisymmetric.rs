@@ -6,7 +6,8 @@ use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben_fem::axisymmetric::study::mesh_study;
 use mckibben_fem::axisymmetric::sweep::sweep;
-use mckibben_fem::axisymmetric::{Axisymmetric, FemError, MeshSpec};
+use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+use mckibben_fem::FemError;
 
 fn pressures() -> Vec<f64> {
     (0..=25).map(|i| 0.01 * f64::from(i)).collect()

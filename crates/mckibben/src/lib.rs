@@ -33,6 +33,7 @@ pub mod identify;
 pub mod least_squares;
 pub mod model;
 pub mod muscle;
+pub mod progress;
 mod nearest;
 pub mod rubber;
 pub mod study;

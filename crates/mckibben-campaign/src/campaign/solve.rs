@@ -5,7 +5,8 @@ use crate::Row;
 use mckibben::model::{ForceModel, ThickWall};
 use mckibben::muscle::Muscle;
 use mckibben::rubber::RubberLaw;
-use mckibben_fem::axisymmetric::{FemError, TangentPoint};
+use mckibben_fem::axisymmetric::TangentPoint;
+use mckibben_fem::FemError;
 
 /// There is an answer.
 pub(super) const OK: &str = "ok";

@@ -4,7 +4,7 @@
 
 use super::engine::{Along, Engine};
 use super::equilibrium::Control;
-use super::error::FemError;
+use crate::FemError;
 use super::model::Axisymmetric;
 use super::results::Solution;
 use super::sensitivity::{self, Sensitivity};

@@ -1,6 +1,6 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
-use super::error::FemError;
+use crate::FemError;
 use super::layout::Layout;
 use super::mesh::Mesh;
 use crate::element::q2::{Geometry, NODES};

@@ -2,7 +2,7 @@
 
 use super::discrete::{BraidSpec, Discrete, Make, State};
 use super::equilibrium::Control;
-use super::error::FemError;
+use crate::FemError;
 use super::mesh::{Mesh, MeshSpec};
 use super::path::{Guess, Halt, Walker};
 use crate::solver::newton::Stopped;

@@ -1,6 +1,6 @@
 //! Meshes of the section (R, Z) of a tube.
 
-use super::error::FemError;
+use crate::FemError;
 use super::layout::Layout;
 
 /// How a tube is divided; what is `None` the program chooses.

@@ -5,7 +5,6 @@ mod curves;
 pub mod discrete;
 mod engine;
 pub mod equilibrium;
-mod error;
 mod guess;
 pub mod layout;
 pub mod mesh;
@@ -19,7 +18,6 @@ pub mod sweep;
 
 pub use curves::{Curve, CurvePoint, TangentPoint};
 pub use engine::{Along, Engine};
-pub use error::{FemError, LastConverged};
 pub use mesh::{Mesh, MeshSpec};
 pub use model::Axisymmetric;
 pub use results::{Energies, ProfilePoint, Solution, StrandState, StretchAt};

@@ -2,7 +2,7 @@
 
 use super::engine::Engine;
 use super::equilibrium::Control;
-use super::error::FemError;
+use crate::FemError;
 use super::mesh::MeshSpec;
 use super::results::Solution;
 use super::sensitivity;

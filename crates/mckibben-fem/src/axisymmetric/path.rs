@@ -5,7 +5,7 @@
 
 use super::discrete::{Discrete, State};
 use super::equilibrium::{Body, Control};
-use super::error::LastConverged;
+use crate::LastConverged;
 use super::guess;
 use crate::solver::newton::{self, Effort, NewtonOptions, Stopped};
 

@@ -2,7 +2,7 @@
 
 use super::discrete::{Discrete, State, nodes};
 use super::equilibrium::Body;
-use super::error::FemError;
+use crate::FemError;
 use super::sensitivity::{self, Sensitivity};
 use crate::element::q2::{GAUSS3, NODES, point};
 use crate::element::solid::{Unknowns, gradient};

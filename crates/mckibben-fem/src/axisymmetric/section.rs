@@ -5,7 +5,7 @@
 //! meet, both are averaged.
 
 use super::discrete::{Discrete, State, nodes};
-use super::error::FemError;
+use crate::FemError;
 use super::model::Axisymmetric;
 use super::results::{StrandState, strands};
 use crate::element::plane::{self, Gradient, PlaneLaw, PlaneVisitor};

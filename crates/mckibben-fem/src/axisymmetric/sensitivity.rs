@@ -8,7 +8,7 @@
 use super::assembly::{Work, assemble};
 use super::discrete::{BraidSpec, Discrete, Make, State};
 use super::equilibrium::Body;
-use super::error::FemError;
+use crate::FemError;
 use super::mesh::Mesh;
 use mckibben::muscle::Muscle;
 use mckibben::rubber::{Law, RubberLaw};

@@ -1,6 +1,6 @@
 //! How fine a mesh must be.
 
-use super::error::FemError;
+use crate::FemError;
 use super::mesh::MeshSpec;
 use super::model::Axisymmetric;
 use mckibben::muscle::Muscle;

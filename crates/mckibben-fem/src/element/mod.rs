@@ -11,4 +11,3 @@ pub mod spatial_stretches;
 pub mod strand;
 pub mod stretches;
 pub mod tie;
-pub mod truss;

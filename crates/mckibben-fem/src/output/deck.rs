@@ -4,7 +4,7 @@
 //! truss with engineering strain and k = E A/L. Laws are those of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with
 //! D1 = 2/K; Ogden's are written there as 2 μi/αi². What is told of the mesh stands in comments `** key = value`.
 
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use crate::three_dimensional::{Brick, ThreeDimensional};
 use mckibben::model::ForceModel;
 use mckibben::muscle::Bulk;

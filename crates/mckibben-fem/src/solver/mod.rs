@@ -17,21 +17,3 @@ pub struct Singular {
     /// Pivot inside of the block.
     pub pivot: usize,
 }
-
-/// A symmetric system that is filled, factorised and solved again and again with the same pattern.
-pub trait LinearSolver {
-    /// Number of unknowns.
-    fn dimension(&self) -> usize;
-
-    /// Factorises what was filled in.
-    ///
-    /// # Errors
-    /// [`Singular`].
-    fn factorise(&mut self) -> Result<(), Singular>;
-
-    /// Replaces the right-hand side by the solution.
-    fn solve(&mut self, rhs: &mut [f64]);
-
-    /// Number of negative pivots of the last factorisation: by Sylvester's law the number of negative eigenvalues.
-    fn negative_pivots(&self) -> usize;
-}

@@ -8,7 +8,7 @@ use super::assembly::{Totals, Work, assemble};
 use super::discrete::Discrete;
 use super::saddle::{Constraints, constraint_residual, dot, gather, share};
 use super::state::State;
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use crate::axisymmetric::equilibrium::Control;
 use crate::solver::newton::{NewtonSystem, Stopped};
 use crate::solver::sparse::SparseCholesky;

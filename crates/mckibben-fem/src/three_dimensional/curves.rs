@@ -4,7 +4,8 @@ use super::engine::Engine;
 use super::model::ThreeDimensional;
 use super::results;
 use crate::axisymmetric::equilibrium::Control;
-use crate::axisymmetric::{Curve, CurvePoint, FemError, TangentPoint};
+use crate::axisymmetric::{Curve, CurvePoint, TangentPoint};
+use crate::FemError;
 use mckibben::model::ForceModel;
 
 fn here(e: &Engine, (iterations, factorisations): (usize, usize)) -> CurvePoint {

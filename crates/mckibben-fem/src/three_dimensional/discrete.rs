@@ -6,7 +6,7 @@
 
 use super::mesh::Brick;
 use super::parts::{Freedom, Parts};
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::{points8, points27};
 use crate::element::lanes::Width;

@@ -9,7 +9,7 @@ use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
 use super::results::now;
 use super::{Body, Discrete};
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
 use crate::element::q2::GAUSS2;

@@ -5,7 +5,7 @@
 //! quads of the outer grid; a diagonal is at θ0 where tanθ0 = chord/Δz.
 
 use super::plug::{Plug, PlugGrid, profile};
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// Which brick.

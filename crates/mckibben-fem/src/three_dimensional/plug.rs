@@ -8,7 +8,7 @@
 //! tube's rows of the insertion. Bricks at the axis are wedges (two edges in one).
 
 use super::mesh::{BrickMesh, direction};
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use std::f64::consts::FRAC_PI_2;
 
 /// What a plug is made of.

@@ -10,7 +10,6 @@ mod muscle;
 mod numerics;
 mod pressure;
 mod sphere;
-mod truss;
 mod tube;
 
 pub use endless::{endless_braid, long_muscles};
@@ -19,10 +18,9 @@ pub use muscle::{identities, prototype};
 pub use numerics::numerics;
 pub use pressure::follower_pressure;
 pub use sphere::thick_sphere;
-pub use truss::trusses;
 pub use tube::thick_tube;
 
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use crate::axisymmetric::discrete::{BraidSpec, Discrete, Ends, Make};
 use crate::axisymmetric::equilibrium::{Body, Control};
 use crate::axisymmetric::mesh::Mesh;
@@ -77,7 +75,6 @@ pub fn cases() -> Vec<Row> {
         thick_tube(),
         thick_sphere(),
         follower_pressure(),
-        trusses(),
         endless_braid(),
         long_muscles(),
         identities(),
