@@ -7,10 +7,10 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben::model::ForceModel;
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::read_muscle;
-use mckibben_fem::axisymmetric::equilibrium::Control;
+use mckibben_fem::solver::body::Control;
 use mckibben_fem::solver::newton::{self, Effort, NewtonOptions};
 use mckibben_fem::three_dimensional::{
-    Body, BrickMesh, BrickSpec, Discrete, Match, Parts, Ring, State, ThreeDimensional,
+    Body, BrickMesh, BrickSpec, Discretisation, Match, Problem, Ring, State, ThreeDimensional,
 };
 use std::hint::black_box;
 
@@ -28,14 +28,14 @@ fn body(through: usize, around: usize) -> Body {
         ..BrickSpec::default()
     };
     let mesh = BrickMesh::new(12.0, 15.0, 142.5, 28f64.to_radians(), &spec).unwrap();
-    Body::new(Discrete::new(Parts::of(&peers(), &mesh)).unwrap()).unwrap()
+    Body::new(Discretisation::new(Problem::of(&peers(), &mesh)).unwrap()).unwrap()
 }
 
 /// The path of the peers, increment by increment, without foresight.
 fn walk(body: &mut Body, targets: &[(f64, f64)]) -> f64 {
     let options = NewtonOptions { tolerance: 1e-9, ..NewtonOptions::default() };
-    body.state = State::rest(&body.discrete);
-    let half = body.discrete.half;
+    body.state = State::rest(&body.discretisation);
+    let half = body.discretisation.half;
     for &(contraction, pressure) in targets {
         body.state.pressure = pressure;
         body.control = Control::Length(-contraction * half);

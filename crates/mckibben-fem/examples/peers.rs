@@ -5,11 +5,11 @@
 //! work as JSON. A mesh that ends in `:quadratic` has no deck.
 
 use mckibben::muscle::file::read_muscle;
-use mckibben_fem::axisymmetric::equilibrium::Control;
 use mckibben_fem::output::{deck, increments};
+use mckibben_fem::solver::body::Control;
 use mckibben_fem::solver::newton::{self, Effort, NewtonOptions};
 use mckibben_fem::three_dimensional::{
-    Body, Brick, BrickSpec, Discrete, Match, Parts, State, ThreeDimensional,
+    Body, Brick, BrickSpec, Discretisation, Match, Problem, State, ThreeDimensional,
 };
 use std::error::Error;
 use std::time::Instant;
@@ -29,12 +29,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let start = Instant::now();
     let grid = model.mesh();
-    let mut body = Body::new(Discrete::new(Parts::of(&muscle, &grid))?)?;
+    let mut body = Body::new(Discretisation::new(Problem::of(&muscle, &grid))?)?;
     let setup = start.elapsed().as_secs_f64();
     let options = NewtonOptions { tolerance: 1e-9, ..NewtonOptions::default() };
     let mut effort = Effort::default();
-    body.state = State::rest(&body.discrete);
-    let half = body.discrete.half;
+    body.state = State::rest(&body.discretisation);
+    let half = body.discretisation.half;
     let mut points = vec![];
     let began = Instant::now();
     for (e, p) in increments(contraction, &pressures)? {
@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         r#"{{"program": "mckibben {}", "unknowns": {}, "seconds": {seconds:?}, "setup_seconds": {setup:?}, "iterations": {}, "increments": {}, "failure": "", "points": [{}]}}"#,
         env!("CARGO_PKG_VERSION"),
-        body.discrete.free,
+        body.discretisation.free,
         effort.iterations,
         points.len(),
         points.join(", ")

@@ -19,8 +19,9 @@ pub struct LastConverged {
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum FemError {
-    /// Numbers that make no mesh.
+    /// A number that no mesh can have.
     #[error("mesh: {name} is {value}; it must lie between {low} and {high}")]
     Mesh {
         /// Which number: `through`, `along`, `grading`, a measure of the terminal.
@@ -77,6 +78,34 @@ pub enum FemError {
         /// Why the search ended.
         reason: Stopped,
     },
+    /// A pull beyond all that the muscle reaches at a pressure.
+    #[error("{}", out_of_reach(*.force_n, *.pressure_mpa, *.nearest_force_n, *.contraction))]
+    OutOfReach {
+        /// The pull asked for in N.
+        force_n: f64,
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// The nearest pull that was found, in N.
+        nearest_force_n: f64,
+        /// Contraction at which it stands; below zero the muscle is stretched.
+        contraction: f64,
+    },
+    /// The caller wanted the work to end.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {
+    let (percent, nearest) = (100.0 * contraction.abs(), (10.0 * nearest).round() / 10.0);
+    if force > nearest {
+        format!(
+            "rubber and strands cannot carry a pull of {force} N at {pressure} MPa: stretched by {percent:.0} % of its length, as far as an equilibrium was found, the muscle pulls with {nearest} N"
+        )
+    } else {
+        format!(
+            "no equilibrium with a pull of {force} N exists at {pressure} MPa: shortened by {percent:.0} % of its length, as far as an equilibrium was found, the muscle still pulls with {nearest} N"
+        )
+    }
 }
 
 impl FemError {
@@ -96,7 +125,9 @@ impl FemError {
             Self::Mesh { .. } | Self::Element { .. } | Self::TooLarge { .. } => {
                 ModelError::Elements { reason: self.to_string() }
             }
-            Self::Force { .. } => ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction },
+            Self::Force { .. } | Self::OutOfReach { .. } | Self::Cancelled => {
+                ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction }
+            }
         }
     }
 }

@@ -63,4 +63,14 @@ impl Layout {
     pub fn tension(&self, slab: usize) -> usize {
         self.pressure(slab, self.through)
     }
+
+    /// Unknowns (r, z of middle, left, right) of node `i` of the stations of a slab.
+    #[inline(always)]
+    pub fn line(&self, u: &[f64], slab: usize, i: usize) -> [f64; 6] {
+        let (m, left) = (self.station(), slab * self.stride());
+        let right = left + self.stride();
+        let at = |k: usize| [u[k + 2 * i], u[k + 2 * i + 1]];
+        let ([a, b], [c, d], [e, f]) = (at(left + m), at(left), at(right));
+        [a, b, c, d, e, f]
+    }
 }

@@ -1,7 +1,7 @@
 //! Meshes of the section (R, Z) of a tube.
 
-use crate::FemError;
 use super::layout::Layout;
+use crate::FemError;
 
 /// How a tube is divided; what is `None` the program chooses.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

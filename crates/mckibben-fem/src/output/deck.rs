@@ -188,26 +188,26 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
 }
 
 fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), DeckError> {
-    let ties = &model.discrete().parts.ties;
+    let trusses = &model.discretisation().problem.trusses;
     // One set for each length, in the order in which they appear.
     let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
-    for (i, (_, tie)) in ties.iter().enumerate() {
-        groups.entry((tie.length_mm * 1e9).round() as i64).or_default().push(i);
+    for (i, (_, truss)) in trusses.iter().enumerate() {
+        groups.entry((truss.length_mm * 1e9).round() as i64).or_default().push(i);
     }
     let mut springs = String::new();
     for (number, members) in groups.values().enumerate() {
-        let tie = ties[members[0]].1;
-        let k = tie.stiffness_n / tie.length_mm;
+        let truss = trusses[members[0]].1;
+        let k = truss.stiffness_n / truss.length_mm;
         if !k.is_finite() {
             return Err(DeckError::Inextensible);
         }
         let _ = writeln!(out, "*ELEMENT, TYPE=SPRINGA, ELSET=STRANDS{}", number + 1);
         for &i in members {
-            let [a, b] = ties[i].0;
+            let [a, b] = trusses[i].0;
             let _ = writeln!(out, "{}, {}, {}", before + i + 1, a + 1, b + 1);
         }
         // A spring table from force and elongation; a trace of stiffness is left in compression.
-        let _ = if tie.compression {
+        let _ = if truss.compression {
             writeln!(springs, "*SPRING, ELSET=STRANDS{}\n\n{k:?}", number + 1)
         } else {
             writeln!(

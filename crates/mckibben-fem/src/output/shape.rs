@@ -53,7 +53,7 @@ impl Shape {
                 .map(|&i| self.braid.points[i as usize])
                 .collect();
             start = end as usize;
-            // Runs of the parts that are kept.
+            // Runs of the problem that are kept.
             let mut run: Vec<[f64; 3]> = vec![];
             for pair in line.windows(2) {
                 if kept(middle(pair.iter().copied())) {

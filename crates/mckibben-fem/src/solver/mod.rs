@@ -1,10 +1,14 @@
-//! Linear and non-linear solvers, free of any mechanics.
+//! Linear and non-linear solvers, and the continuation that leads any body from equilibrium to equilibrium.
 
+pub mod body;
 pub mod chain;
+pub mod continuation;
+pub mod curve;
 pub mod dense;
 pub mod dissection;
 pub mod newton;
 pub mod sparse;
+pub mod trail;
 
 use thiserror::Error;
 

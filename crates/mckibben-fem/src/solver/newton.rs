@@ -1,7 +1,7 @@
-//! Newton's method with a tangent that may serve twice.
+//! Newton's method with a tangent that may serve more than once.
 //!
 //! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then looked at
-//! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
+//! alone, and where a little is left the old tangent corrects on (modified Newton method). Nothing is allocated.
 
 use super::Singular;
 use thiserror::Error;
@@ -81,6 +81,8 @@ pub struct NewtonOptions {
     pub iterations: usize,
     /// Below this correction the residual is looked at before a new tangent is made.
     pub small: f64,
+    /// Most further corrections with the same tangent, where they are likely to be the last (modified Newton method).
+    pub repeats: usize,
     /// Above this correction the iteration is given up.
     pub large: f64,
     /// A correction below this is rounding: the residual may then stand at `rounding_residual`.
@@ -91,17 +93,23 @@ pub struct NewtonOptions {
     pub factorisations: usize,
 }
 
+impl NewtonOptions {
+    /// What is taken where nothing else is said.
+    pub const DEFAULT: Self = Self {
+        tolerance: 1e-10,
+        iterations: 20,
+        small: 2e-3,
+        repeats: 1,
+        large: 50.0,
+        rounding: 1e-11,
+        rounding_residual: 1e-8,
+        factorisations: usize::MAX,
+    };
+}
+
 impl Default for NewtonOptions {
     fn default() -> Self {
-        Self {
-            tolerance: 1e-10,
-            iterations: 20,
-            small: 2e-3,
-            large: 50.0,
-            rounding: 1e-11,
-            rounding_residual: 1e-8,
-            factorisations: usize::MAX,
-        }
+        Self::DEFAULT
     }
 }
 
@@ -152,14 +160,18 @@ pub fn solve<S: NewtonSystem>(
             effort.residuals += 1;
             if let Ok(next) = system.residual() {
                 watch(next);
-                let gain = next / norm;
+                let mut gain = next / norm;
                 norm = next;
-                // One more turn with the old tangent where that is likely to be the last.
-                if norm > options.tolerance && gain * norm <= options.tolerance {
+                // The old tangent goes on correcting as long as it is likely to get there.
+                let mut left = options.repeats as i32;
+                while norm > options.tolerance && left > 0 && gain.powi(left) * norm <= options.tolerance {
+                    left -= 1;
                     effort.iterations += 1;
                     effort.residuals += 1;
                     system.correct()?;
-                    norm = system.residual()?;
+                    let next = system.residual()?;
+                    gain = next / norm;
+                    norm = next;
                     watch(norm);
                 }
                 if norm <= options.tolerance {

@@ -80,10 +80,10 @@ impl BrickSpec {
     /// the text is none of them.
     pub fn parse(text: &str) -> Option<Self> {
         let mut words = text.split(':').map(str::trim);
-        let parts: Vec<usize> =
+        let problem: Vec<usize> =
             words.next()?.split('x').map(|t| t.trim().parse().ok()).collect::<Option<Vec<usize>>>()?;
         let spec = |through, around, along| Self { through, around, along, ..Self::default() };
-        let mut out = match parts.as_slice() {
+        let mut out = match problem.as_slice() {
             [a] => spec(None, Some(*a), None),
             [t, a] => spec(Some(*t), Some(*a), None),
             [t, a, l] => spec(Some(*t), Some(*a), Some(*l)),

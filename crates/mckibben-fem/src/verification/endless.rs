@@ -2,9 +2,9 @@
 //! muscles that tend to it as they become longer.
 
 use super::{Row, at, body, radius, rubber};
-use crate::axisymmetric::discrete::{BraidSpec, Ends};
-use crate::axisymmetric::mesh::Mesh;
+use crate::axisymmetric::Mesh;
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
+use crate::axisymmetric::{BraidSpec, Ends};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::MooneyRivlin;
@@ -24,7 +24,9 @@ const ROWS: [(f64, f64, f64, f64, f64); 5] = [
 ];
 const THROUGH: usize = 8;
 
-fn slice(stiffness: Option<f64>) -> Option<crate::axisymmetric::path::Walker> {
+fn slice(
+    stiffness: Option<f64>,
+) -> Option<crate::solver::continuation::Continuation<crate::axisymmetric::Body>> {
     let (inner, outer, angle, _) = SECTION;
     let mesh = Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0));
     let braid = BraidSpec { angle_rad: angle.to_radians(), stiffness, compression: false };
@@ -47,13 +49,13 @@ pub fn endless_braid() -> Vec<Row> {
         let mut walker = slice(None);
         let solved = walker.as_mut().and_then(|w| {
             // Pressure first: the strands must be taut.
-            let terminal = (stretch - 1.0) * w.body.discrete.half_length();
+            let terminal = (stretch - 1.0) * w.body.discretisation.half_length();
             w.walk(pressure, 0.0, 1.0).ok()?;
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(&w.body)
         });
         let found = solved.map(|w| {
-            let q = w.state.x[w.discrete.layout.tension(0)];
+            let q = w.state.u[w.discretisation.layout.tension(0)];
             let contact = 2.0 * q * angle.to_radians().sin().powi(2) / (outer * stretch);
             (w.totals.pull, contact, radius(w, 0, 0), radius(w, 2 * THROUGH, 0))
         });
@@ -69,7 +71,7 @@ pub fn endless_braid() -> Vec<Row> {
             .unwrap_or(f64::INFINITY);
         let mut walker = slice(Some(k));
         let ours = walker.as_mut().and_then(|w| {
-            let terminal = -e * w.body.discrete.half_length();
+            let terminal = -e * w.body.discretisation.half_length();
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(w.body.totals.pull)
         });

@@ -1,9 +1,8 @@
 //! C. Thick sphere under inside pressure: A = 1, B = 2.
 
 use super::{Row, at, body, radius};
-use crate::axisymmetric::discrete::{Discrete, Ends, Make};
-use crate::axisymmetric::mesh::Mesh;
-use crate::axisymmetric::path::Walker;
+use crate::axisymmetric::Mesh;
+use crate::axisymmetric::{Discretisation, Ends, Problem};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 use std::f64::consts::FRAC_PI_2;
@@ -41,8 +40,8 @@ fn balloon() -> Row {
             [rho * if y < 1.0 { cos } else { 0.0 }, rho * sin]
         });
         let law = Law::NeoHookean(NeoHookean { mu_mpa: mu });
-        let make = Make { law, bulk: Bulk::Incompressible, braid: None, ends: Ends::Pole };
-        let mut walker = Walker::new(Discrete::new(mesh, make).ok()?);
+        let problem = Problem { law, bulk: Bulk::Incompressible, braid: None, ends: Ends::Pole };
+        let mut walker = super::at_rest(Discretisation::new(mesh, problem).ok()?);
         let mut low = 0.5 * exact;
         walker.walk(low, 0.0, 1.0).ok()?;
         let mut step = 0.4 * exact;
@@ -51,7 +50,7 @@ fn balloon() -> Row {
             if walker.walk(low + step, 0.0, 1.0).is_ok() && walker.body.unstable_directions() == 0 {
                 low += step;
             } else {
-                walker.start_from(&before);
+                walker.body.state.copy_from(&before);
                 step *= 0.5;
             }
         }

@@ -1,10 +1,9 @@
 //! B. Thick tube under inside pressure at a fixed axial stretch (Rivlin 1949; Haughton & Ogden 1979), and Lamé's.
 
 use super::{Row, at, body, radius};
-use crate::axisymmetric::discrete::{Discrete, Ends, Make};
-use crate::axisymmetric::equilibrium::Control;
-use crate::axisymmetric::mesh::Mesh;
-use crate::axisymmetric::path::Walker;
+use crate::axisymmetric::Mesh;
+use crate::axisymmetric::{Discretisation, Ends, Problem};
+use crate::solver::body::Control;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 
@@ -54,11 +53,11 @@ fn lame() -> Row {
     let ratio = b * b / (a * a);
     let exact = p * a / (2.0 * g) * ((1.0 - 2.0 * nu) + ratio) / (ratio - 1.0);
     let law = Law::NeoHookean(NeoHookean { mu_mpa: g });
-    let make = Make { law, bulk: Bulk::Modulus(k), braid: None, ends: Ends::Sliding };
-    let ours = Discrete::new(slice(a, b, 16), make).ok().and_then(|d| {
-        let mut walker = Walker::new(d);
+    let problem = Problem { law, bulk: Bulk::Modulus(k), braid: None, ends: Ends::Sliding };
+    let ours = Discretisation::new(slice(a, b, 16), problem).ok().and_then(|d| {
+        let mut walker = super::at_rest(d);
         walker.walk(p, 0.0, 1.0).ok()?;
-        Some(walker.body.state.x[0])
+        Some(walker.body.state.u[0])
     });
     Row::new(
         "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)".into(),
@@ -73,10 +72,10 @@ fn lame() -> Row {
 fn finite_bulk() -> Row {
     let (inner, outer, stretch, _, pressure, ..) = ROWS[0];
     let swell = |bulk: Bulk| {
-        let make = Make { law: super::rubber(), bulk, braid: None, ends: Ends::Sliding };
-        let mut walker = Walker::new(Discrete::new(slice(inner, outer, 4), make).ok()?);
-        walker.options.newton.tolerance = 1e-13;
-        walker.walk(pressure, (stretch - 1.0) * walker.body.discrete.half_length(), 1.0).ok()?;
+        let problem = Problem { law: super::rubber(), bulk, braid: None, ends: Ends::Sliding };
+        let mut walker = super::at_rest(Discretisation::new(slice(inner, outer, 4), problem).ok()?);
+        walker.newton.tolerance = 1e-13;
+        walker.walk(pressure, (stretch - 1.0) * walker.body.discretisation.half_length(), 1.0).ok()?;
         walker.solve(Control::Length(0.0)).ok()?;
         Some(radius(&walker.body, 0, 0))
     };

@@ -5,7 +5,7 @@
 
 use super::mesh::{Brick, BrickMesh};
 use super::plug::PlugGrid;
-use crate::element::tie::Tie;
+use crate::element::truss::Truss;
 use crate::solver::dissection::Sheet;
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::{Law, NeoHookean};
@@ -25,7 +25,7 @@ pub enum Freedom {
 
 /// Nodes, elements, loads and supports of a body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Parts {
+pub struct Problem {
     /// Places at rest in mm.
     pub nodes: Vec<[f64; 3]>,
     /// Which brick.
@@ -33,7 +33,7 @@ pub struct Parts {
     /// Nodes of every brick.
     pub bricks: Vec<Vec<u32>>,
     /// Strands between nodes.
-    pub ties: Vec<([u32; 2], Tie)>,
+    pub trusses: Vec<([u32; 2], Truss)>,
     /// Faces under pressure, their normals out of the cavity.
     pub faces: Vec<Vec<u32>>,
     /// Area in mm² with which the terminal closes the cavity.
@@ -68,7 +68,7 @@ pub struct Other {
     pub bulk: Bulk,
 }
 
-impl Parts {
+impl Problem {
     /// One eighth of a muscle between bonded rigid terminals.
     pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
         let ([ni, nj, nk], rubber) = (mesh.grid(), &muscle.tube().rubber);
@@ -122,15 +122,15 @@ impl Parts {
         };
         let nodes = mesh.nodes();
         let stiffness_n = strand_stiffness_n(muscle, mesh);
-        let ties = mesh.strands().into_iter().map(|ends| {
+        let trusses = mesh.strands().into_iter().map(|ends| {
             let [a, b] = ends.map(|n| nodes[n as usize]);
             let length_mm = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
-            (ends, Tie { length_mm, stiffness_n, compression: muscle.braid().compression })
+            (ends, Truss { length_mm, stiffness_n, compression: muscle.braid().compression })
         });
         Self {
             brick: mesh.brick(),
             bricks,
-            ties: ties.collect(),
+            trusses: trusses.collect(),
             faces,
             cap_mm2,
             dead: vec![],

@@ -7,7 +7,7 @@
 
 /// A strand at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tie {
+pub struct Truss {
     /// L0 in mm.
     pub length_mm: f64,
     /// E·A in N.
@@ -31,7 +31,7 @@ pub struct Pull {
     pub tangent: [f64; 6],
 }
 
-impl Tie {
+impl Truss {
     /// Force and tangent for d in mm. `offset` in N is added to the tension; `tension` in N is the one in the geometric
     /// part of the tangent.
     pub fn pull(&self, d: [f64; 3], offset: f64, tension: f64) -> Pull {
