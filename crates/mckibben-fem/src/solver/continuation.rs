@@ -59,6 +59,8 @@ pub struct Continuation<B: Body> {
     kept: Vec<State>,
     oldest: usize,
     trail: Trail,
+    /// Along what the last increment went.
+    direction: Option<Along>,
     base: State,
     before: State,
     /// Steps of the present walk from rest.
@@ -78,6 +80,7 @@ impl<B: Body> Continuation<B> {
             kept: Vec::with_capacity(B::SETTINGS.kept),
             oldest: 0,
             trail: Trail::default(),
+            direction: None,
             base: rest.clone(),
             before: rest,
             steps: None,
@@ -366,6 +369,35 @@ impl<B: Body> Continuation<B> {
     pub fn begin_trail(&mut self) {
         self.trail.clear();
         self.trail.push(self.body.state());
+    }
+
+    /// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment, predicted from those before it in the
+    /// same direction; in smaller ones where that does not lead to an equilibrium.
+    ///
+    /// # Errors
+    /// [`Interrupted`]; the body then is back at the last equilibrium.
+    pub fn increment(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+        let now = self.body.state();
+        let along = if now.terminal == terminal { Along::Pressure } else { Along::Length };
+        if self.trail.last() != Some(now) || self.direction != Some(along) {
+            self.begin_trail();
+            self.direction = Some(along);
+        }
+        let value = if along == Along::Pressure { pressure } else { terminal };
+        if self.trail.predict(along, value, self.body.state_mut()) {
+            self.body.state_mut().pressure = pressure;
+            if self.solve(Control::Length(terminal)).is_ok() {
+                self.note();
+                self.trail_here();
+                return Ok(());
+            }
+        }
+        if let Some(last) = self.trail.last() {
+            self.body.state_mut().copy_from(last);
+        }
+        let walked = self.walk(pressure, terminal, 0.5);
+        self.begin_trail();
+        walked
     }
 
     /// Solves for the next point of a path from what its last points predict.
