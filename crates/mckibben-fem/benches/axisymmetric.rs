@@ -12,7 +12,6 @@ use mckibben::progress::Silent;
 use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
 use mckibben_fem::solver::continuation::Continuation;
-use mckibben_fem::solver::continuation::Continuation;
 use mckibben_fem::solver::curve::Curve;
 use mckibben_fem::solver::newton::NewtonSystem;
 use std::hint::black_box;

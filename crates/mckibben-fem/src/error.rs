@@ -108,12 +108,14 @@ fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> St
     }
 }
 
-impl FemError {
-    /// The same as an error of the library's models.
-    pub fn into_model(self, pressure_mpa: f64, contraction: f64) -> ModelError {
-        match self {
-            Self::Question { .. } => ModelError::Geometry { contraction, lowest: -1.0, highest: 1.0 },
-            Self::Path { iterations, reason, last, .. } => ModelError::Stopped {
+/// The same as an error of the library's models.
+impl From<FemError> for ModelError {
+    fn from(error: FemError) -> Self {
+        match error {
+            FemError::Question { contraction, .. } => {
+                Self::Geometry { contraction, lowest: -1.0, highest: 1.0 }
+            }
+            FemError::Path { pressure_mpa, contraction, iterations, reason, last } => Self::Stopped {
                 pressure_mpa,
                 contraction,
                 iterations,
@@ -122,11 +124,11 @@ impl FemError {
                 last_contraction: last.contraction,
                 smallest_volume_ratio: last.smallest_j,
             },
-            Self::Mesh { .. } | Self::Element { .. } | Self::TooLarge { .. } => {
-                ModelError::Elements { reason: self.to_string() }
+            FemError::Mesh { .. } | FemError::Element { .. } | FemError::TooLarge { .. } => {
+                Self::Elements { reason: error.to_string() }
             }
-            Self::Force { .. } | Self::OutOfReach { .. } | Self::Cancelled => {
-                ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction }
+            FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Cancelled => {
+                Self::NoEquilibrium { reason: error.to_string() }
             }
         }
     }

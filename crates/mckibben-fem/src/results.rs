@@ -9,7 +9,7 @@ pub struct ProfilePoint {
     pub rest_mm: f64,
     /// (z, r) of the outer surface in mm.
     pub outer_mm: (f64, f64),
-    /// (z, r) of the bore in mm.
+    /// (z, r) of the inner surface in mm.
     pub inner_mm: (f64, f64),
 }
 

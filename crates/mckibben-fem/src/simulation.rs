@@ -315,7 +315,7 @@ pub(crate) fn response<M: Discretised>(
         c.reach(pressure_mpa, contraction)?;
         c.body.response(model.muscle())
     };
-    answer().map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+    answer().map_err(|e: FemError| e.into())
 }
 
 /// The pull alone.
@@ -330,7 +330,7 @@ pub(crate) fn force_n<M: Discretised>(
         c.reach(pressure_mpa, contraction)?;
         Ok(c.pull())
     };
-    answer().map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+    answer().map_err(|e: FemError| e.into())
 }
 
 /// The pressure at a pull, where there is one.

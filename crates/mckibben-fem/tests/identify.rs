@@ -34,11 +34,11 @@ impl ForceModel for Bare {
 }
 
 fn fe(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(m).map_err(|e| e.into_model(0.0, 0.0))?))
+    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
 }
 
 fn bare(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Bare(Axisymmetric::new(m).map_err(|e| e.into_model(0.0, 0.0))?)))
+    Ok(Box::new(Bare(Axisymmetric::new(m).map_err(ModelError::from)?)))
 }
 
 fn muscle(d: f64, k: f64) -> Muscle {

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use base64::Engine as _;
-use mckibben::model::{ForceModel as _, Response};
+use mckibben::model::{ForceModel as _, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec, Section};
 use mckibben_fem::output::{VtuError, VtuSeries};
@@ -145,12 +145,12 @@ fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
     let now = points(&tube, "Points");
     let rest: Vec<[f64; 3]> =
         now.iter().zip(points(&tube, "displacement")).map(|(a, b)| minus(*a, b)).collect();
-    let at_rest = volume(&tube, &rest);
+    let before = volume(&tube, &rest);
     let (untouched, _) = written(&at_rest(&Muscle::prototype()), &Response::default());
     for (a, b) in rest.iter().zip(points(&untouched, "Points")) {
         assert!(norm(minus(*a, b)) < 1e-12);
     }
-    assert!((volume(&tube, &now) / at_rest - 1.0).abs() < 2e-3);
+    assert!((volume(&tube, &now) / before - 1.0).abs() < 2e-3);
     let bulge = now.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
     assert!((2.0 * bulge / response.bulged_diameter_mm.unwrap() - 1.0).abs() < 1e-13);
 }
@@ -223,7 +223,7 @@ fn both_halves_are_mirror_images() {
     }
 }
 
-/// Lamé, the bore and the outer surface of a long tube far from its ends carry −P and the braid's pressure; axial
+/// Lamé, the inner surface and the outer surface of a long tube far from its ends carry −P and the braid's pressure; axial
 /// stress over the section is the pull less the pressure's share. Limits: error of the elements' stress at their nodes.
 #[test]
 fn stress_in_the_middle_is_in_equilibrium() {

@@ -66,7 +66,7 @@ pub struct Discretisation {
     pub mesh: Mesh,
     /// Rubber, braid, ends.
     pub problem: Problem,
-    /// Elements, slab by slab, each from the bore outwards.
+    /// Elements, slab by slab, each from the inner surface outwards.
     pub elements: Vec<Geometry>,
     /// Points of the braid, slab by slab; empty without a braid.
     pub strands: Vec<[StrandPoint; STRAND_POINTS]>,

@@ -145,7 +145,7 @@ impl ForceModel for Axisymmetric {
         };
         let known = match known() {
             Ok(known) => known,
-            Err(error) => return Some(Err(error.into_model(pressure_mpa, contraction))),
+            Err(error) => return Some(Err(error.into())),
         };
         let one = |name: &String| known.iter().find(|s| s.name == *name).map(|s| s.force_n_per_unit);
         names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)

@@ -117,7 +117,7 @@ fn profile(d: &Discretisation, s: &State) -> Vec<ProfilePoint> {
         .collect()
 }
 
-/// Looks at the bore, the middle and the outer surface of every element.
+/// Looks at the inner surface, the middle and the outer surface of every element.
 fn largest_stretch(d: &Discretisation, s: &State) -> StretchAt {
     let l = d.layout;
     let mut largest = StretchAt { value: 1.0, rest_mm: [0.0; 2] };

@@ -51,17 +51,17 @@ impl Section {
         (self.through, self.along)
     }
 
-    /// Nodes, station by station from the middle to the terminal, each from the bore outwards.
+    /// Nodes, station by station from the middle to the terminal, each from the inner surface outwards.
     pub fn nodes(&self) -> &[SectionNode] {
         &self.nodes
     }
 
-    /// Index of node `i` = 0 … 2·through (from the bore outwards) of station `j` = 0 … 2·along.
+    /// Index of node `i` = 0 … 2·through (from the inner surface outwards) of station `j` = 0 … 2·along.
     pub fn index(&self, i: usize, j: usize) -> usize {
         j * (2 * self.through + 1) + i
     }
 
-    /// The nine nodes of every element, row by row along the muscle, each row from the bore outwards.
+    /// The nine nodes of every element, row by row along the muscle, each row from the inner surface outwards.
     pub fn connectivity(&self) -> Vec<[usize; NODES]> {
         (0..self.along)
             .flat_map(|slab| (0..self.through).map(move |e| (slab, e)))

@@ -249,7 +249,7 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     write("*NSET, NSET=SZ", all(&|_, _, k| k == 0));
     write("*NSET, NSET=NEND", all(&|_, _, k| k == last));
     write("*NSET, NSET=NIN", all(&|i, _, _| i == 0));
-    // Bricks at the bore; their face with ξ = −1 has number 6.
+    // Bricks at the inner surface; their face with ξ = −1 has number 6.
     let [through, around, along] = mesh.elements();
     write("*ELSET, ELSET=EIN", (0..around * along).map(|e| e * through + 1).collect());
 }

@@ -1,7 +1,7 @@
-//! Newton's method with a tangent that may serve more than once.
+//! Newton's method with a tangent that may serve twice.
 //!
 //! The last correction of a solve is usually so small that the next residual is below the tolerance: it is then looked at
-//! alone, and where a little is left the old tangent corrects on (modified Newton method). Nothing is allocated.
+//! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
 
 use super::Singular;
 use thiserror::Error;
@@ -81,8 +81,6 @@ pub struct NewtonOptions {
     pub iterations: usize,
     /// Below this correction the residual is looked at before a new tangent is made.
     pub small: f64,
-    /// Most further corrections with the same tangent, where they are likely to be the last (modified Newton method).
-    pub repeats: usize,
     /// Above this correction the iteration is given up.
     pub large: f64,
     /// A correction below this is rounding: the residual may then stand at `rounding_residual`.
@@ -99,7 +97,6 @@ impl NewtonOptions {
         tolerance: 1e-10,
         iterations: 20,
         small: 2e-3,
-        repeats: 1,
         large: 50.0,
         rounding: 1e-11,
         rounding_residual: 1e-8,
@@ -160,18 +157,14 @@ pub fn solve<S: NewtonSystem>(
             effort.residuals += 1;
             if let Ok(next) = system.residual() {
                 watch(next);
-                let mut gain = next / norm;
+                let gain = next / norm;
                 norm = next;
-                // The old tangent goes on correcting as long as it is likely to get there.
-                let mut left = options.repeats as i32;
-                while norm > options.tolerance && left > 0 && gain.powi(left) * norm <= options.tolerance {
-                    left -= 1;
+                // One more turn with the old tangent where that is likely to be the last (modified Newton method).
+                if norm > options.tolerance && gain * norm <= options.tolerance {
                     effort.iterations += 1;
                     effort.residuals += 1;
                     system.correct()?;
-                    let next = system.residual()?;
-                    gain = next / norm;
-                    norm = next;
+                    norm = system.residual()?;
                     watch(norm);
                 }
                 if norm <= options.tolerance {

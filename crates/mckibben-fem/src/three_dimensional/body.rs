@@ -127,7 +127,7 @@ impl Body {
         (&self.assembled.values[entries..entries + n], self.assembled.values[entries + n])
     }
 
-    /// The step that the last tangent foretells, and by how much ∂Π/∂w changes.
+    /// The step that the last tangent predicts, and by how much ∂Π/∂w changes.
     fn respond(&mut self, cause: Cause, out: &mut State, tolerance: f64) -> f64 {
         let d = &self.discretisation;
         let dw = match cause {
@@ -195,8 +195,7 @@ impl Body {
 
     /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L.
     pub fn terminal_stiffness(&mut self) -> f64 {
-        let mut out = self.state.clone();
-        4.0 * self.respond(Cause::Terminal, &mut out, TIGHT)
+        self.terminal_response().0
     }
 
     /// ∂F/∂P at fixed length in mm², of the last tangent.
@@ -207,9 +206,15 @@ impl Body {
 
     /// −∂V/∂L at fixed pressure in mm², of the last tangent: by Maxwell's relation the same as ∂F/∂P.
     pub fn volume_per_length(&mut self) -> f64 {
+        self.terminal_response().1
+    }
+
+    /// [`Body::terminal_stiffness`] and [`Body::volume_per_length`] by one solution.
+    pub fn terminal_response(&mut self) -> (f64, f64) {
         let mut out = self.state.clone();
-        self.respond(Cause::Terminal, &mut out, TIGHT);
-        -4.0 * (dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0)
+        let change = self.respond(Cause::Terminal, &mut out, TIGHT);
+        let volume = dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;
+        (4.0 * change, -4.0 * volume)
     }
 
     /// The size of nodal forces in N against which residuals are measured.

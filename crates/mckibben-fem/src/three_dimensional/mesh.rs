@@ -307,8 +307,8 @@ impl BrickMesh {
         out
     }
 
-    /// Nodes of every face of the bore up to the terminal: around first, then along.
-    pub fn bore(&self) -> Vec<Vec<u32>> {
+    /// Nodes of every face of the inner surface up to the terminal: around first, then along.
+    pub fn cavity_faces(&self) -> Vec<Vec<u32>> {
         let (p, [_, nc, _]) = (self.brick.order(), self.elements);
         let nz = self.free_rows() / p;
         let mut out = Vec::with_capacity(nc * nz);
@@ -336,7 +336,7 @@ impl BrickMesh {
         FRAC_PI_4 * self.inner * self.inner
     }
 
-    /// Area of the bore's polygon at the terminal, of the quarter, in mm².
+    /// Area of the inner surface's polygon at the terminal, of the quarter, in mm².
     pub fn polygon_mm2(&self) -> f64 {
         let [_, nj, _] = self.grid();
         let at = |j: usize| self.nodes[self.node(0, j, self.free_rows())];

@@ -108,7 +108,7 @@ impl Problem {
                 order.extend((0..nk - 1 - plug.first_row).map(|k| mesh.plug_node(plug, 0, 0, k) as u32));
             }
         }
-        let (mut bricks, mut faces, mut others) = (mesh.bricks(), mesh.bore(), vec![]);
+        let (mut bricks, mut faces, mut others) = (mesh.bricks(), mesh.cavity_faces(), vec![]);
         faces.extend(mesh.plug_face());
         if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
             let law = Law::NeoHookean(NeoHookean { mu_mpa });
@@ -145,7 +145,7 @@ impl Problem {
     }
 }
 
-/// A rigid plug moves with the terminal, and with it the bore that is bonded to it; an elastic one is held at its far end.
+/// A rigid plug moves with the terminal, and with it the inner surface that is bonded to it; an elastic one is held at its far end.
 fn hold_plug(mesh: &BrickMesh, plug: &PlugGrid, freedom: &mut [[Freedom; 3]]) {
     const MOVES: [Freedom; 3] = [Freedom::Held, Freedom::Held, Freedom::Terminal];
     let [_, nj, nk] = mesh.grid();

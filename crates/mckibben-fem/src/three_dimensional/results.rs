@@ -63,8 +63,8 @@ fn rest_volume(mesh: &BrickMesh) -> f64 {
 pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Response, FemError> {
     let force_n = body.totals.pull;
     let totals = body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
-    let force_per_pressure = body.force_per_pressure();
-    let stiffness = 0.5 * body.terminal_stiffness();
+    // By Maxwell's relation ∂F/∂P = −∂V/∂L.
+    let (stiffness, force_per_pressure) = body.terminal_response();
     let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
     let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
@@ -74,7 +74,7 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
         contraction: 0.0 - body.state.terminal / body.discretisation.half,
         force_n: totals.pull,
         volume_mm3: Some(8.0 * totals.volume),
-        stiffness_n_per_mm: Some(stiffness),
+        stiffness_n_per_mm: Some(0.5 * stiffness),
         force_per_pressure_mm2: Some(force_per_pressure),
         braid_tension_n: Some(all),
         strand_tension_n: count.map(|n| all / f64::from(n)),
@@ -155,7 +155,7 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
         .collect()
 }
 
-/// Looks at the bore, the middle and the outer face of every brick.
+/// Looks at the inner surface, the middle and the outer face of every brick.
 fn largest_stretch(body: &Body) -> StretchAt {
     match body.discretisation.problem.brick {
         Brick::Linear => look(body, &[-1.0, 0.0, 1.0].map(|x| at8([x, 0.0, 0.0], 1.0))),

@@ -1,5 +1,7 @@
 //! F and G. The endless muscle: a slice without end constraint under a braid that stretches or does not, and bonded
 //! muscles that tend to it as they become longer.
+//!
+//! Loaded and held: pressure inside, the axial stretch given; all z of an end move together, r is free (slice) or bonded (muscles).
 
 use super::{Row, at, body, radius, rubber};
 use crate::axisymmetric::Mesh;
@@ -46,8 +48,8 @@ pub fn endless_braid() -> Vec<Row> {
     let (_, outer, angle, pressure) = SECTION;
     let mut rows = Vec::new();
     for (stretch, force, contact, a, b) in ROWS {
-        let mut walker = slice(None);
-        let solved = walker.as_mut().and_then(|w| {
+        let mut path = slice(None);
+        let solved = path.as_mut().and_then(|w| {
             // Pressure first: the strands must be taut.
             let terminal = (stretch - 1.0) * w.body.discretisation.half_length();
             w.walk(pressure, 0.0, 1.0).ok()?;
@@ -69,8 +71,8 @@ pub fn endless_braid() -> Vec<Row> {
         let exact = muscle(200.0, BraidStiffness::NewtonPerMm(k))
             .and_then(|m| ThickWall::new(&m).force_n(&mut Workspace::new(), pressure, e).ok())
             .unwrap_or(f64::INFINITY);
-        let mut walker = slice(Some(k));
-        let ours = walker.as_mut().and_then(|w| {
+        let mut path = slice(Some(k));
+        let ours = path.as_mut().and_then(|w| {
             let terminal = -e * w.body.discretisation.half_length();
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(w.body.totals.pull)
@@ -87,8 +89,8 @@ fn slack() -> Row {
     let law = MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 };
     let exact =
         mckibben::rubber::RubberLaw::uniaxial_stress_mpa(&law, 0.9) * PI * (outer * outer - inner * inner);
-    let mut walker = slice(Some(200.0));
-    let ours = walker.as_mut().and_then(|w| at(w, 0.0, 0.9)).map(|b| b.totals.pull);
+    let mut path = slice(Some(200.0));
+    let ours = path.as_mut().and_then(|w| at(w, 0.0, 0.9)).map(|b| b.totals.pull);
     let source = "F: strands carry nothing in compression";
     Row::new("slack strands, ε 0.1, P 0: F (N)".into(), source, exact, ours, 1e-9)
 }

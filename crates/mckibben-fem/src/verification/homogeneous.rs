@@ -1,4 +1,6 @@
 //! A. Homogeneous states (Rivlin 1948; Treloar 1975), at a point and on a distorted patch.
+//!
+//! Loaded and held: both ends by given z (all of an end together), r free everywhere, no pressure.
 
 use super::{Row, at, body, rubber};
 use crate::axisymmetric::Body;
@@ -60,8 +62,8 @@ pub fn homogeneous() -> Vec<Row> {
         // λz = 1/4 is equibiaxial λ = 2: the true stresses differ by the sign alone.
         ("equibiaxial tension, λ = 2, distorted patch", 0.25, 0.70875, -0.125),
     ] {
-        let mut walker = body(distorted(), None, Ends::Sliding).ok();
-        let solved = walker.as_mut().and_then(|w| at(w, 0.0, stretch));
+        let mut path = body(distorted(), None, Ends::Sliding).ok();
+        let solved = path.as_mut().and_then(|w| at(w, 0.0, stretch));
         let stress = solved.as_ref().map(|b| factor * b.totals.pull / section);
         rows.push(Row::new(format!("{name}: nominal stress (MPa)"), SOURCE, nominal, stress, 1e-11));
         let off = solved.map(|b| distance(b, stretch));

@@ -1,4 +1,6 @@
 //! J. Numerical conduct: tangent, quadratic convergence, independence of steps, order of mesh convergence.
+//!
+//! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice of tube under pressure, its length given.
 
 use super::{Row, at, body, radius};
 use crate::Simulation;

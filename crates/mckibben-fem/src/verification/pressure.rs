@@ -1,4 +1,6 @@
 //! E. Follower pressure: derivatives of the volume, forces in balance, and the energy along a path.
+//!
+//! Loaded and held: a line of the cavity's wall alone; and a bonded muscle along a path of pressures and lengths.
 
 use super::Row;
 use crate::Simulation;

@@ -1,4 +1,6 @@
 //! B. Thick tube under inside pressure at a fixed axial stretch (Rivlin 1949; Haughton & Ogden 1979), and Lamé's.
+//!
+//! Loaded and held: pressure inside, outside free, the axial stretch given; all z of an end move together, r is free.
 
 use super::{Row, at, body, radius};
 use crate::axisymmetric::Mesh;
@@ -32,8 +34,8 @@ pub fn thick_tube() -> Vec<Row> {
     let mut rows = Vec::new();
     for (inner, outer, stretch, swell, pressure, outside, axial) in ROWS {
         let through = if outer / inner > 1.5 { 24 } else { 8 };
-        let mut walker = body(slice(inner, outer, through), None, Ends::Sliding).ok();
-        let solved = walker.as_mut().and_then(|w| at(w, pressure, stretch));
+        let mut path = body(slice(inner, outer, through), None, Ends::Sliding).ok();
+        let solved = path.as_mut().and_then(|w| at(w, pressure, stretch));
         let found = solved.map(|b| (radius(b, 0, 0) / inner, radius(b, 2 * through, 0), b.totals.pull));
         let name = |what: &str| format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: {what}");
         rows.push(Row::new(name("a/A"), SOURCE, swell, found.map(|f| f.0), 1e-7));
@@ -55,9 +57,9 @@ fn lame() -> Row {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: g });
     let problem = Problem { law, bulk: Bulk::Modulus(k), braid: None, ends: Ends::Sliding };
     let ours = Discretisation::new(slice(a, b, 16), problem).ok().and_then(|d| {
-        let mut walker = super::at_rest(d);
-        walker.walk(p, 0.0, 1.0).ok()?;
-        Some(walker.body.state.u[0])
+        let mut path = super::at_rest(d);
+        path.walk(p, 0.0, 1.0).ok()?;
+        Some(path.body.state.u[0])
     });
     Row::new(
         "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)".into(),
@@ -73,11 +75,11 @@ fn finite_bulk() -> Row {
     let (inner, outer, stretch, _, pressure, ..) = ROWS[0];
     let swell = |bulk: Bulk| {
         let problem = Problem { law: super::rubber(), bulk, braid: None, ends: Ends::Sliding };
-        let mut walker = super::at_rest(Discretisation::new(slice(inner, outer, 4), problem).ok()?);
-        walker.newton.tolerance = 1e-13;
-        walker.walk(pressure, (stretch - 1.0) * walker.body.discretisation.half_length(), 1.0).ok()?;
-        walker.solve(Control::Length(0.0)).ok()?;
-        Some(radius(&walker.body, 0, 0))
+        let mut path = super::at_rest(Discretisation::new(slice(inner, outer, 4), problem).ok()?);
+        path.newton.tolerance = 1e-13;
+        path.walk(pressure, (stretch - 1.0) * path.body.discretisation.half_length(), 1.0).ok()?;
+        path.solve(Control::Length(0.0)).ok()?;
+        Some(radius(&path.body, 0, 0))
     };
     let ratio = (|| {
         let limit = swell(Bulk::Incompressible)?;

@@ -1,4 +1,6 @@
 //! H. Cook's membrane, nearly incompressible neo-Hooke, plane strain, mean dilatation (Q1P0): the tip mesh by mesh.
+//!
+//! Loaded and held: the left side clamped, a dead load of 100 N upwards on the right side, z held everywhere.
 
 use super::block::Block;
 use super::{body, solve};

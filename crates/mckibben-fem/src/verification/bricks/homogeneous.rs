@@ -1,4 +1,6 @@
 //! A. Homogeneous states with bricks whose inner nodes are out of place: the patch test at large strains.
+//!
+//! Loaded and held: the faces of a block by given displacements in one or two directions, all else free.
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]

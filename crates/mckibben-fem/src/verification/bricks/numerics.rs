@@ -1,4 +1,6 @@
 //! J. Numerical conduct: tangents of every law and brick, objectivity, Newton's order, steps, numbering.
+//!
+//! Loaded and held: a short muscle shaken at random, its length given.
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]

@@ -1,4 +1,6 @@
 //! J. The answer does not depend on the way to it; and an equilibrium that is not stable is noticed.
+//!
+//! Loaded and held: a bonded muscle under pressure at a given length; strands that carry compression shortened without pressure.
 
 use super::super::numerics::laws;
 use super::muscle::peers;

@@ -1,4 +1,6 @@
 //! E. Follower pressure and conservation, on a muscle in bricks.
+//!
+//! Loaded and held: a bonded muscle, pressure at rest length, then shortened at that pressure.
 
 use super::{BRICKS, at_rest, solve};
 use crate::solver::continuation::Continuation;

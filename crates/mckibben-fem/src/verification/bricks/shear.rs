@@ -2,6 +2,8 @@
 //!
 //! σ12 = 2(C1 + C2)γ, σ11 − σ33 = 2 C1 γ², σ22 − σ33 = −2 C2 γ². The mean nominal stress P = Σ f⊗X/V over the nodes (virtual work of
 //! an affine displacement) gives σ = P Fᵀ at J = 1. The far face z = 1 is free along z, so that the pressure is determined.
+//!
+//! Loaded and held: all faces by x = X + γ Y, the far face z = 1 free along z.
 
 // Components are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]

@@ -5,6 +5,8 @@
 //!   P(d) = 2 E A (h − d) (1/l − 1/L0),  l² = w² + (h − d)²;  limit where l³ = w² L0
 //!
 //! Under the limit load the apex snaps to where P(d) is the same beyond d = 2h.
+//!
+//! Loaded and held: both supports held, the apex pushed down.
 
 use crate::element::truss::Truss;
 use crate::verification::Row;

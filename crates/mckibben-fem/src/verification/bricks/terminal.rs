@@ -1,4 +1,6 @@
 //! E. Terminals that are bodies: the cavity is closed by real faces.
+//!
+//! Loaded and held: pressure inside, the length given; the far end of tube, braid and plug is held.
 
 use super::numerics::tangent_error;
 use super::{BRICKS, at_rest, solve};
@@ -39,7 +41,7 @@ pub fn terminal() -> Vec<Row> {
         let lid = (|| {
             let mut c = muscle(brick, None)?;
             c.reach(p, e).ok()?;
-            // The lid is round, a plug's face has the rim of the bore: a prism of the muscle's length lies between them.
+            // The lid is round, a plug's face has the rim of the inner surface: a prism of the muscle's length lies between them.
             let more = c.body.mesh.lid_mm2() - c.body.mesh.polygon_mm2();
             let (pull, volume) = (c.pull(), c.body.bricks.totals.volume);
             Some((pull + 4.0 * p * more, volume - more * (1.0 - e) * c.body.bricks.discretisation.half))

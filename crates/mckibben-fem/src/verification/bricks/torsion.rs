@@ -1,4 +1,6 @@
 //! D. Torsion of a solid cylinder (Rivlin 1949): M = πR⁴ψ(C1 + C2), N = −½πR⁴ψ²(C1 + 2 C2).
+//!
+//! Loaded and held: both ends by the rotation about the axis, length and plane sections held, the side free.
 
 use super::block::Block;
 use super::{body, push};

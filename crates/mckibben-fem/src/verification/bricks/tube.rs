@@ -1,4 +1,6 @@
 //! B. A thick tube under inside pressure with a given axial stretch, in bricks, and the order of mesh convergence.
+//!
+//! Loaded and held: pressure inside, outside free, the axial stretch given; a quarter between planes of symmetry.
 
 use super::block::Block;
 use super::{BRICKS, body, drive};
