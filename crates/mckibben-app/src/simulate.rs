@@ -12,8 +12,10 @@ use mckibben::model::{ForceModel, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::status::Status;
-use mckibben_fem::axisymmetric::{Axisymmetric, FemError, Solution};
+use mckibben_fem::FemError;
+use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::output::{Extent, Shape, deck};
+use mckibben_fem::results::Solution;
 use mckibben_fem::simulation::{Elements, Simulation};
 use mckibben_fem::three_dimensional::ThreeDimensional;
 use mckibben_report::{Figure, Scene};
@@ -509,9 +511,9 @@ impl From<&Simulated> for SimulatedRow {
             slack: q.slack,
             free_contraction: q.free_contraction,
             status: q.status,
-            rubber_energy_j: 1e-3 * s.energies.rubber,
-            braid_energy_j: 1e-3 * s.energies.braid,
-            pressure_work_j: 1e-3 * s.energies.pressure,
+            rubber_energy_j: 1e-3 * s.energies.rubber_n_mm,
+            braid_energy_j: 1e-3 * s.energies.braid_n_mm,
+            pressure_work_j: 1e-3 * s.energies.pressure_n_mm,
             unstable_directions: s.unstable_directions,
             smallest_volume_ratio: s.smallest_j,
             max_stretch_at: RestPlace {

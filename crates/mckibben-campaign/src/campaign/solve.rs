@@ -4,7 +4,9 @@ use super::plan::{Inputs, Plan, constants, rounded};
 use crate::Row;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::{FemError, TangentPoint};
+use mckibben::progress::Silent;
+use mckibben_fem::FemError;
+use mckibben_fem::results::TangentPoint;
 
 /// There is an answer.
 pub(super) const OK: &str = "ok";
@@ -40,6 +42,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
                     contraction,
                     &testing.pressures_mpa,
                     testing.sensitivities,
+                    &Silent,
                 );
                 out.extend(
                     testing

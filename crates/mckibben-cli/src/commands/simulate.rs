@@ -13,8 +13,8 @@ use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::units::Dimension;
 use mckibben_app::{Keep, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest};
-use mckibben_fem::axisymmetric::Solution;
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
+use mckibben_fem::results::Solution;
 use std::path::{Path, PathBuf};
 
 pub const EXAMPLES: &str = "Examples:
@@ -261,9 +261,9 @@ fn last_text(s: &Solution, p: PressureUnit) -> String {
     let joules = |v: f64| format!("{} J", number(1e-3 * v, 4));
     out.push_str(&format!(
         "  energy: rubber {}, strands {}, P·(V − V0) {}\n",
-        joules(s.energies.rubber),
-        joules(s.energies.braid),
-        joules(s.energies.pressure)
+        joules(s.energies.rubber_n_mm),
+        joules(s.energies.braid_n_mm),
+        joules(s.energies.pressure_n_mm)
     ));
     let at = s.max_stretch.rest_mm;
     out.push_str(&format!(

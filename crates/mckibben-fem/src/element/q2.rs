@@ -4,7 +4,7 @@
 //! the displacement O(h³), of the pressure O(h²).
 //!
 //! Local node order: the three nodes of the middle station, then those of the left and of the right one; within a
-//! station from the bore outwards. Unknowns of the middle station touch no other element along the muscle, so this
+//! station from the inner surface outwards. Unknowns of the middle station touch no other element along the muscle, so this
 //! is also the order of elimination.
 
 use std::f64::consts::PI;

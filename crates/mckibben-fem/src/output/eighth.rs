@@ -289,7 +289,7 @@ mod tests {
     }
 
     /// Both terminals have eight times the volume of one eighth of them, of either brick; a rigid one keeps its shape. Their volume is that of
-    /// the prism of the bore's polygon over insertion and nose, less what the rounding takes.
+    /// the prism of the inner surface's polygon over insertion and nose, less what the rounding takes.
     #[test]
     fn terminals_are_seen_and_have_their_volume() {
         use crate::three_dimensional::{Plug, PlugMaterial};
@@ -320,7 +320,7 @@ mod tests {
             let rounded =
                 pi * flat * flat * nose + 2.0 * pi * (flat * pi / 4.0 * nose * nose + nose.powi(3) / 3.0);
             let exact = area * (insertion + rounded / (pi * inner * inner));
-            // Two chords of the rounding; the linear faces of a quadratic bore.
+            // Two chords of the rounding; the linear faces of a quadratic inner surface.
             assert!((eighth / exact - 1.0).abs() < 0.01, "{mesh} {material:?}: {eighth} {exact}");
         }
     }
