@@ -157,7 +157,7 @@ impl Model {
             Self::ClosedForm(kind) => kind.build(muscle)?,
             Self::Formula(formula) => Box::new(FormulaModel::new(Arc::clone(formula), muscle)),
             Self::Universal(formula) => Box::new(Universal::new(Arc::clone(formula), muscle)),
-            Self::Elements(elements) => elements.build(muscle).map_err(|e| e.into_model(0.0, 0.0))?,
+            Self::Elements(elements) => elements.build(muscle)?,
         })
     }
 }

@@ -8,6 +8,7 @@ use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
+use mckibben_fem::FemError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -216,6 +217,15 @@ impl From<AnalysisError> for Problem {
             AnalysisError::Unknown { .. } => {}
         }
         Self { nearest, ..Self::new(ProblemKind::NoAnswer, message, hint) }
+    }
+}
+
+impl From<FemError> for Problem {
+    fn from(error: FemError) -> Self {
+        match error {
+            FemError::Cancelled => Self::cancelled(),
+            other => ModelError::from(other).into(),
+        }
     }
 }
 

@@ -296,7 +296,7 @@ impl Meshed {
                 model.field_at(workspace, p, e).map(|field| Shape::of_field(&field, extent))
             }
         };
-        shape.map_err(|error| error.into_model(p, e).into())
+        shape.map_err(Problem::from)
     }
 }
 
@@ -378,7 +378,7 @@ impl SimulateRequest {
         let forces = forces(&self.forces_n, asking)?;
         if self.of_largest {
             let highest = pressures.iter().copied().fold(0.0, f64::max);
-            let largest = model.free_contraction(workspace, highest).map_err(|e| e.into_model(highest, 0.0))?;
+            let largest = model.free_contraction(workspace, highest).map_err(Problem::from)?;
             contractions.iter_mut().for_each(|e| *e *= largest);
         }
         let held: Vec<Held> = if self.test == Test::Isotonic {
@@ -497,7 +497,7 @@ impl From<&Simulated> for SimulatedRow {
             rest_z_mm: x.rest_mm,
             stretch: x.stretch,
             angle_deg: x.angle_deg,
-            tension_n_per_mm: x.tension_per_width,
+            tension_n_per_mm: x.tension_n_per_mm,
             strand_tension_n: x.tension_n,
         });
         let sensitivities = s.sensitivities.iter().map(|x| SensitivityRow {

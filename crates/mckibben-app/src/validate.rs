@@ -87,20 +87,13 @@ impl From<Row> for Case {
 /// # Errors
 /// [`Problem`] where it was cancelled.
 pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<ValidateAnswer, Problem> {
-    let groups: [fn() -> Vec<Row>; 4] =
-        [verification::cases, verification::bricks::cook_fine, held_out::cases, validation::cases];
-    let mut cases = vec![];
-    for (i, group) in groups.iter().enumerate() {
-        progress.report(i, groups.len());
-        if progress.cancelled() {
-            return Err(Problem::cancelled());
-        }
-        // The second are the finest meshes.
-        if i != 1 || request.all {
-            cases.extend(group().into_iter().map(Case::from));
-        }
+    let mut rows = verification::cases(progress)?;
+    if request.all {
+        rows.extend(verification::bricks::cook_fine());
     }
-    Ok(ValidateAnswer { cases })
+    rows.extend(held_out::cases());
+    rows.extend(validation::cases(progress)?);
+    Ok(ValidateAnswer { cases: rows.into_iter().map(Case::from).collect() })
 }
 
 /// Random muscles, one question each.

@@ -1,7 +1,7 @@
 //! Numbers and names as people read them, in figures and texts of every front end.
 
 use mckibben::muscle::{BraidStiffness, Muscle};
-use mckibben::rubber::{Law, RubberLaw};
+use mckibben::rubber::Law;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -339,8 +339,8 @@ pub(crate) fn pressure<M: Discretised>(
     workspace: &mut Workspace,
     force_n: f64,
     contraction: f64,
-) -> Option<Result<f64, ModelError>> {
-    model.pressure_at_force_mpa(workspace, force_n, contraction).ok().filter(|p| *p >= 0.0).map(Ok)
+) -> Option<f64> {
+    model.pressure_at_force_mpa(workspace, force_n, contraction).ok().filter(|p| *p >= 0.0)
 }
 
 /// The contraction at a pull, where there is one.
@@ -349,8 +349,8 @@ pub(crate) fn contraction<M: Discretised>(
     workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
-) -> Option<Result<f64, ModelError>> {
-    model.contraction_at_force(workspace, force_n, pressure_mpa).ok().filter(|e| *e >= 0.0).map(Ok)
+) -> Option<f64> {
+    model.contraction_at_force(workspace, force_n, pressure_mpa).ok().filter(|e| *e >= 0.0)
 }
 
 /// Which finite elements, and how fine.

@@ -51,7 +51,7 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], p: Pressure
         let along = |of: fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
             s.strands.iter().map(|x| (x.rest_mm, of(x))).collect()
         };
-        tension = tension.series(Series::line(name(s), along(|x| x.tension_per_width)).colour(i));
+        tension = tension.series(Series::line(name(s), along(|x| x.tension_n_per_mm)).colour(i));
         angle = angle.series(Series::line(name(s), along(|x| x.angle_deg)).colour(i));
     }
     figure = figure.panel(curve.title("curve"));
