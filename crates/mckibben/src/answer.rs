@@ -7,25 +7,31 @@ use crate::analysis::{
 };
 use crate::model::{BlockedAt, ForceModel, ModelError, Response, Workspace};
 use crate::muscle::Direction;
+use serde::Serialize;
 
 /// One answered point.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
     /// The model's name.
     pub model: String,
     /// The branch of the hysteresis loop that was asked for.
+    #[serde(skip_serializing_if = "Direction::is_mean")]
     pub direction: Direction,
     /// What the model knows; `force_n` is 0 where the muscle is slack.
+    #[serde(flatten)]
     pub response: Response,
     /// The muscle would have to push and lies slack instead.
     pub slack: bool,
     /// The model's own force in N, negative where the muscle would have to push.
     pub two_sided_force_n: f64,
     /// Where the muscle is slack: its free contraction at this pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub free_contraction: Option<f64>,
     /// P′ at this contraction in MPa, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub start_pressure_mpa: Option<f64>,
     /// 95 % half-width of the force in N, where the model's error is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
     /// What the user should know, in sentences.
     pub warnings: Vec<String>,

@@ -3,7 +3,7 @@
 use super::terms::GlobalSection;
 use super::{Body, Formula};
 use crate::model::{
-    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response, Section, Workspace,
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Response, Section, Workspace,
 };
 use crate::muscle::Muscle;
 use std::sync::Arc;
@@ -65,18 +65,20 @@ impl ForceModel for FormulaModel {
 
     fn range(&self) -> ModelRange {
         let (r, m) = (&self.formula.range, &self.muscle);
-        let (differing, make) = self.formula.made_for.differences(m);
-        let mut muscle = vec![];
-        for (quantity, value, (low, high)) in [
-            ("outer_diameter", m.outer_diameter_mm(), r.outer_diameter_mm),
-            ("wall_thickness", m.wall_mm(), r.wall_mm),
-        ] {
-            if !(value >= low - 1e-9 && value <= high + 1e-9) {
-                muscle.push(RangeViolation { quantity, value, low, high, unit: "mm" });
-            }
-        }
-        muscle.extend(differing);
-        ModelRange { pressure_mpa: r.pressure_mpa, contraction: r.contraction, muscle, make }
+        let make = self.formula.made_for.differences(m);
+        let range = ModelRange {
+            pressure_mpa: r.pressure_mpa,
+            contraction: r.contraction,
+            make,
+            ..ModelRange::open()
+        };
+        let [length, angle] = self.formula.made_for.measures(m);
+        range.with_measures(&[
+            (Interval::new(Quantity::OuterDiameter, r.outer_diameter_mm), m.outer_diameter_mm()),
+            (Interval::new(Quantity::WallThickness, r.wall_mm), m.wall_mm()),
+            length,
+            angle,
+        ])
     }
 
     fn accuracy(&self) -> Accuracy {

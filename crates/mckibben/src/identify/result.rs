@@ -5,11 +5,13 @@ use super::parameter::Target;
 use crate::measured::{DataPoint, Quantity};
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
+use serde::Serialize;
 
 /// One parameter with what the data say of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Identified {
     /// What.
+    #[serde(skip)]
     pub target: Target,
     /// Its name, as in the muscle file.
     pub name: String,
@@ -34,7 +36,7 @@ pub struct Identified {
 }
 
 /// A point with what the model makes of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Fitted {
     /// The point.
     pub point: DataPoint,
@@ -49,7 +51,7 @@ pub struct Fitted {
 }
 
 /// Root mean square and largest residual of some points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Spread {
     /// Of which points.
     pub label: String,
@@ -64,11 +66,13 @@ pub struct Spread {
 }
 
 /// Everything that was identified.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Identification {
     /// The muscle with the values found.
+    #[serde(skip)]
     pub muscle: Muscle,
     /// The same, for rows of several muscles.
+    #[serde(skip)]
     pub candidate: Candidate,
     /// The parameters, in the order in which they were named.
     pub parameters: Vec<Identified>,

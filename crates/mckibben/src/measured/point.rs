@@ -2,11 +2,12 @@
 
 use super::read::read_data;
 use crate::muscle::Direction;
+use serde::{Deserialize, Serialize};
 use std::io::Read;
 use thiserror::Error;
 
 /// One measured point of a muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredPoint {
     /// Gauge pressure in MPa.
     pub pressure_mpa: f64,
@@ -15,6 +16,7 @@ pub struct MeasuredPoint {
     /// Pull in N.
     pub force_n: f64,
     /// The branch of the hysteresis loop; the mean where none is stated.
+    #[serde(default, skip_serializing_if = "Direction::is_mean")]
     pub branch: Direction,
 }
 

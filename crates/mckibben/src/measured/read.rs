@@ -2,10 +2,12 @@
 
 use super::point::{MeasuredError, MeasuredPoint, mean_of_branches};
 use crate::muscle::{Direction, Muscle, MuscleError};
+use serde::{Deserialize, Serialize};
 use std::io::Read;
 
 /// What the bench read; the two others were set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Quantity {
     /// The pull, at a set pressure and length (isometric, isobaric).
     #[default]
@@ -17,15 +19,20 @@ pub enum Quantity {
 }
 
 /// Measures of the muscle that a row states; the others are the muscle file's.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Section {
     /// D0 in mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub outer_diameter_mm: Option<f64>,
     /// s in mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wall_mm: Option<f64>,
     /// L0 in mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length_mm: Option<f64>,
     /// θ0 in degrees.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub angle_deg: Option<f64>,
 }
 
@@ -46,17 +53,20 @@ impl Section {
 }
 
 /// One row of data.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DataPoint {
     /// Pressure, contraction, pull, branch.
+    #[serde(flatten)]
     pub at: MeasuredPoint,
     /// Which of them was read.
     pub measured: Quantity,
     /// Standard error of what was read, in its unit, where it is stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,
     /// How much it counts; 1 where nothing is said.
     pub weight: f64,
     /// Measures of its muscle.
+    #[serde(flatten)]
     pub section: Section,
     /// Line in its file, the header being line 1; 0 where it comes from no file.
     pub line: u64,

@@ -46,7 +46,7 @@ pub use kind::{ModelKind, UnknownModel};
 pub use klute_hannaford::KluteHannaford;
 pub use paper::{Coefficients, Paper, Section};
 pub use paper_batch::{BatchPath, LengthMismatch};
-pub use range::{ModelRange, RangeViolation};
+pub use range::{Interval, ModelRange, Quantity, RangeViolation};
 pub use response::Response;
 pub(crate) use root::rising_root;
 pub use rounded_ends::RoundedEnds;

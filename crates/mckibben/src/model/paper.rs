@@ -6,7 +6,9 @@
 //! F in N, P in MPa, s and D0 in mm. 48 published numbers (Table 2), fitted by the paper's authors to finite elements of
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response, Workspace};
+use super::{
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Response, Workspace,
+};
 use crate::muscle::Muscle;
 
 /// Diameters, walls, pressures and contractions for which (11) was made.
@@ -160,23 +162,6 @@ impl ForceModel for Paper {
 
     fn range(&self) -> ModelRange {
         let m = &self.muscle;
-        let close = |v: f64, to: f64| (v - to).abs() <= 1e-9 * to;
-        let mut muscle = vec![];
-        for (quantity, value, (low, high)) in
-            [("outer_diameter", m.outer_diameter_mm(), DIAMETER), ("wall_thickness", m.wall_mm(), WALL)]
-        {
-            if !(value >= low - 1e-9 && value <= high + 1e-9) {
-                muscle.push(RangeViolation { quantity, value, low, high, unit: "mm" });
-            }
-        }
-        for (quantity, value, only, unit) in [
-            ("length", m.length_mm(), LENGTH_MM, "mm"),
-            ("braid_angle", m.braid().angle_deg, ANGLE_DEG, "deg"),
-        ] {
-            if !close(value, only) {
-                muscle.push(RangeViolation { quantity, value, low: only, high: only, unit });
-            }
-        }
         let rubber = &m.tube().rubber;
         let mut make = vec![];
         if !m.is_paper_make() {
@@ -188,7 +173,13 @@ impl ForceModel for Paper {
                 make.push("the braid has its own stiffness, the formula is for the braid `paper`".into());
             }
         }
-        ModelRange { pressure_mpa: PRESSURE, contraction: CONTRACTION, muscle, make }
+        ModelRange { pressure_mpa: PRESSURE, contraction: CONTRACTION, make, ..ModelRange::open() }
+            .with_measures(&[
+                (Interval::new(Quantity::OuterDiameter, DIAMETER), m.outer_diameter_mm()),
+                (Interval::new(Quantity::WallThickness, WALL), m.wall_mm()),
+                (Interval::only(Quantity::Length, LENGTH_MM), m.length_mm()),
+                (Interval::only(Quantity::BraidAngle, ANGLE_DEG), m.braid().angle_deg),
+            ])
     }
 
     fn accuracy(&self) -> Accuracy {

@@ -1,9 +1,10 @@
 //! What a model knows at one pressure and contraction.
 
 use super::ModelError;
+use serde::{Deserialize, Serialize};
 
 /// One point of a muscle's behaviour. What a model does not have is `None`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Response {
     /// Gauge pressure P in MPa.
     pub pressure_mpa: f64,
@@ -12,18 +13,25 @@ pub struct Response {
     /// Pull F in N, tension positive; negative where the muscle would have to push.
     pub force_n: f64,
     /// Volume of the whole cavity between the terminals in mm³.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_mm3: Option<f64>,
     /// ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness_n_per_mm: Option<f64>,
     /// ∂F/∂P at fixed ε, in mm² (N/MPa).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub force_per_pressure_mm2: Option<f64>,
     /// Tension of all strands together in N.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub braid_tension_n: Option<f64>,
     /// Tension of one strand in N, where the number of strands is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strand_tension_n: Option<f64>,
     /// Largest outer diameter in mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bulged_diameter_mm: Option<f64>,
     /// Largest principal stretch of the rubber.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_stretch: Option<f64>,
 }
 
