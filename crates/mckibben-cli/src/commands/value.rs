@@ -114,7 +114,7 @@ fn text(model: &dyn ForceModel, a: &Answer, p: Pressures) -> String {
     add("tension of all strands", r.braid_tension_n, "N", 4);
     add("largest stretch of the rubber", r.max_stretch, "", 3);
     if a.uncertainty_n.is_some() {
-        list.push(("the ± is", format!("a 95 % half-width; {}", model.accuracy().basis)));
+        list.push(("the ± is", format!("a 95 % half-width; {}", model.accuracy().reference)));
     }
     pairs(&list)
 }

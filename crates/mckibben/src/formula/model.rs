@@ -3,7 +3,8 @@
 use super::terms::GlobalSection;
 use super::{Body, Formula};
 use crate::model::{
-    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Response, Section, Workspace,
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response,
+    Section, Workspace,
 };
 use crate::muscle::Muscle;
 use std::sync::Arc;
@@ -85,7 +86,7 @@ impl ForceModel for FormulaModel {
         Accuracy {
             share_of_blocked: Some(self.formula.errors.half_width()),
             blocked_at: BlockedAt::Pressure(self.formula.range.pressure_mpa.1),
-            basis: "what 95 % of the points of its own table, and of the muscles held out of it, stay within, as the formula's file says; how far that table is from real muscles comes on top",
+            reference: Reference::OwnTable,
         }
     }
 

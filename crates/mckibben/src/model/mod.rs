@@ -31,7 +31,7 @@ mod wall;
 mod wall_mooney;
 mod workspace;
 
-pub use accuracy::{Accuracy, BlockedAt};
+pub use accuracy::{Accuracy, BlockedAt, Reference, Specimen, Where};
 pub use belforte::Belforte;
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;

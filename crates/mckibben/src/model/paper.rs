@@ -7,7 +7,8 @@
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Response, Workspace,
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response,
+    Workspace,
 };
 use crate::muscle::Muscle;
 
@@ -186,7 +187,7 @@ impl ForceModel for Paper {
         Accuracy {
             share_of_blocked: Some(0.05),
             blocked_at: BlockedAt::Pressure(PRESSURE.1),
-            basis: "its authors state about 2 % and at most 50 N against their own finite elements; against this program's axisymmetric finite elements (rubber and braid `paper`) 95 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm",
+            reference: Reference::Paper,
         }
     }
 
