@@ -124,7 +124,15 @@ impl From<ModelError> for Failure {
                 let hint = format!("add --extrapolate for an answer with a warning{other}");
                 Self::input("out_of_range", message, hint)
             }
-            ModelError::Missing { .. } => Self::input("missing_input", message, ""),
+            ModelError::Missing { key, .. } => {
+                let hint = match key {
+                    "model.tondu-lopez.end_factor" => "or give `--end-factor 1.29`",
+                    "model.conical-ends.cone_factor" => "or give `--cone-factor 0.4`",
+                    "braid.strand_length" => "or give `--strand-length` and `--turns`",
+                    _ => "",
+                };
+                Self::input("missing_input", message, hint)
+            }
             ModelError::Elements { .. } => Self::input("mesh", message, ""),
             ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
                 Self::new(NOT_CONVERGED, "not_converged", message, "")

@@ -89,7 +89,7 @@ pub struct Spec {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpecError {
     /// No operating point.
-    #[error("no operating point: give --force and --contraction, or --at 700N@15%")]
+    #[error("no operating point: give a pull and a contraction, such as 700 N at 15 %")]
     NoPoint,
     /// A pull or contraction that is no operating point.
     #[error(

@@ -45,6 +45,7 @@ impl KluteHannaford {
                 return Err(ModelError::Missing {
                     model: "klute-hannaford",
                     missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
+                    key: "tube.material",
                 });
             }
         };
