@@ -185,7 +185,15 @@ impl From<ModelError> for Problem {
                 let hint = format!("`extrapolate` gives an answer with a warning{other}");
                 Self::new(ProblemKind::OutOfRange, message, hint)
             }
-            ModelError::Missing { .. } => Self::new(ProblemKind::MissingInput, message, ""),
+            ModelError::Missing { key, .. } => {
+                let hint = match key {
+                    "model.tondu-lopez.end_factor" => "or give `end_factor` 1.29",
+                    "model.conical-ends.cone_factor" => "or give `cone_factor` 0.4",
+                    "braid.strand_length" => "or give `strand_length_mm` and `turns`",
+                    _ => "",
+                };
+                Self::new(ProblemKind::MissingInput, message, hint)
+            }
             ModelError::Elements { .. } => Self::new(ProblemKind::Mesh, message, ""),
             ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
                 Self::new(ProblemKind::NotConverged, message, "")

@@ -39,7 +39,7 @@ impl Question {
 pub(crate) fn about(model: &dyn ForceModel, options: Options) -> ModelAbout {
     ModelAbout {
         source: source_of(model, options.direction),
-        uncertainty_basis: model.accuracy().basis.to_string(),
+        uncertainty_basis: model.accuracy().reference.to_string(),
     }
 }
 

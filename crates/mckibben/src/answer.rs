@@ -16,6 +16,7 @@ pub struct Answer {
     /// The model's name.
     pub model: String,
     /// The branch of the hysteresis loop that was asked for.
+    #[serde(skip_serializing_if = "Direction::is_mean")]
     pub direction: Direction,
     /// What the model knows; `force_n` is 0 where the muscle is slack.
     #[serde(flatten)]

@@ -8,6 +8,7 @@ use crate::analysis::{AnalysisError, Options, contraction_at, force_on, start_pr
 use crate::curve::{Curve, Test, curves};
 use crate::model::{ForceModel, Ideal, ModelError, Workspace};
 use crate::muscle::{Direction, Muscle, MuscleError, Tube};
+use serde::Serialize;
 use thiserror::Error;
 
 /// Walls in mm.
@@ -41,7 +42,7 @@ pub struct StudyPanel {
 }
 
 /// One of the paper's statements beside what this model says.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Finding {
     /// What the paper reports.
     pub statement: &'static str,

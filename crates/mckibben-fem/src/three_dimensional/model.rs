@@ -6,12 +6,11 @@ use super::muscle::{MuscleInBricks, MuscleMesh};
 use crate::FemError;
 use crate::simulation::{self, Discretised};
 use crate::solver::continuation::Continuation;
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelId, ModelRange, Response, Workspace};
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, Workspace};
 use mckibben::muscle::Muscle;
 
 /// Error of the program's own mesh over the blocked force, 95 % of questions.
 const MESH_ERROR: f64 = 0.004;
-const MESH_ERROR_BASIS: &str = "the mesh alone, against the axisymmetric limit of the same equations: 95 % of 2000 random questions (D0 14 to 50 mm, s 0.5 to 5 mm, L0 80 to 300 mm, 20 to 35 degrees, 0.05 to 0.25 MPa, contraction 0 to 20 %), the largest 1.7 %; no measured muscle is in it";
 
 /// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
@@ -89,7 +88,7 @@ impl ForceModel for ThreeDimensional {
         // What an insertion adds has no limit to be held against.
         match self.mesh().plug().is_some_and(|p| p.insertion_mm > 0.0) {
             true => Accuracy::UNKNOWN,
-            false => Accuracy::share(MESH_ERROR, MESH_ERROR_BASIS),
+            false => Accuracy::share(MESH_ERROR, Reference::MeshLimit),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::error::AnalysisError;
 use crate::model::{ForceModel, Workspace};
+use serde::Serialize;
 
 /// Atmospheric pressure in MPa (ISO 2533).
 const ATMOSPHERE_MPA: f64 = 0.101_325;
@@ -9,7 +10,7 @@ const ATMOSPHERE_MPA: f64 = 0.101_325;
 const NORMAL_PER_ACTUAL: f64 = 273.15 / 293.15;
 
 /// Air in a muscle that was filled from rest to a working point.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Air {
     /// Cavity at the working point in mm³.
     pub volume_mm3: f64,

@@ -2,9 +2,11 @@
 
 use crate::model::{ForceModel, ModelError, Response, Workspace};
 use crate::muscle::{Direction, Friction};
+use serde::{Deserialize, Serialize};
 
 /// How questions are answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Options {
     /// Answer outside of the model's range, with a warning, instead of refusing.
     pub extrapolate: bool,

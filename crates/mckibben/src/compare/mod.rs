@@ -4,9 +4,10 @@ pub use crate::measured::{MeasuredError, MeasuredPoint, mean_of_branches, read_m
 
 use crate::analysis::{Options, force_on};
 use crate::model::{ForceModel, ModelError, Workspace};
+use serde::Serialize;
 
 /// How far a model is from measured points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// The model's name.
     pub model: String,
@@ -19,6 +20,7 @@ pub struct Comparison {
     /// How many points were answered.
     pub points: usize,
     /// How many points the model refused or failed on, and the first reason.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub unanswered: Option<(usize, String)>,
 }
 

@@ -9,9 +9,10 @@ use crate::analysis::{
 use crate::answer::uncertainty_n;
 use crate::model::{ForceModel, Response, ThickWall, Workspace};
 use crate::muscle::{Direction, Muscle};
+use serde::Serialize;
 
 /// A candidate at one operating point.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CandidatePoint {
     /// What was wanted.
     pub wanted: OperatingPoint,
@@ -24,15 +25,18 @@ pub struct CandidatePoint {
     /// What the muscle is like there, at the pressure it takes.
     pub response: Response,
     /// Air from rest to this point in normal litres.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub air_normal_litres: Option<f64>,
     /// 95 % half-width of the pull in N.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
 }
 
 /// A muscle that fits.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Candidate {
     /// The muscle.
+    #[serde(skip)]
     pub muscle: Muscle,
     /// Name of the model that looked at it.
     pub model: String,
@@ -45,10 +49,13 @@ pub struct Candidate {
     /// Blocked force at the maximum pressure, in N.
     pub blocked_force_n: f64,
     /// Free contraction at the maximum pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub free_contraction: Option<f64>,
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub work_j: Option<f64>,
     /// Burst pressure in MPa (the least over ε = 0 and the operating points), where the strands' strength is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub burst_pressure_mpa: Option<f64>,
     /// Quantities that the design's model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<&'static str>,

@@ -3,9 +3,11 @@
 use super::spec::OperatingPoint;
 use crate::model::ModelError;
 use crate::muscle::{Muscle, MuscleError};
+use serde::Serialize;
 
 /// The bound that a muscle breaks.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", content = "detail", rename_all = "snake_case")]
 pub enum Reason {
     /// It does not pull enough at the maximum pressure.
     Force {
@@ -38,9 +40,15 @@ pub enum Reason {
         limit: f64,
     },
     /// The model has no answer.
+    #[serde(serialize_with = "in_words")]
     Model(ModelError),
     /// The parts do not make a muscle.
+    #[serde(serialize_with = "in_words")]
     Muscle(MuscleError),
+}
+
+fn in_words<E: std::fmt::Display, S: serde::Serializer>(error: &E, out: S) -> Result<S::Ok, S::Error> {
+    out.collect_str(error)
 }
 
 impl Reason {

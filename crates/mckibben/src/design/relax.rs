@@ -6,9 +6,11 @@ use super::spec::{Build, Limits, OperatingPoint, Spec};
 use crate::analysis::{Options, contraction_at, pressure_at};
 use crate::model::{ForceModel, ThickWall, Workspace};
 use crate::muscle::Muscle;
+use serde::Serialize;
 
 /// A way to make the closest muscle fit.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", content = "detail", rename_all = "snake_case")]
 pub enum Relaxation {
     /// Supply this pressure.
     Pressure {

@@ -4,13 +4,14 @@ use crate::analysis::Options;
 use crate::model::{ForceModel, ModelError};
 use crate::muscle::{Muscle, MuscleError, Rubber};
 use crate::units::Values;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Builds the model a design runs on.
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
 
 /// A pull wanted at a contraction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct OperatingPoint {
     /// Pull in N.
     pub force_n: f64,
@@ -19,7 +20,8 @@ pub struct OperatingPoint {
 }
 
 /// What the best muscle is best at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Objective {
     /// Smallest outer diameter at rest.
     #[default]
@@ -43,13 +45,16 @@ pub enum BraidChoice {
 }
 
 /// Bounds on what comes out.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Limits {
     /// Largest outer diameter at any operating point, in mm.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bulged_diameter_mm: Option<f64>,
     /// Least ratio of burst pressure to maximum pressure.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub burst_margin: Option<f64>,
     /// Largest principal stretch of the rubber at any operating point.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stretch: Option<f64>,
 }
 

@@ -3,10 +3,11 @@
 use super::spec::{Build, OperatingPoint};
 use crate::model::{ModelError, Workspace};
 use crate::muscle::{Muscle, MuscleError};
+use serde::Serialize;
 use thiserror::Error;
 
 /// Half-widths of what may vary, each ±.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Tolerances {
     /// Wall in mm.
     pub wall_mm: f64,
@@ -17,7 +18,7 @@ pub struct Tolerances {
 }
 
 /// The pull at one operating point under tolerances.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Spread {
     /// The operating point.
     pub wanted: OperatingPoint,

@@ -1,6 +1,6 @@
 //! The muscles a formula was made for: everything but diameter and wall.
 
-use crate::model::RangeViolation;
+use crate::model::{Interval, Quantity};
 use crate::muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube};
 
 /// Stiffness k of one strand family of the muscles of a formula.
@@ -81,17 +81,16 @@ impl Made {
         }
     }
 
-    /// What of a muscle differs: measures, and parts in words.
-    pub fn differences(&self, muscle: &Muscle) -> (Vec<RangeViolation>, Vec<String>) {
-        let mut measures = vec![];
-        for (quantity, value, only, unit) in [
-            ("length", muscle.length_mm(), self.length_mm, "mm"),
-            ("braid_angle", muscle.braid().angle_deg, self.angle_deg, "deg"),
-        ] {
-            if (value - only).abs() > 1e-9 * only {
-                measures.push(RangeViolation { quantity, value, low: only, high: only, unit });
-            }
-        }
+    /// The measures it is for alone, each beside the muscle's.
+    pub fn measures(&self, muscle: &Muscle) -> [(Interval, f64); 2] {
+        [
+            (Interval::only(Quantity::Length, self.length_mm), muscle.length_mm()),
+            (Interval::only(Quantity::BraidAngle, self.angle_deg), muscle.braid().angle_deg),
+        ]
+    }
+
+    /// What of a muscle's parts differs, in words.
+    pub fn differences(&self, muscle: &Muscle) -> Vec<String> {
         let theirs = Self::of(muscle);
         let same_law = self.law == theirs.law
             && self.constants.len() == theirs.constants.len()
@@ -117,7 +116,7 @@ impl Made {
             let (ours, theirs) = (text(self.stiffness_n_per_mm(d)), text(muscle.family_stiffness_n_per_mm()));
             make.push(format!("the braid's stiffness is {theirs}, the formula is for {ours}"));
         }
-        (measures, make)
+        make
     }
 
     /// The rubber in words: `paper (mooney-rivlin, c10_mpa 0.12, c01_mpa 0)`.

@@ -3,7 +3,8 @@
 use super::terms::GlobalSection;
 use super::{Body, Formula};
 use crate::model::{
-    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response, Section, Workspace,
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response,
+    Section, Workspace,
 };
 use crate::muscle::Muscle;
 use std::sync::Arc;
@@ -65,25 +66,27 @@ impl ForceModel for FormulaModel {
 
     fn range(&self) -> ModelRange {
         let (r, m) = (&self.formula.range, &self.muscle);
-        let (differing, make) = self.formula.made_for.differences(m);
-        let mut muscle = vec![];
-        for (quantity, value, (low, high)) in [
-            ("outer_diameter", m.outer_diameter_mm(), r.outer_diameter_mm),
-            ("wall_thickness", m.wall_mm(), r.wall_mm),
-        ] {
-            if !(value >= low - 1e-9 && value <= high + 1e-9) {
-                muscle.push(RangeViolation { quantity, value, low, high, unit: "mm" });
-            }
-        }
-        muscle.extend(differing);
-        ModelRange { pressure_mpa: r.pressure_mpa, contraction: r.contraction, muscle, make }
+        let make = self.formula.made_for.differences(m);
+        let range = ModelRange {
+            pressure_mpa: r.pressure_mpa,
+            contraction: r.contraction,
+            make,
+            ..ModelRange::open()
+        };
+        let [length, angle] = self.formula.made_for.measures(m);
+        range.with_measures(&[
+            (Interval::new(Quantity::OuterDiameter, r.outer_diameter_mm), m.outer_diameter_mm()),
+            (Interval::new(Quantity::WallThickness, r.wall_mm), m.wall_mm()),
+            length,
+            angle,
+        ])
     }
 
     fn accuracy(&self) -> Accuracy {
         Accuracy {
             share_of_blocked: Some(self.formula.errors.half_width()),
             blocked_at: BlockedAt::Pressure(self.formula.range.pressure_mpa.1),
-            basis: "what 95 % of the points of its own table, and of the muscles held out of it, stay within, as the formula's file says; how far that table is from real muscles comes on top",
+            reference: Reference::OwnTable,
         }
     }
 

@@ -40,7 +40,7 @@ pub struct Identified {
 }
 
 /// A point with what the model makes of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Fitted {
     /// The point.
     pub point: DataPoint,
@@ -72,11 +72,13 @@ pub struct Spread {
 }
 
 /// Everything that was identified.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Identification {
     /// The muscle with the values found.
+    #[serde(skip)]
     pub muscle: Muscle,
     /// The same, for rows of several muscles.
+    #[serde(skip)]
     pub candidate: Candidate,
     /// The parameters, in the order in which they were named.
     pub parameters: Vec<Identified>,

@@ -55,17 +55,20 @@ impl Section {
 }
 
 /// One row of data.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct DataPoint {
     /// Pressure, contraction, pull, branch.
+    #[serde(flatten)]
     pub at: MeasuredPoint,
     /// Which of them was read.
     pub measured: Quantity,
     /// Standard error of what was read, in its unit, where it is stated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub error: Option<f64>,
     /// How much it counts; 1 where nothing is said.
     pub weight: f64,
     /// Measures of its muscle.
+    #[serde(flatten)]
     pub section: Section,
     /// Line in its file, the header being line 1; 0 where it comes from no file.
     pub line: u64,

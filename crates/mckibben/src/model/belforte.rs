@@ -30,7 +30,8 @@ impl Belforte {
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let measured = muscle.braid().measured.ok_or(ModelError::Missing {
             model: "belforte",
-            missing: "a strand measured on the muscle: give `strand_length_mm` and `turns`, or strand_length and turns under [braid] in the muscle file",
+            missing: "a strand measured on the muscle: `strand_length` and `turns` under [braid] in the muscle file",
+            key: "braid.strand_length",
         })?;
         let b = measured.strand_length_mm;
         Ok(Self { muscle: muscle.clone(), b, n2: 4.0 * PI * measured.turns * measured.turns })

@@ -7,7 +7,7 @@
 //! agrees with the volume above.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Where, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -68,10 +68,7 @@ impl ForceModel for ChouHannaford {
     }
 
     fn accuracy(&self) -> Accuracy {
-        Accuracy::share(
-            0.75,
-            "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; largest for soft strands",
-        )
+        Accuracy::share(0.75, Reference::RandomMuscles(Where::SoftStrands))
     }
 
     fn response(

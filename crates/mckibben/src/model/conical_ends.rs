@@ -34,7 +34,8 @@ impl ConicalEnds {
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let kc = muscle.terminals().cone_factor.ok_or(ModelError::Missing {
             model: "conical-ends",
-            missing: "a cone factor: give `cone_factor` 0.4, or cone_factor = 0.4 under [terminals] in the muscle file",
+            missing: "a cone factor: `cone_factor = 0.4` under [model.conical-ends] in the muscle file",
+            key: "model.conical-ends.cone_factor",
         })?;
         Ok(Self { braid: Pantograph::of(muscle), muscle: muscle.clone(), kc })
     }

@@ -27,6 +27,8 @@ pub enum ModelError {
         model: &'static str,
         /// What it needs and how to give it.
         missing: &'static str,
+        /// Its key in the muscle file; empty where no key gives it.
+        key: &'static str,
     },
     /// The muscle is too short for a model of its ends.
     #[error(

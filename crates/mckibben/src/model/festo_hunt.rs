@@ -7,7 +7,9 @@
 //! belongs to the specimen; the six specimens of that paper are in [`SPECIMENS`].
 
 use super::root::rising_root;
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{
+    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Reference, Response, Specimen, Workspace,
+};
 use crate::muscle::Muscle;
 use std::f64::consts::FRAC_PI_2;
 
@@ -129,7 +131,12 @@ impl ForceModel for FestoHunt {
         Accuracy {
             share_of_blocked: Some(0.09),
             blocked_at: BlockedAt::Pressure(0.45),
-            basis: "rms 17 N on the 24 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017 [martens2017]) that lie in the box, with the largest contraction taken from the length",
+            reference: Reference::ForceMap {
+                muscle: "DMSP-10-250",
+                points: 24,
+                rms_n: 17.0,
+                specimen: Specimen::ContractionFromLength,
+            },
         }
     }
 

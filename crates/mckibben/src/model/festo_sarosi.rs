@@ -5,7 +5,9 @@
 //! Source: Sárosi (2012) \[sarosi2012\], fits to measured DMSP-10 and DMSP-20-200N. The fits fall in κ and rise in P over the whole box: c < 0,
 //! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
 
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{
+    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Reference, Response, Specimen, Workspace,
+};
 use crate::muscle::Muscle;
 
 const BAR_PER_MPA: f64 = 10.0;
@@ -39,7 +41,12 @@ const DMSP_10: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.25),
         blocked_at: BlockedAt::Pressure(0.6),
-        basis: "rms 73 N on the 40 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017 [martens2017]), another specimen than the fitted one, which pulls less",
+        reference: Reference::ForceMap {
+            muscle: "DMSP-10-250",
+            points: 40,
+            rms_n: 73.0,
+            specimen: Specimen::PullsLess,
+        },
     },
 };
 
@@ -56,7 +63,12 @@ const DMSP_20_200: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.11),
         blocked_at: BlockedAt::Pressure(0.6),
-        basis: "rms 98 N on 55 points of the static force map of a DMSP-20-300 (Martens & Boblan 2017 [martens2017]), another and longer specimen than the fitted one",
+        reference: Reference::ForceMap {
+            muscle: "DMSP-20-300",
+            points: 55,
+            rms_n: 98.0,
+            specimen: Specimen::Longer,
+        },
     },
 };
 

@@ -6,7 +6,7 @@
 //! Sources: Ferraresi et al. (2001) \[ferraresi2001\]; Kothera & Wereley (2009) \[kothera2009\]; Tondu (2012) \[tondu2012\] eq. (18).
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Where, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -77,10 +77,7 @@ impl ForceModel for ForceBalance {
     }
 
     fn accuracy(&self) -> Accuracy {
-        Accuracy::share(
-            0.77,
-            "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; largest for soft strands",
-        )
+        Accuracy::share(0.77, Reference::RandomMuscles(Where::SoftStrands))
     }
 
     fn response(

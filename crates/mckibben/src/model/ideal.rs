@@ -8,7 +8,7 @@
 //! Sources: Gaylord (1958) \[gaylord1958\]; Schulte (1961) \[schulte1961\]; Chou & Hannaford (1996) \[chou1996\]; Tondu & Lopez (2000) \[tondu2000\]. Equation numbers are those
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Where, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -69,10 +69,7 @@ impl ForceModel for Ideal {
     }
 
     fn accuracy(&self) -> Accuracy {
-        Accuracy::share(
-            0.93,
-            "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; the error is one of excess, largest for soft strands and thick walls",
-        )
+        Accuracy::share(0.93, Reference::RandomMuscles(Where::SoftStrandsAndThickWalls))
     }
 
     fn response(

@@ -172,7 +172,7 @@ fn universal(
     muscle: &Muscle,
 ) -> Result<Box<dyn ForceModel>, ModelError> {
     let missing = "its built-in coefficients, which cannot be read; build the program anew";
-    let formula = formula.ok_or(ModelError::Missing { model, missing })?;
+    let formula = formula.ok_or(ModelError::Missing { model, missing, key: "" })?;
     Ok(Box::new(Universal::new(formula, muscle)))
 }
 

@@ -9,7 +9,7 @@
 //! energy (the form printed in Tondu's review of 2012 \[tondu2012\] omits 1/L0). It is the thin-wall limit of the thick-wall model.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response, Workspace};
+use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Reference, Response, Where, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -40,6 +40,7 @@ impl KluteHannaford {
         let law = muscle.tube().rubber.law.as_mooney_rivlin().ok_or(ModelError::Missing {
             model: "klute-hannaford",
             missing: "a mooney-rivlin or neo-hookean rubber; for other laws take the thick-wall model",
+            key: "tube.material",
         })?;
         let (c10, c01) = (law.c10_mpa, law.c01_mpa);
         Ok(Self { ideal: Ideal::new(muscle), braid: Pantograph::of(muscle), c10, c01 })
@@ -86,10 +87,7 @@ impl ForceModel for KluteHannaford {
     }
 
     fn accuracy(&self) -> Accuracy {
-        Accuracy::share(
-            0.55,
-            "95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements; largest for soft strands",
-        )
+        Accuracy::share(0.55, Reference::RandomMuscles(Where::SoftStrands))
     }
 
     fn response(

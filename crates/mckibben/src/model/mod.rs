@@ -31,7 +31,7 @@ mod wall;
 mod wall_mooney;
 mod workspace;
 
-pub use accuracy::{Accuracy, BlockedAt};
+pub use accuracy::{Accuracy, BlockedAt, Reference, Specimen, Where};
 pub use belforte::Belforte;
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
@@ -46,7 +46,7 @@ pub use kind::{ModelKind, UnknownModel};
 pub use klute_hannaford::KluteHannaford;
 pub use paper::{Coefficients, Paper, Section};
 pub use paper_batch::{BatchPath, LengthMismatch};
-pub use range::{ModelRange, RangeViolation};
+pub use range::{Interval, ModelRange, Quantity, RangeViolation};
 pub use response::Response;
 pub(crate) use root::rising_root;
 pub use rounded_ends::RoundedEnds;

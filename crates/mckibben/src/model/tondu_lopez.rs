@@ -27,7 +27,8 @@ impl TonduLopez {
     pub fn new(muscle: &Muscle) -> Result<Self, ModelError> {
         let factor = muscle.terminals().end_factor.ok_or(ModelError::Missing {
             model: "tondu-lopez",
-            missing: "an end factor: give `end_factor` 1.29, or end_factor = 1.29 under [terminals] in the muscle file",
+            missing: "an end factor: `end_factor = 1.29` under [model.tondu-lopez] in the muscle file",
+            key: "model.tondu-lopez.end_factor",
         })?;
         Ok(Self { ideal: Ideal::new(muscle), factor })
     }
@@ -127,6 +128,9 @@ mod tests {
             ideal.force_n(&mut Workspace::new(), 0.2, 0.1)
         );
         let missing = model(None).unwrap_err().to_string();
-        assert!(missing.contains("`end_factor` 1.29") && missing.contains("[terminals]"), "{missing}");
+        assert!(
+            missing.contains("end_factor = 1.29") && missing.contains("[model.tondu-lopez]"),
+            "{missing}"
+        );
     }
 }

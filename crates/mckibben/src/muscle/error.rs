@@ -98,7 +98,12 @@ impl MuscleError {
         let keys: Vec<&'static str> = match self {
             // A key may carry an explanation behind it: "terminals.end_factor at 0 MPa (a + b)".
             MuscleError::NotPositive { key, .. } | MuscleError::Negative { key, .. } => {
-                vec![key.split(' ').next().unwrap_or(key)]
+                let key = key.split(' ').next().unwrap_or(key);
+                match key {
+                    "terminals.end_factor" => vec![key, "model.tondu-lopez.end_factor"],
+                    "terminals.cone_factor" => vec![key, "model.conical-ends.cone_factor"],
+                    _ => vec![key],
+                }
             }
             MuscleError::WallTooThick { .. } => vec!["tube.wall_thickness", "tube.outer_diameter"],
             MuscleError::Angle { .. } => vec!["braid.angle"],
@@ -113,7 +118,7 @@ impl MuscleError {
             MuscleError::StrandCount { .. } => vec!["braid.strands"],
             MuscleError::StrengthWithoutCount => vec!["braid.strand_strength"],
             MuscleError::StrandTooShort { .. } => vec!["braid.strand_length"],
-            MuscleError::ConeFactor { .. } => vec!["terminals.cone_factor"],
+            MuscleError::ConeFactor { .. } => vec!["terminals.cone_factor", "model.conical-ends.cone_factor"],
         };
         keys.into_iter().map(Cow::from).collect()
     }

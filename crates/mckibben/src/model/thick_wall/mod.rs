@@ -21,7 +21,7 @@ mod tests;
 
 pub(super) use equilibrium::State;
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Wall, Workspace};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Wall, Where, Workspace};
 use crate::muscle::{Bulk, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::f64::consts::PI;
@@ -146,16 +146,10 @@ impl ForceModel for ThickWall {
     fn accuracy(&self) -> Accuracy {
         // The ends are what this model leaves out: their share of the force goes like D0/L0.
         let share = self.muscle.outer_diameter_mm() / self.muscle.length_mm();
-        match self.k {
-            Some(_) => Accuracy::share(
-                0.76 * share,
-                "0.76 D0/L0 of the blocked force holds 95 % of 5491 points on 1000 random muscles (L0/D0 5–20, strand strain up to 6 %) against axisymmetric finite elements: the ends, which this model leaves out; it mostly promises too much",
-            ),
-            None => Accuracy::share(
-                0.65 * share,
-                "0.65 D0/L0 of the blocked force holds 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model leaves out",
-            ),
-        }
+        let stretching = self.k.is_some();
+        let per_slenderness = if stretching { 0.76 } else { 0.65 };
+        let reference = Reference::RandomMuscles(Where::Ends { per_slenderness, stretching });
+        Accuracy::share(per_slenderness * share, reference)
     }
 
     fn notes(&self, _: &Workspace) -> Vec<String> {

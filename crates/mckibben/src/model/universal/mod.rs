@@ -27,7 +27,8 @@ pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ModelError, ModelId, ModelRange, Response, ThickWall, Workspace,
+    Accuracy, BlockedAt, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, ThickWall,
+    Workspace,
 };
 use crate::formula::UniversalFormula;
 use crate::muscle::{Bulk, Muscle};
@@ -166,7 +167,7 @@ impl ForceModel for Universal {
         Accuracy {
             share_of_blocked: Some(self.formula.errors.half_width()),
             blocked_at: BlockedAt::SamePressure,
-            basis: "what 95 % of the points of its campaign stay within on muscles left out of the fit, against axisymmetric finite elements; how far those are from real muscles comes on top",
+            reference: Reference::HeldOut,
         }
     }
 

@@ -1,6 +1,6 @@
 //! The dimensionless box of a universal formula.
 
-use crate::model::{ModelRange, RangeViolation};
+use crate::model::{Interval, ModelRange, Quantity};
 use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;
 
@@ -35,16 +35,6 @@ impl UniversalRange {
     /// The box of a muscle.
     pub fn of(&self, muscle: &Muscle) -> ModelRange {
         let d0 = muscle.outer_diameter_mm();
-        let mut outside = vec![];
-        for (quantity, value, (low, high), unit) in [
-            ("wall_ratio", muscle.wall_mm() / d0, self.wall_ratio, ""),
-            ("length_ratio", muscle.length_mm() / d0, self.length_ratio, ""),
-            ("braid_angle", muscle.braid().angle_deg, self.angle_deg, "deg"),
-        ] {
-            if !(value >= low - 1e-9 && value <= high + 1e-9) {
-                outside.push(RangeViolation { quantity, value, low, high, unit });
-            }
-        }
         let mu = muscle.tube().rubber.law.shear_modulus_mpa();
         let ideal = muscle.max_ideal_contraction();
         let (low, high) = self.contraction_of_ideal;
@@ -54,8 +44,12 @@ impl UniversalRange {
                 (1e5 * self.highest_pressure_mpa(muscle)).floor() / 1e5,
             ),
             contraction: (low * ideal, (1e5 * high * ideal).ceil() / 1e5),
-            muscle: outside,
-            make: vec![],
+            ..ModelRange::open()
         }
+        .with_measures(&[
+            (Interval::new(Quantity::WallRatio, self.wall_ratio), muscle.wall_mm() / d0),
+            (Interval::new(Quantity::LengthRatio, self.length_ratio), muscle.length_mm() / d0),
+            (Interval::new(Quantity::BraidAngle, self.angle_deg), muscle.braid().angle_deg),
+        ])
     }
 }

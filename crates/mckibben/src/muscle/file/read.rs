@@ -8,9 +8,11 @@ use crate::rubber::Law;
 use crate::units::Dimension;
 use std::sync::LazyLock;
 
-const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "name", "notes"];
+const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "model", "name", "notes"];
 const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", "material"];
+/// The two factors belong to a model; these are their keys of before.
 const TERMINALS: &[&str] = &["insertion", "end_factor", "cone_factor"];
+const MODELS: &[&str] = &["tondu-lopez", "conical-ends"];
 const FRICTION: &[&str] = &["coefficient", "exponent"];
 
 /// Every key of a muscle file, dotted; tells a key in the wrong table from one that means nothing anywhere.
@@ -44,6 +46,10 @@ const KEYS: &[&str] = &[
     "terminals.insertion",
     "terminals.end_factor",
     "terminals.cone_factor",
+    "model.tondu-lopez",
+    "model.tondu-lopez.end_factor",
+    "model.conical-ends",
+    "model.conical-ends.cone_factor",
     "friction.coefficient",
     "friction.exponent",
 ];
@@ -72,7 +78,7 @@ pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle
     root.text("notes", "a text in quotes")?;
     let tube = tube(&root)?;
     let braid = braid::read(&root.section("braid", "braid")?)?;
-    let terminals = terminals(&root.section("terminals", "terminals")?)?;
+    let terminals = terminals(&root)?;
     let friction = friction(&root.section("friction", "friction")?)?;
     Muscle::new(tube, braid, terminals, friction).map_err(|e| located(&source, e))
 }
@@ -101,19 +107,34 @@ fn tube(root: &Section<'_>) -> Result<Tube, FileError> {
     })
 }
 
-fn terminals(section: &Section<'_>) -> Result<Terminals, FileError> {
+/// The terminals, and what models of their own say of the ends.
+fn terminals(root: &Section<'_>) -> Result<Terminals, FileError> {
+    let section = root.section("terminals", "terminals")?;
     section.only(TERMINALS, &ALL)?;
+    let models = root.section("model", "model")?;
+    models.only(MODELS, &ALL)?;
+    let ends = models.section("tondu-lopez", "model.tondu-lopez")?;
+    ends.only(&["end_factor"], &ALL)?;
+    let cones = models.section("conical-ends", "model.conical-ends")?;
+    cones.only(&["cone_factor"], &ALL)?;
+    for (table, key) in [(&ends, "end_factor"), (&cones, "cone_factor")] {
+        if table.has(key) && section.has(key) {
+            let said = format!("stands at {} as well: leave one of them out", table.dotted(key));
+            return Err(section.error(key, Problem::Said(said)));
+        }
+    }
     let insertion_mm = section.quantity("insertion", Dimension::Length)?;
     Ok(Terminals {
         insertion_mm: insertion_mm.unwrap_or(Terminals::default().insertion_mm),
-        end_factor: end_factor(section)?,
-        cone_factor: section.number("cone_factor")?,
+        end_factor: end_factor(&ends, "model.tondu-lopez.end_factor")?
+            .or(end_factor(&section, "terminals.end_factor")?),
+        cone_factor: cones.number("cone_factor")?.or(section.number("cone_factor")?),
     })
 }
 
 /// A number, or a table of `a` and `b`: k(P) = a·e^(−P) + b, P in bar.
-fn end_factor(section: &Section<'_>) -> Result<Option<EndFactor>, FileError> {
-    let Ok(table) = section.section("end_factor", "terminals.end_factor") else {
+fn end_factor(section: &Section<'_>, path: &'static str) -> Result<Option<EndFactor>, FileError> {
+    let Ok(table) = section.section("end_factor", path) else {
         return Ok(section.number("end_factor")?.map(EndFactor::Constant));
     };
     if !table.is_written() {

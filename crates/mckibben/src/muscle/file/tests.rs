@@ -242,3 +242,25 @@ fn named_rubbers_are_written_by_name() {
     assert!(text.contains("[tube.material]\nname = \"dragon-skin-30\""), "{text}");
     assert!(text.contains("mu = \"0.5732 MPa\"") && text.contains("fitted_to_stretch = 3.0"), "{text}");
 }
+
+/// The factors of single models stand in tables of these models; files from before, that have them under the terminals, say
+/// the same.
+#[test]
+fn constants_of_models_are_read_from_both_places_and_written_to_theirs() {
+    let new = "[model.tondu-lopez]\nend_factor = 1.2\n[model.conical-ends]\ncone_factor = 0.3\n";
+    let old = "[terminals]\nend_factor = 1.2\ncone_factor = 0.3\n";
+    let muscle = parse_muscle(new).unwrap();
+    assert_eq!(muscle, parse_muscle(old).unwrap());
+    assert_eq!(muscle.terminals().end_factor, Some(EndFactor::Constant(1.2)));
+    let text = to_toml(&muscle);
+    assert!(text.contains("[model.tondu-lopez]\nend_factor = 1.2"), "{text}");
+    assert!(text.contains("[model.conical-ends]\ncone_factor = 0.3"), "{text}");
+    let twice = parse_muscle(&format!("{new}{old}")).unwrap_err().to_string();
+    assert!(
+        twice.contains("terminals.end_factor") && twice.contains("model.tondu-lopez.end_factor"),
+        "{twice}"
+    );
+    let wrong = parse_muscle("[model.tondu-lopez]\nend_factor = -1\n").unwrap_err().to_string();
+    assert!(wrong.contains("model.tondu-lopez.end_factor = -1"), "{wrong}");
+    assert!(parse_muscle("[model.ideal]\nend_factor = 1\n").is_err());
+}

@@ -23,6 +23,18 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.table("terminals");
     let insertion = quantity(muscle.terminals().insertion_mm, "mm");
     out.key("insertion", &insertion, "tube and braid clamped on each plug");
+    if let Some(friction) = muscle.friction() {
+        out.table("friction");
+        out.key(
+            "coefficient",
+            &number(friction.coefficient),
+            "C in N/MPa^β: half-width C·P^β of the hysteresis",
+        );
+        out.key("exponent", &number(friction.exponent), "β");
+    }
+    if muscle.terminals().end_factor.is_some() {
+        out.table("model.tondu-lopez");
+    }
     match muscle.terminals().end_factor {
         Some(EndFactor::Constant(k)) => {
             out.key("end_factor", &number(k), "multiplies the contraction (Tondu & Lopez 2000)");
@@ -34,16 +46,8 @@ pub fn to_toml(muscle: &Muscle) -> String {
         None => {}
     }
     if let Some(kc) = muscle.terminals().cone_factor {
+        out.table("model.conical-ends");
         out.key("cone_factor", &number(kc), "conical tips of length kc·L0·ε (Tondu 2012)");
-    }
-    if let Some(friction) = muscle.friction() {
-        out.table("friction");
-        out.key(
-            "coefficient",
-            &number(friction.coefficient),
-            "C in N/MPa^β: half-width C·P^β of the hysteresis",
-        );
-        out.key("exponent", &number(friction.exponent), "β");
     }
     out.0
 }
