@@ -19,7 +19,7 @@ pub struct Answer {
     pub model: String,
     /// What the model knows; `force_n` is 0 where the muscle is slack.
     pub response: Response,
-    /// The muscle would have to push and lies slack instead.
+    /// The muscle would have to push and is slack instead.
     pub slack: bool,
     /// The model's own force in N, negative where the muscle would have to push.
     pub two_sided_force_n: f64,

@@ -120,6 +120,25 @@ pub enum SpecError {
 }
 
 impl Spec {
+    /// A pull in N at a contraction with a maximum pressure in MPa: smallest muscles first, D0 from 5 to 80 mm, s from 0.5
+    /// to 10 mm, all else as in the paper's prototype. What is wanted otherwise is set in the fields.
+    pub fn new(force_n: f64, contraction: f64, max_pressure_mpa: f64) -> Self {
+        let base = Muscle::prototype();
+        Self {
+            points: vec![OperatingPoint { force_n, contraction }],
+            max_pressure_mpa,
+            outer_diameter_mm: Values::Interval(5.0, 80.0),
+            wall_mm: Values::Interval(0.5, 10.0),
+            braid: BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+            base,
+            rubbers: vec![],
+            limits: Limits::default(),
+            objective: Objective::default(),
+            top: 10,
+            extrapolate: false,
+        }
+    }
+
     /// Checks the specification.
     ///
     /// # Errors
