@@ -6,8 +6,9 @@ use mckibben::formula::{Document, Formula, FormulaModel, UniversalFormula};
 use mckibben::model::{ForceModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
-use mckibben_fem::axisymmetric::{Axisymmetric, FemError, MeshSpec};
-use mckibben_fem::simulation::Simulation;
+use mckibben_fem::FemError;
+use mckibben_fem::Simulation;
+use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec, Match, Plug, PlugMaterial, ThreeDimensional};
 use std::sync::Arc;
 
@@ -112,11 +113,11 @@ impl Kind {
             Kind::Closed(kind) => kind.build(muscle),
             Kind::Fe(mesh) => match Axisymmetric::with_mesh(muscle, &mesh) {
                 Ok(model) => Ok(Box::new(model)),
-                Err(error) => Err(error.into_model(0.0, 0.0)),
+                Err(error) => Err(error.into()),
             },
             Kind::Fe3d(spec) => match ThreeDimensional::with_mesh(muscle, &spec) {
                 Ok(model) => Ok(Box::new(model)),
-                Err(error) => Err(error.into_model(0.0, 0.0)),
+                Err(error) => Err(error.into()),
             },
             Kind::Formula(formula) => Ok(Box::new(FormulaModel::new(Arc::clone(formula), muscle))),
             Kind::Universal(formula) => Ok(Box::new(Universal::new(Arc::clone(formula), muscle))),

@@ -2,8 +2,9 @@
 
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::{FemError, Solution};
-use mckibben_fem::simulation::Simulation;
+use mckibben_fem::FemError;
+use mckibben_fem::Simulation;
+use mckibben_fem::results::Solution;
 
 /// One point of the test: what was asked, and what came out.
 pub struct Point {

@@ -8,10 +8,11 @@
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::discrete::{Discrete, Make};
-use mckibben_fem::axisymmetric::mesh::Mesh;
-use mckibben_fem::axisymmetric::path::Walker;
-use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+use mckibben::progress::Silent;
+use mckibben_fem::Simulation;
+use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Mesh, MeshSpec, Problem};
+use mckibben_fem::solver::continuation::Continuation;
+use mckibben_fem::solver::curve::Curve;
 use mckibben_fem::solver::newton::NewtonSystem;
 use std::hint::black_box;
 
@@ -29,10 +30,10 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
     let pressures = pressures();
     let mut sum = 0.0;
     for muscle in muscles {
-        let model = Axisymmetric::new(muscle).unwrap();
-        let w = &mut Workspace::new();
+        let (model, w) = (Axisymmetric::new(muscle).unwrap(), &mut Workspace::new());
         for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
-            sum += model.isometric(w, e, &pressures).iter().flatten().map(|p| p.force_n).sum::<f64>();
+            sum +=
+                model.isometric(w, e, &pressures, &Silent).iter().flatten().map(|p| p.force_n).sum::<f64>();
         }
     }
     sum
@@ -41,9 +42,8 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
 /// Prints what does not depend on the clock.
 fn report() {
     for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
-        let model = Axisymmetric::new(&Muscle::prototype()).unwrap();
-        let w = &mut Workspace::new();
-        let curve = model.isometric(w, e, &pressures());
+        let (model, w) = (Axisymmetric::new(&Muscle::prototype()).unwrap(), &mut Workspace::new());
+        let curve = model.isometric(w, e, &pressures(), &Silent);
         let effort = model.effort(w);
         println!(
             "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations, {:.2} residuals per point; {} without answer",
@@ -69,34 +69,31 @@ fn memory(along: usize) -> usize {
     8 * along * slab
 }
 
+/// A curve with everything that comes before it.
+fn cold(muscle: &Muscle, spec: &MeshSpec, contraction: f64, pressures: &[f64]) -> Curve {
+    let model = Axisymmetric::with_mesh(muscle, spec).unwrap();
+    model.isometric(&mut Workspace::new(), contraction, pressures, &Silent)
+}
+
 fn bench(c: &mut Criterion) {
     report();
     let (muscle, pressures) = (Muscle::prototype(), pressures());
     let mut group = c.benchmark_group("isometric, 26 pressures, cold");
     for e in [0.0, 0.10, 0.20] {
         group.bench_function(format!("contraction {e}"), |b| {
-            b.iter(|| {
-                Axisymmetric::new(&muscle).unwrap().isometric(&mut Workspace::new(), black_box(e), &pressures)
-            });
+            b.iter(|| cold(&muscle, &MeshSpec::default(), black_box(e), &pressures));
         });
     }
     for along in [12, 24] {
         let spec = MeshSpec { along: Some(along), ..MeshSpec::default() };
         group.bench_function(format!("contraction 0.1, {along} elements along"), |b| {
-            b.iter(|| {
-                Axisymmetric::with_mesh(&muscle, &spec).unwrap().isometric(
-                    &mut Workspace::new(),
-                    black_box(0.1),
-                    &pressures,
-                )
-            });
+            b.iter(|| cold(&muscle, &spec, black_box(0.1), &pressures));
         });
     }
     group.finish();
 
     let mut group = c.benchmark_group("one answer");
-    let model = Axisymmetric::new(&muscle).unwrap();
-    let w = &mut Workspace::new();
+    let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
     let mut i = 0_u32;
     group.bench_function("warm neighbour", |b| {
         b.iter(|| {
@@ -116,16 +113,17 @@ fn bench(c: &mut Criterion) {
     group.finish();
 
     let mut group = c.benchmark_group("share");
-    let discrete = || Discrete::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Make::of(&muscle)).unwrap();
-    let mut walker = Walker::new(discrete());
-    walker.walk(0.2, -14.25, 1.0).unwrap();
-    let state = walker.body.state.clone();
-    group.bench_function("tangent and factorisation", |b| b.iter(|| walker.body.linearise().unwrap()));
-    group.bench_function("residual", |b| b.iter(|| walker.body.residual().unwrap()));
+    let discretisation =
+        || Discretisation::new(Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0)), Problem::of(&muscle)).unwrap();
+    let mut path = Continuation::new(Body::new(discretisation()));
+    path.walk(0.2, -14.25, 1.0).unwrap();
+    let state = path.body.state.clone();
+    group.bench_function("tangent and factorisation", |b| b.iter(|| path.body.linearise().unwrap()));
+    group.bench_function("residual", |b| b.iter(|| path.body.residual().unwrap()));
     group.bench_function("solve", |b| {
         b.iter(|| {
-            walker.body.state.copy_from(&state);
-            walker.body.correct().unwrap()
+            path.body.state.copy_from(&state);
+            path.body.correct().unwrap()
         });
     });
     group.finish();

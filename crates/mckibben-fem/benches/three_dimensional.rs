@@ -7,11 +7,8 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::read_muscle;
-use mckibben_fem::axisymmetric::equilibrium::Control;
-use mckibben_fem::solver::newton::{self, Effort, NewtonOptions};
-use mckibben_fem::three_dimensional::{
-    Body, BrickMesh, BrickSpec, Discrete, Match, Parts, Ring, State, ThreeDimensional,
-};
+use mckibben_fem::solver::continuation::Continuation;
+use mckibben_fem::three_dimensional::{BrickSpec, Match, MuscleInBricks, MuscleMesh, Ring, ThreeDimensional};
 use std::hint::black_box;
 
 /// The muscle of the comparison with other programs.
@@ -19,7 +16,7 @@ fn peers() -> Muscle {
     read_muscle(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/peers.toml")).unwrap()
 }
 
-fn body(through: usize, around: usize) -> Body {
+fn muscle(through: usize, around: usize) -> Continuation<MuscleInBricks> {
     let spec = BrickSpec {
         through: Some(through),
         around: Some(around),
@@ -27,34 +24,30 @@ fn body(through: usize, around: usize) -> Body {
         ring: Some(Ring::OnCircle),
         ..BrickSpec::default()
     };
-    let mesh = BrickMesh::new(12.0, 15.0, 142.5, 28f64.to_radians(), &spec).unwrap();
-    Body::new(Discrete::new(Parts::of(&peers(), &mesh)).unwrap()).unwrap()
+    Continuation::new(MuscleMesh::new(&peers(), &spec).unwrap().at_rest().unwrap())
 }
 
-/// The path of the peers, increment by increment, without foresight.
-fn walk(body: &mut Body, targets: &[(f64, f64)]) -> f64 {
-    let options = NewtonOptions { tolerance: 1e-9, ..NewtonOptions::default() };
-    body.state = State::rest(&body.discrete);
-    let half = body.discrete.half;
+/// The path of the peers, increment by increment.
+fn walk(c: &mut Continuation<MuscleInBricks>, targets: &[(f64, f64)]) -> f64 {
+    c.reset();
+    let half = c.body.mesh.half_length_mm();
     for &(contraction, pressure) in targets {
-        body.state.pressure = pressure;
-        body.control = Control::Length(-contraction * half);
-        newton::solve(body, &options, &mut Effort::default(), |_| ()).unwrap();
+        c.increment(pressure, -contraction * half).unwrap();
     }
-    body.totals.pull
+    c.pull()
 }
 
 fn all(c: &mut Criterion) {
     let mut group = c.benchmark_group("three-dimensional");
     group.sample_size(10);
-    let mut small = body(2, 12);
+    let mut small = muscle(2, 12);
     let up: Vec<(f64, f64)> = (1..=25).map(|i| (0.0, 0.01 * f64::from(i))).collect();
     group.bench_function("25 steps of pressure at ε 0, 2x12x39", |b| b.iter(|| walk(&mut small, &up)));
     let mut low: Vec<(f64, f64)> = up[..5].to_vec();
     low.extend((1..=20).map(|i| (0.005 * f64::from(i), 0.05)));
     low.extend((6..=25).map(|i| (0.1, 0.01 * f64::from(i))));
     group.bench_function("45 steps to ε .10, 2x12x39", |b| b.iter(|| walk(&mut small, &low)));
-    let mut large = body(3, 28);
+    let mut large = muscle(3, 28).body.bricks;
     group.bench_function("assembly, 30 000 unknowns", |b| b.iter(|| large.assemble().unwrap()));
     group.bench_function("factorisation, 30 000 unknowns", |b| {
         b.iter(|| large.factorise_assembled().unwrap());

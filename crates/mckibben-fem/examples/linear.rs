@@ -2,6 +2,8 @@
 
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
+use mckibben::progress::Silent;
+use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 
 fn main() {
@@ -16,7 +18,7 @@ fn main() {
             let Ok(model) = Axisymmetric::with_mesh(&Muscle::prototype(), &spec) else { return };
             let w = &mut Workspace::new();
             let start = std::time::Instant::now();
-            let _ = model.isometric(w, 0.1, &pressures);
+            let _ = model.isometric(w, 0.1, &pressures, &Silent);
             count = model.effort(w).factorisations;
             best = start.elapsed().as_secs_f64().min(best);
         }

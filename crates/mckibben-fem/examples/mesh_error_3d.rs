@@ -26,10 +26,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         braid.angle_deg = angle_deg;
         let muscle = Muscle::prototype().with_tube(tube)?.with_braid(braid)?;
         let (solid, section) = (ThreeDimensional::new(&muscle)?, Axisymmetric::new(&muscle)?);
+        let w = &mut Workspace::new();
         let (Ok(a), Ok(b), Ok(blocked)) = (
             solid.force_n(&mut Workspace::new(), p, e),
-            section.force_n(&mut Workspace::new(), p, e),
-            section.force_n(&mut Workspace::new(), p, 0.0),
+            section.force_n(w, p, e),
+            section.force_n(w, p, 0.0),
         ) else {
             failed += 1;
             continue;

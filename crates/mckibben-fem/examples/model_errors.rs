@@ -44,8 +44,9 @@ fn main() {
     ];
     let mut errors: Vec<Vec<(f64, f64)>> = vec![vec![]; names.len()];
     for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
+        let (w, stiff_w) = (&mut Workspace::new(), &mut Workspace::new());
         let Ok(fe) = Axisymmetric::new(&muscle) else { continue };
-        let Ok(blocked) = fe.force_n(&mut Workspace::new(), p, 0.0) else { continue };
+        let Ok(blocked) = fe.force_n(w, p, 0.0) else { continue };
         let rigid = Braid { stiffness: BraidStiffness::Inextensible, ..muscle.braid().clone() };
         let Ok(stiff) = muscle.with_braid(rigid) else { continue };
         let mut models: Vec<Box<dyn ForceModel>> = vec![
@@ -60,7 +61,7 @@ fn main() {
         let share = muscle.outer_diameter_mm() / muscle.length_mm();
         for step in 0..8 {
             let e = muscle.max_ideal_contraction() * f64::from(step) / 8.0;
-            let Ok(force) = fe.force_n(&mut Workspace::new(), p, e) else { continue };
+            let Ok(force) = fe.force_n(w, p, e) else { continue };
             if force <= 0.0 {
                 continue;
             }
@@ -69,9 +70,7 @@ fn main() {
                 let (mut force, mut blocked) = (force, blocked);
                 if i == RIGID {
                     let Ok(fe) = &stiff_fe else { continue };
-                    let (Ok(f), Ok(b)) =
-                        (fe.force_n(&mut Workspace::new(), p, e), fe.force_n(&mut Workspace::new(), p, 0.0))
-                    else {
+                    let (Ok(f), Ok(b)) = (fe.force_n(stiff_w, p, e), fe.force_n(stiff_w, p, 0.0)) else {
                         continue;
                     };
                     (force, blocked) = (f, b);
@@ -98,11 +97,11 @@ fn paper() -> Vec<(f64, f64)> {
         let (Ok(fe), Ok(formula)) = (Axisymmetric::new(&muscle), ModelKind::Paper.build(&muscle)) else {
             continue;
         };
-        let Ok(blocked) = fe.force_n(&mut Workspace::new(), 0.25, 0.0) else { continue };
+        let w = &mut Workspace::new();
+        let Ok(blocked) = fe.force_n(w, 0.25, 0.0) else { continue };
         for (p, e) in (1..=5).flat_map(|i| (0..=8).map(move |j| (0.05 * f64::from(i), 0.025 * f64::from(j))))
         {
-            let (Ok(force), Ok(f)) =
-                (fe.force_n(&mut Workspace::new(), p, e), formula.force_n(&mut Workspace::new(), p, e))
+            let (Ok(force), Ok(f)) = (fe.force_n(w, p, e), formula.force_n(&mut Workspace::new(), p, e))
             else {
                 continue;
             };

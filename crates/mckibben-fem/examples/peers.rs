@@ -1,16 +1,13 @@
 //! An exported deck's test, increment by increment, for the comparison with other programs (`benches/peers/compare.py`).
 //!
 //! `cargo run --release -p mckibben-fem --example peers -- muscle.toml 0.1 2x12 deck.inp` writes the deck of an isometric test at that
-//! contraction (P by 0.01 to 0.25 MPa), walks the same increments from rest on one thread, without foresight, and prints pulls, time and
+//! contraction (P by 0.01 to 0.25 MPa), walks the same increments from rest on one thread and prints pulls, time and
 //! work as JSON. A mesh that ends in `:quadratic` has no deck.
 
 use mckibben::muscle::file::read_muscle;
-use mckibben_fem::axisymmetric::equilibrium::Control;
 use mckibben_fem::output::{deck, increments};
-use mckibben_fem::solver::newton::{self, Effort, NewtonOptions};
-use mckibben_fem::three_dimensional::{
-    Body, Brick, BrickSpec, Discrete, Match, Parts, State, ThreeDimensional,
-};
+use mckibben_fem::solver::continuation::Continuation;
+use mckibben_fem::three_dimensional::{Brick, BrickSpec, Match, MuscleMesh, ThreeDimensional};
 use std::error::Error;
 use std::time::Instant;
 
@@ -28,28 +25,23 @@ fn main() -> Result<(), Box<dyn Error>> {
         mckibben_files::replace(out.as_ref(), deck(&model, contraction, &pressures)?.as_bytes())?;
     }
     let start = Instant::now();
-    let grid = model.mesh();
-    let mut body = Body::new(Discrete::new(Parts::of(&muscle, &grid))?)?;
+    let mut muscle = Continuation::new(MuscleMesh::new(&muscle, &spec)?.at_rest()?);
     let setup = start.elapsed().as_secs_f64();
-    let options = NewtonOptions { tolerance: 1e-9, ..NewtonOptions::default() };
-    let mut effort = Effort::default();
-    body.state = State::rest(&body.discrete);
-    let half = body.discrete.half;
+    let half = muscle.body.mesh.half_length_mm();
     let mut points = vec![];
     let began = Instant::now();
     for (e, p) in increments(contraction, &pressures)? {
-        body.state.pressure = p;
-        body.control = Control::Length(-e * half);
-        newton::solve(&mut body, &options, &mut effort, |_| ())?;
-        let pull = body.totals.pull;
+        muscle.increment(p, -e * half).map_err(|end| end.reason)?;
+        let pull = muscle.pull();
         points.push(format!(r#"{{"pressure_mpa": {p:?}, "contraction": {e:?}, "force_n": {pull:?}}}"#));
     }
     let seconds = began.elapsed().as_secs_f64();
     println!(
-        r#"{{"program": "mckibben {}", "unknowns": {}, "seconds": {seconds:?}, "setup_seconds": {setup:?}, "iterations": {}, "increments": {}, "failure": "", "points": [{}]}}"#,
+        r#"{{"program": "mckibben {}", "unknowns": {}, "seconds": {seconds:?}, "setup_seconds": {setup:?}, "iterations": {}, "factorisations": {}, "increments": {}, "failure": "", "points": [{}]}}"#,
         env!("CARGO_PKG_VERSION"),
-        body.discrete.free,
-        effort.iterations,
+        muscle.body.bricks.discretisation.free,
+        muscle.effort.iterations,
+        muscle.effort.factorisations,
         points.len(),
         points.join(", ")
     );

@@ -6,7 +6,7 @@
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use mckibben::muscle::Muscle;
-use mckibben_fem::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Discrete, Parts};
+use mckibben_fem::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Discretisation, Problem};
 use std::error::Error;
 use std::time::Instant;
 
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let spec =
                 BrickSpec { brick, through: Some(through), around: Some(around), ..BrickSpec::default() };
             let mesh = BrickMesh::new(12.0, 15.0, 142.5, muscle.braid().angle_rad(), &spec)?;
-            let mut body = Body::new(Discrete::new(Parts::of(&muscle, &mesh))?)?;
+            let mut body = Body::new(Discretisation::new(Problem::of(&muscle, &mesh))?)?;
             let setup = start.elapsed().as_secs_f64();
             body.state.pressure = 0.01;
             let assembly = mean(|| body.assemble().map(|_| ()))?;
@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 body.force_per_pressure();
                 Ok::<(), ()>(())
             });
-            let n = body.discrete.free as f64;
+            let n = body.discretisation.free as f64;
             let [a, b, c] = mesh.elements();
             println!(
                 "{:<6} {:<13} {:>8} {:>7.1} ms {:>7.1} ms {:>6.1} ms {:>8.2} {:>6.0} % {:>5.0} MB {:>5.0} ms",

@@ -1,11 +1,12 @@
 //! Random muscles: `cargo run --release -p mckibben-fem --example sweep -- 2000 1`.
 
+use mckibben::progress::Silent;
 use mckibben_fem::axisymmetric::sweep::sweep;
 
 fn main() {
     let mut arguments = std::env::args().skip(1).filter_map(|a| a.parse::<u64>().ok());
     let n = arguments.next().unwrap_or(200) as usize;
-    let result = sweep(n, arguments.next().unwrap_or(1));
+    let Ok(result) = sweep(n, arguments.next().unwrap_or(1), &Silent) else { return };
     for (i, row) in result.rows.iter().enumerate() {
         let Err(reason) = &row.answer else { continue };
         if row.required {

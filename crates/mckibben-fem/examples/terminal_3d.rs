@@ -4,6 +4,7 @@
 
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
+use mckibben_fem::simulation::Discretised;
 use mckibben_fem::three_dimensional::{BrickSpec, Plug, PlugMaterial, ThreeDimensional};
 use std::error::Error;
 use std::time::Instant;
@@ -51,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                     print!(" {:+9.4}% {:+7.3}%", 100.0 * (f / f0 - 1.0), 100.0 * (v / v0 - 1.0));
                 }
             }
-            let (unknowns, unstable) = (model.discrete().free, model.engine(w)?.unstable().len());
+            let (unknowns, unstable) = (model.discretisation().free, model.continuation(w)?.unstable().len());
             println!("  {unknowns} unknowns, {unstable} unstable, {:.2} s", start.elapsed().as_secs_f64());
         }
     }

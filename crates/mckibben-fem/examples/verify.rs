@@ -1,9 +1,10 @@
 //! The table of exact cases: `cargo run --release -p mckibben-fem --example verify`.
 
+use mckibben::progress::Silent;
 use mckibben_fem::verification::cases;
 
 fn main() {
-    let rows = cases();
+    let Ok(rows) = cases(&Silent) else { return };
     for r in &rows {
         println!(
             "{} {:<80} {:>18.10} {:>18.10} {:>10.2e} ({:.0e})  {}",

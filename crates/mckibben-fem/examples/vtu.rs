@@ -10,10 +10,9 @@ use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("usage: vtu DIR")?;
-    let fe = Axisymmetric::new(&Muscle::prototype())?;
+    let (fe, w) = (Axisymmetric::new(&Muscle::prototype())?, &mut Workspace::new());
     let mut series = VtuSeries::new(Path::new(&folder), "prototype, D0 30 s 3 L0 285 mm, 28 deg")?;
     let mut points = Vec::new();
-    let w = &mut Workspace::new();
     for step in 1..=5 {
         let r = fe.response(w, 0.05 * f64::from(step), 0.10)?;
         series.add(&fe.section_at(w, r.pressure_mpa, r.contraction)?, &r)?;

@@ -3,26 +3,29 @@
 //!
 //! With a balanced braid there is no torsion, so the whole state is (r, z)(R, Z), and one potential rules:
 //!
-//!   Π(u; P, L) = W_tube(u) + W_braid(u) − P·V(u),   equilibrium ∂Π/∂u = 0,   pull F = −dΠ/d(ΔL)
+//! ```text
+//! Π(u; P, L) = W_tube(u) + W_braid(u) − P·V(u),   equilibrium ∂Π/∂u = 0,   pull F = −dΠ/d(ΔL)
+//! ```
 //!
 //! | part | what it does |
 //! |---|---|
 //! | [`element`] | Q2/P−1 rubber of any law, two strand families on a line; bricks and single strands |
 //! | [`load`] | the cavity's volume with its derivatives |
-//! | [`solver`] | dense, chained and sparse factorisations, Newton's method; free of mechanics |
-//! | [`axisymmetric`] | mesh, assembly, equilibrium, paths, the muscle as a [`ForceModel`](mckibben::model::ForceModel), curves, results, sensitivities |
+//! | [`solver`] | dense, chained and sparse factorisations, Newton's method; the continuation that finds equilibria and curves |
+//! | [`axisymmetric`] | mesh, assembly, equilibrium, first guesses, the muscle as a [`ForceModel`](mckibben::model::ForceModel), sensitivities |
 //! | [`three_dimensional`] | the same muscle in bricks with single strands |
-//! | [`simulation`] | what both have in common |
+//! | [`simulation`], [`results`] | what one asks of either, and what it answers |
 //! | [`verification`] | cases with exact values |
 //!
 //! ```
-//! use mckibben::{model::ForceModel, muscle::Muscle};
-//! use mckibben_fem::axisymmetric::Axisymmetric;
+//! use mckibben::model::{ForceModel, Workspace};
+//! use mckibben::{muscle::Muscle, progress::Silent};
+//! use mckibben_fem::{Simulation, axisymmetric::Axisymmetric};
 //!
-//! let muscle = Axisymmetric::new(&Muscle::prototype())?;
-//! let force = muscle.force_n(0.25, 0.10)?;
+//! let (muscle, workspace) = (Axisymmetric::new(&Muscle::prototype())?, &mut Workspace::new());
+//! let force = muscle.force_n(workspace, 0.25, 0.10)?;
 //! assert!((force - 491.43).abs() < 0.01);
-//! let curve = muscle.isometric(0.10, &[0.05, 0.15, 0.25]);
+//! let curve = muscle.isometric(workspace, 0.10, &[0.05, 0.15, 0.25], &Silent);
 //! assert_eq!(curve.iter().flatten().filter(|point| point.slack()).count(), 0);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -33,10 +36,15 @@
 
 pub mod axisymmetric;
 pub mod element;
+mod error;
 pub mod load;
 pub mod output;
+pub mod results;
 pub mod simulation;
 pub mod solver;
 pub mod three_dimensional;
 pub mod validation;
 pub mod verification;
+
+pub use error::{FemError, LastConverged};
+pub use simulation::Simulation;

@@ -1,13 +1,61 @@
-//! What finite-element models have in common beyond [`ForceModel`]: whole solutions and tests.
+//! What finite-element models have in common: solutions, tests, searches.
 
-use crate::axisymmetric::{Axisymmetric, FemError, MeshSpec, Solution, TangentPoint};
+use crate::FemError;
+use crate::axisymmetric::{Axisymmetric, MeshSpec};
+use crate::results::{Sensitivity, Solution, TangentPoint};
+use crate::solver::body::Body;
+use crate::solver::continuation::Continuation;
+use crate::solver::curve::{Curve, CurvePoint, Test, run};
+use crate::solver::newton::Effort;
 use crate::three_dimensional::{BrickSpec, ThreeDimensional};
-use mckibben::model::{ForceModel, Workspace};
+use mckibben::model::{ForceModel, ModelError, Response, Workspace};
 use mckibben::muscle::Muscle;
+use mckibben::progress::Progress;
 
-/// A finite-element model of a muscle.
+/// A body that is a muscle: what its present equilibrium tells.
+pub trait MuscleBody: Body {
+    /// The part that every model tells; factorises the tangent.
+    ///
+    /// # Errors
+    /// [`FemError::Force`] where the tangent is singular.
+    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError>;
+
+    /// Everything; factorises the tangent.
+    ///
+    /// # Errors
+    /// [`FemError::Force`] where the tangent is singular.
+    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError>;
+
+    /// ∂F/∂(constants and measures) with the tangent that [`MuscleBody::response`] has factorised; none where it does not know them.
+    ///
+    /// # Errors
+    /// [`FemError`] where a neighbouring muscle cannot be assembled.
+    fn sensitivities(&mut self, _muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
+        Ok(vec![])
+    }
+}
+
+/// A model whose workspace holds a continuation.
+pub trait Discretised: ForceModel {
+    /// The body that is led from equilibrium to equilibrium.
+    type Body: MuscleBody;
+
+    /// The states and memory of this model in a workspace.
+    ///
+    /// # Errors
+    /// [`FemError::TooLarge`] where there is not enough memory.
+    fn continuation<'w>(
+        &self,
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w mut Continuation<Self::Body>, FemError>;
+
+    /// The same where the workspace has them already.
+    fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<Self::Body>>;
+}
+
+/// A finite-element model of a muscle. Pressures are in MPa, pulls in N.
 pub trait Simulation: ForceModel {
-    /// Everything known at a pressure in MPa and a contraction.
+    /// Everything known at a pressure and a contraction.
     ///
     /// # Errors
     /// [`FemError`].
@@ -18,42 +66,132 @@ pub trait Simulation: ForceModel {
         contraction: f64,
     ) -> Result<Solution, FemError>;
 
-    /// The equilibrium with a given pull in N at a pressure in MPa; its contraction is sought.
+    /// The equilibrium with a given pull at a pressure, by Newton's method with the pull held; its contraction is sought.
     ///
     /// # Errors
-    /// [`FemError`].
+    /// [`FemError`]; [`FemError::OutOfReach`] where the muscle cannot carry that pull.
     fn at_force(
         &self,
         workspace: &mut Workspace,
         force_n: f64,
         pressure_mpa: f64,
     ) -> Result<Solution, FemError>;
+
+    /// The equilibrium with a given pull at a contraction, likewise; its pressure is sought. P′ is the one without a pull.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    fn at_pressure_for(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Result<Solution, FemError>;
+
+    /// Contraction with a given pull at a pressure.
+    ///
+    /// # Errors
+    /// As [`Simulation::at_force`].
+    fn contraction_at_force(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Result<f64, FemError>;
+
+    /// Pressure in MPa with a given pull at a contraction.
+    ///
+    /// # Errors
+    /// As [`Simulation::at_pressure_for`].
+    fn pressure_at_force_mpa(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Result<f64, FemError>;
 
     /// Free contraction: ε without a pull.
     ///
     /// # Errors
     /// [`FemError`].
-    fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError>;
+    fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
+        self.contraction_at_force(workspace, 0.0, pressure_mpa)
+    }
 
-    /// Isometric test at one contraction and the given pressures (MPa), with stiffness and ∂F/∂P, and ∂F/∂(constants and
-    /// measures) where they are asked for and the model has them.
+    /// P′ in MPa: the pressure at which the muscle begins to pull at a contraction.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    fn starting_pressure_mpa(&self, workspace: &mut Workspace, contraction: f64) -> Result<f64, FemError> {
+        self.pressure_at_force_mpa(workspace, 0.0, contraction)
+    }
+
+    /// Isometric test: F at one contraction and the given pressures. Runs from the highest pressure down.
+    fn isometric(
+        &self,
+        workspace: &mut Workspace,
+        contraction: f64,
+        pressures_mpa: &[f64],
+        progress: &dyn Progress,
+    ) -> Curve;
+
+    /// [`Simulation::isometric`] with what the tangents tell, and ∂F/∂(constants and measures) where they are asked for and the model
+    /// has them.
     fn isometric_with_tangents(
         &self,
         workspace: &mut Workspace,
         contraction: f64,
         pressures_mpa: &[f64],
         sensitivities: bool,
+        progress: &dyn Progress,
     ) -> Vec<Result<TangentPoint, FemError>>;
+
+    /// Isobaric test: F at one pressure and the given contractions. Runs from the smallest contraction on.
+    fn isobaric(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contractions: &[f64],
+        progress: &dyn Progress,
+    ) -> Curve;
+
+    /// Isotonic test: ε under one pull at the given pressures. Where the pull is above the blocked force the contraction is below zero.
+    /// Runs from the highest pressure down.
+    fn isotonic(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressures_mpa: &[f64],
+        progress: &dyn Progress,
+    ) -> Curve;
+
+    /// Newton iterations, factorisations and residuals spent with a workspace.
+    fn effort(&self, workspace: &Workspace) -> Effort;
 }
 
-impl Simulation for Axisymmetric {
+/// A curve, or that there is no memory for it.
+fn curve<M: Discretised, T: Clone>(
+    model: &M,
+    workspace: &mut Workspace,
+    values: &[f64],
+    go: impl FnOnce(&mut Continuation<M::Body>) -> Vec<Result<T, FemError>>,
+) -> Vec<Result<T, FemError>> {
+    match model.continuation(workspace) {
+        Ok(c) => go(c),
+        Err(error) => vec![Err(error); values.len()],
+    }
+}
+
+impl<M: Discretised> Simulation for M {
     fn solve(
         &self,
         workspace: &mut Workspace,
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Solution, FemError> {
-        Axisymmetric::solve(self, workspace, pressure_mpa, contraction)
+        let c = self.continuation(workspace)?;
+        c.reach(pressure_mpa, contraction)?;
+        c.body.solution(self.muscle())
     }
 
     fn at_force(
@@ -62,11 +200,56 @@ impl Simulation for Axisymmetric {
         force_n: f64,
         pressure_mpa: f64,
     ) -> Result<Solution, FemError> {
-        Axisymmetric::at_force(self, workspace, force_n, pressure_mpa)
+        let c = self.continuation(workspace)?;
+        c.reach_force(force_n, pressure_mpa)?;
+        c.body.solution(self.muscle())
     }
 
-    fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
-        Axisymmetric::free_contraction(self, workspace, pressure_mpa)
+    fn at_pressure_for(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Result<Solution, FemError> {
+        let c = self.continuation(workspace)?;
+        c.reach_pressure(force_n, contraction)?;
+        c.body.solution(self.muscle())
+    }
+
+    fn contraction_at_force(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Result<f64, FemError> {
+        let c = self.continuation(workspace)?;
+        c.reach_force(force_n, pressure_mpa)?;
+        Ok(c.contraction())
+    }
+
+    fn pressure_at_force_mpa(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Result<f64, FemError> {
+        let c = self.continuation(workspace)?;
+        c.reach_pressure(force_n, contraction)?;
+        Ok(c.body.state().pressure)
+    }
+
+    fn isometric(
+        &self,
+        workspace: &mut Workspace,
+        contraction: f64,
+        pressures_mpa: &[f64],
+        progress: &dyn Progress,
+    ) -> Curve {
+        curve(self, workspace, pressures_mpa, |c| {
+            run(c, pressures_mpa, Test::Isometric(contraction), progress, |c, spent| {
+                Ok(CurvePoint::here(c, spent))
+            })
+        })
     }
 
     fn isometric_with_tangents(
@@ -75,43 +258,99 @@ impl Simulation for Axisymmetric {
         contraction: f64,
         pressures_mpa: &[f64],
         sensitivities: bool,
+        progress: &dyn Progress,
     ) -> Vec<Result<TangentPoint, FemError>> {
-        Axisymmetric::isometric_with_tangents(self, workspace, contraction, pressures_mpa, sensitivities)
+        let muscle = self.muscle();
+        curve(self, workspace, pressures_mpa, |c| {
+            run(c, pressures_mpa, Test::Isometric(contraction), progress, |c, spent| {
+                let response = c.body.response(muscle)?;
+                let sensitivities = if sensitivities { c.body.sensitivities(muscle)? } else { vec![] };
+                Ok(TangentPoint { response, sensitivities, iterations: spent.iterations })
+            })
+        })
     }
-}
 
-impl Simulation for ThreeDimensional {
-    fn solve(
+    fn isobaric(
         &self,
         workspace: &mut Workspace,
         pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Solution, FemError> {
-        ThreeDimensional::solve(self, workspace, pressure_mpa, contraction)
+        contractions: &[f64],
+        progress: &dyn Progress,
+    ) -> Curve {
+        curve(self, workspace, contractions, |c| {
+            run(c, contractions, Test::Isobaric(pressure_mpa), progress, |c, spent| {
+                Ok(CurvePoint::here(c, spent))
+            })
+        })
     }
 
-    fn at_force(
+    fn isotonic(
         &self,
         workspace: &mut Workspace,
         force_n: f64,
-        pressure_mpa: f64,
-    ) -> Result<Solution, FemError> {
-        ThreeDimensional::at_force(self, workspace, force_n, pressure_mpa)
-    }
-
-    fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
-        ThreeDimensional::free_contraction(self, workspace, pressure_mpa)
-    }
-
-    fn isometric_with_tangents(
-        &self,
-        workspace: &mut Workspace,
-        contraction: f64,
         pressures_mpa: &[f64],
-        _: bool,
-    ) -> Vec<Result<TangentPoint, FemError>> {
-        ThreeDimensional::isometric_with_tangents(self, workspace, contraction, pressures_mpa)
+        progress: &dyn Progress,
+    ) -> Curve {
+        curve(self, workspace, pressures_mpa, |c| {
+            run(c, pressures_mpa, Test::Isotonic(force_n), progress, |c, spent| {
+                Ok(CurvePoint::here(c, spent))
+            })
+        })
     }
+
+    fn effort(&self, workspace: &Workspace) -> Effort {
+        self.known(workspace).map(|c| c.effort).unwrap_or_default()
+    }
+}
+
+/// What a model answers as a [`ForceModel`]: the response at a pressure and a contraction.
+pub(crate) fn response<M: Discretised>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<Response, ModelError> {
+    let mut answer = || {
+        let c = model.continuation(workspace)?;
+        c.reach(pressure_mpa, contraction)?;
+        c.body.response(model.muscle())
+    };
+    answer().map_err(|e: FemError| e.into())
+}
+
+/// The pull alone.
+pub(crate) fn force_n<M: Discretised>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<f64, ModelError> {
+    let mut answer = || {
+        let c = model.continuation(workspace)?;
+        c.reach(pressure_mpa, contraction)?;
+        Ok(c.pull())
+    };
+    answer().map_err(|e: FemError| e.into())
+}
+
+/// The pressure at a pull, where there is one.
+pub(crate) fn pressure<M: Discretised>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    contraction: f64,
+) -> Option<Result<f64, ModelError>> {
+    model.pressure_at_force_mpa(workspace, force_n, contraction).ok().filter(|p| *p >= 0.0).map(Ok)
+}
+
+/// The contraction at a pull, where there is one.
+pub(crate) fn contraction<M: Discretised>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    pressure_mpa: f64,
+) -> Option<Result<f64, ModelError>> {
+    model.contraction_at_force(workspace, force_n, pressure_mpa).ok().filter(|e| *e >= 0.0).map(Ok)
 }
 
 /// Which finite elements, and how fine.
@@ -124,7 +363,7 @@ pub enum Elements {
 }
 
 impl Elements {
-    /// The word for `--model`.
+    /// The model's name.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Axisymmetric(_) => "fe",
@@ -135,7 +374,7 @@ impl Elements {
     /// The model of a muscle.
     ///
     /// # Errors
-    /// [`FemError`] where the mesh is none.
+    /// [`FemError`] where the numbers give no valid mesh.
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>, FemError> {
         Ok(match self {
             Self::Axisymmetric(spec) => Box::new(Axisymmetric::with_mesh(muscle, spec)?),

@@ -5,11 +5,13 @@
 //! its modulus is fitted. Models are held against the mean of the two hysteresis branches. A row's reference is the
 //! largest measured force, its value the rms error in N, its error their ratio.
 
+use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
 use crate::verification::{Kind, Row};
 use mckibben::compare::{FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured};
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::progress::Progress;
 use mckibben::rubber::{Law, NeoHookean};
 
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
@@ -26,21 +28,34 @@ fn muscle() -> Option<Muscle> {
 }
 
 /// Every comparison with a measured muscle.
-pub fn cases() -> Vec<Row> {
+///
+/// # Errors
+/// [`FemError::Cancelled`].
+pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     let points = read_measured(POINTS.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default();
     let fe: Build = |m| match Axisymmetric::new(m) {
         Ok(model) => Ok(Box::new(model)),
-        Err(error) => Err(error.into_model(0.0, 0.0)),
+        Err(error) => Err(error.into()),
     };
     let thick: Build = |m| Ok(Box::new(ThickWall::new(m)));
     let ideal: Build = |m| Ok(Box::new(Ideal::new(m)));
     let (modulus, ends) = (FitParameter::Modulus, FitParameter::EndFactor);
-    vec![
-        row("ideal, nothing fitted", ideal, &[], &points, 0.10),
-        row("thick-wall, modulus fitted", thick, &[modulus], &points, 0.03),
-        row("thick-wall, modulus and end factor fitted", thick, &[modulus, ends], &points, 0.01),
-        row("fe, modulus fitted, no end factor", fe, &[modulus], &points, 0.02),
-    ]
+    let cases: [(&str, Build, &[FitParameter], f64); 4] = [
+        ("ideal, nothing fitted", ideal, &[], 0.10),
+        ("thick-wall, modulus fitted", thick, &[modulus], 0.03),
+        ("thick-wall, modulus and end factor fitted", thick, &[modulus, ends], 0.01),
+        ("fe, modulus fitted, no end factor", fe, &[modulus], 0.02),
+    ];
+    let mut rows = vec![];
+    for (done, (name, build, parameters, allowed)) in cases.into_iter().enumerate() {
+        progress.report(done, cases.len());
+        if progress.cancelled() {
+            return Err(FemError::Cancelled);
+        }
+        rows.push(row(name, build, parameters, &points, allowed));
+    }
+    progress.report(cases.len(), cases.len());
+    Ok(rows)
 }
 
 fn row(name: &str, build: Build, parameters: &[FitParameter], points: &[MeasuredPoint], allowed: f64) -> Row {
@@ -65,12 +80,13 @@ fn row(name: &str, build: Build, parameters: &[FitParameter], points: &[Measured
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mckibben::progress::Silent;
 
     /// Independent figures for the same data: ideal 92–95 N rms, thick-wall with two fitted constants about 6 N, an
     /// axisymmetric prototype with one fitted modulus 15.5 N of 1 090 N.
     #[test]
     fn the_documented_errors_come_out() {
-        let rows = cases();
+        let rows = cases(&Silent).unwrap();
         assert!(rows.iter().all(|r| r.ok), "{rows:#?}");
         let rms: Vec<f64> = rows.iter().map(|r| r.ours.unwrap()).collect();
         assert!((92.0..95.5).contains(&rms[0]) && (5.0..7.0).contains(&rms[2]), "{rms:?}");

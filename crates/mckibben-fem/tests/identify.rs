@@ -34,11 +34,11 @@ impl ForceModel for Bare {
 }
 
 fn fe(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(m).map_err(|e| e.into_model(0.0, 0.0))?))
+    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
 }
 
 fn bare(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Bare(Axisymmetric::new(m).map_err(|e| e.into_model(0.0, 0.0))?)))
+    Ok(Box::new(Bare(Axisymmetric::new(m).map_err(ModelError::from)?)))
 }
 
 fn muscle(d: f64, k: f64) -> Muscle {
@@ -54,13 +54,13 @@ fn points() -> Vec<DataPoint> {
     let mut out: Vec<DataPoint> = vec![];
     for (d, k) in [(30.0, 400.0), (40.0, 400.0 * (40.0f64 / 30.0).powf(0.9))] {
         let m = muscle(d, k);
-        let model = Axisymmetric::new(&m).unwrap();
+        let (model, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
         let section = Section { outer_diameter_mm: (d > 35.0).then_some(d), ..Section::default() };
         for pressure_mpa in [0.1, 0.2, 0.3] {
             for contraction in [0.0, 0.06, 0.12, 0.18] {
                 let i = out.len();
                 let (branch, sign) = [(Branch::Contraction, -1.0), (Branch::Elongation, 1.0)][i % 2];
-                let force = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
+                let force = model.force_n(w, pressure_mpa, contraction).unwrap();
                 let force_n = force + sign * 30.0 * pressure_mpa.powf(0.7);
                 let measured =
                     [Quantity::Force, Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 4];

@@ -5,7 +5,7 @@
 use base64::Engine as _;
 use mckibben::model::{ForceModel as _, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
-use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec, Section};
 use mckibben_fem::output::{VtuError, VtuSeries};
 use std::f64::consts::{PI, TAU};
 use std::io::Read as _;
@@ -97,21 +97,29 @@ fn read(folder: &Path, file: &str) -> String {
 }
 
 /// One step: (tube, braid).
-fn written(fe: &Axisymmetric, response: &Response) -> (String, String) {
+fn written(section: &Section, response: &Response) -> (String, String) {
     let folder = tempfile::tempdir().unwrap();
     let mut series = VtuSeries::new(folder.path(), "a test").unwrap();
-    let r = response;
-    let section = fe.section_at(&mut Workspace::new(), r.pressure_mpa, r.contraction).unwrap();
-    series.add(&section, response).unwrap();
+    series.add(section, response).unwrap();
     series.finish().unwrap();
     (read(folder.path(), "tube_0000.vtu"), read(folder.path(), "braid_0000.vtu"))
 }
 
-fn contracted() -> (Muscle, Axisymmetric, Response) {
+fn at_rest(muscle: &Muscle) -> Section {
+    Axisymmetric::new(muscle).unwrap().section_at_rest()
+}
+
+/// A contracted muscle.
+fn answer(fe: &Axisymmetric) -> (Section, Response) {
+    let w = &mut Workspace::new();
+    let response = fe.response(w, 0.2, 0.1).unwrap();
+    (fe.section_at(w, 0.2, 0.1).unwrap(), response)
+}
+
+fn contracted() -> (Muscle, Section, Response) {
     let muscle = Muscle::prototype();
-    let fe = Axisymmetric::new(&muscle).unwrap();
-    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
-    (muscle, fe, response)
+    let (section, response) = answer(&Axisymmetric::new(&muscle).unwrap());
+    (muscle, section, response)
 }
 
 /// A polygon of n corners has the share sin(2π/n)/(2π/n) of its circle's area.
@@ -120,7 +128,7 @@ fn elements_at_rest_fill_the_tube_but_for_the_polygon() {
     let muscle = Muscle::prototype();
     for mesh in [MeshSpec::default(), MeshSpec { through: Some(2), along: Some(9), grading: Some(1.0) }] {
         let fe = Axisymmetric::with_mesh(&muscle, &mesh).unwrap();
-        let (tube, _) = written(&fe, &Response::default());
+        let (tube, _) = written(&fe.section_at_rest(), &Response::default());
         let polygon = (TAU / AROUND).sin() / (TAU / AROUND);
         let exact = muscle.build_sheet().rubber_volume_mm3;
         let plain = exact * muscle.length_mm() / muscle.build_sheet().tube_cut_mm;
@@ -132,17 +140,17 @@ fn elements_at_rest_fill_the_tube_but_for_the_polygon() {
 /// Incompressible rubber: the same after contraction, but for lines drawn straight. Along, h²κ/8 of the radius.
 #[test]
 fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
-    let (_, fe, response) = contracted();
-    let (tube, _) = written(&fe, &response);
+    let (_, section, response) = contracted();
+    let (tube, _) = written(&section, &response);
     let now = points(&tube, "Points");
     let rest: Vec<[f64; 3]> =
         now.iter().zip(points(&tube, "displacement")).map(|(a, b)| minus(*a, b)).collect();
-    let at_rest = volume(&tube, &rest);
-    let (untouched, _) = written(&Axisymmetric::new(&Muscle::prototype()).unwrap(), &Response::default());
+    let before = volume(&tube, &rest);
+    let (untouched, _) = written(&at_rest(&Muscle::prototype()), &Response::default());
     for (a, b) in rest.iter().zip(points(&untouched, "Points")) {
         assert!(norm(minus(*a, b)) < 1e-12);
     }
-    assert!((volume(&tube, &now) / at_rest - 1.0).abs() < 2e-3);
+    assert!((volume(&tube, &now) / before - 1.0).abs() < 2e-3);
     let bulge = now.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
     assert!((2.0 * bulge / response.bulged_diameter_mm.unwrap() - 1.0).abs() < 1e-13);
 }
@@ -151,7 +159,7 @@ fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
 #[test]
 fn strands_at_rest_have_the_length_of_a_helix() {
     let muscle = Muscle::prototype();
-    let (_, braid) = written(&Axisymmetric::new(&muscle).unwrap(), &Response::default());
+    let (_, braid) = written(&at_rest(&muscle), &Response::default());
     let lines = lines(&braid);
     assert_eq!(lines.len(), 48);
     let turn = |p: [f64; 3], q: [f64; 3]| (p[0] * q[1] - p[1] * q[0]).atan2(p[0] * q[0] + p[1] * q[1]);
@@ -170,10 +178,9 @@ fn strands_at_rest_have_the_length_of_a_helix() {
 /// Under pressure strands stretch by what the model says: the mean of λf along the strand is its length now.
 #[test]
 fn strands_under_pressure_are_as_long_as_their_stretch_says() {
-    let (muscle, fe, response) = contracted();
-    let (_, braid) = written(&fe, &response);
-    let solution = fe.solve(&mut Workspace::new(), 0.2, 0.1).unwrap();
-    let stretches: Vec<f64> = solution.strands.iter().map(|s| s.stretch).collect();
+    let (muscle, section, response) = contracted();
+    let (_, braid) = written(&section, &response);
+    let stretches: Vec<f64> = section.strands().iter().map(|s| s.stretch).collect();
     let (low, high) =
         (stretches.iter().copied().fold(f64::MAX, f64::min), stretches.iter().copied().fold(0.0, f64::max));
     let written = numbers(&braid, "stretch");
@@ -193,8 +200,8 @@ fn strands_are_counted_where_their_number_is_known() {
         ..Muscle::prototype().braid().clone()
     };
     let fe = Axisymmetric::new(&Muscle::prototype().with_braid(braid).unwrap()).unwrap();
-    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
-    let (_, braid) = written(&fe, &response);
+    let (section, response) = answer(&fe);
+    let (_, braid) = written(&section, &response);
     assert_eq!(lines(&braid).len(), 60);
     assert!(!braid.contains("for display"));
     let largest = numbers(&braid, "tension_n").into_iter().fold(0.0, f64::max);
@@ -203,10 +210,10 @@ fn strands_are_counted_where_their_number_is_known() {
 
 #[test]
 fn both_halves_are_mirror_images() {
-    let (_, fe, response) = contracted();
-    let (tube, _) = written(&fe, &response);
+    let (_, section, response) = contracted();
+    let (tube, _) = written(&section, &response);
     let rings: Vec<Vec<[f64; 3]>> = points(&tube, "Points").chunks(48).map(<[_]>::to_vec).collect();
-    let across = 2 * fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap().elements().0 + 1;
+    let across = 2 * section.elements().0 + 1;
     let stations = rings.len() / across;
     for (k, ring) in rings.iter().enumerate() {
         let (j, i) = (k / across, k % across);
@@ -216,15 +223,14 @@ fn both_halves_are_mirror_images() {
     }
 }
 
-/// Lamé, the bore and the outer surface of a long tube far from its ends carry −P and the braid's pressure; axial
+/// Lamé, the inner surface and the outer surface of a long tube far from its ends carry −P and the braid's pressure; axial
 /// stress over the section is the pull less the pressure's share. Limits: error of the elements' stress at their nodes.
 #[test]
 fn stress_in_the_middle_is_in_equilibrium() {
     let muscle = Muscle::prototype();
     let mesh = MeshSpec { through: Some(6), along: Some(24), grading: None };
     let fe = Axisymmetric::with_mesh(&muscle, &mesh).unwrap();
-    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
-    let section = fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let (section, response) = answer(&fe);
     let middle: Vec<_> = (0..=12).map(|i| section.nodes()[section.index(i, 0)]).collect();
     let (bore, outside) = (middle[0], middle[12]);
     assert!((bore.stress_mpa[0] + 0.2).abs() < 1e-3, "{bore:?}");
@@ -239,7 +245,7 @@ fn stress_in_the_middle_is_in_equilibrium() {
         rubber += width / 6.0 * (f(&a) + 4.0 * f(&b) + f(&c));
     }
     // A family's strands crossing the section: 2πRo cosθ0 of width, each pulling along cosθ.
-    let pull = 2.0 * TAU * 15.0 * cos0 * strand.tension_per_width * strand.angle_deg.to_radians().cos();
+    let pull = 2.0 * TAU * 15.0 * cos0 * strand.tension_n_per_mm * strand.angle_deg.to_radians().cos();
     let expected = response.force_n + 0.2 * PI * bore.now_mm[0].powi(2);
     assert!(((rubber + pull) / expected - 1.0).abs() < 1e-3, "{rubber} {pull} {expected}");
     // Normal pressure of the braid outside: F·sinθ tanθ/(2π r²) per family pull along the axis.
@@ -252,9 +258,8 @@ fn stress_in_the_middle_is_in_equilibrium() {
 fn the_same_muscle_gives_the_same_bytes_in_well_formed_xml() {
     let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
     for folder in &folders {
-        let (_, fe, _) = contracted();
+        let (fe, w) = (Axisymmetric::new(&Muscle::prototype()).unwrap(), &mut Workspace::new());
         let mut series = VtuSeries::new(&folder.path().join("new/folder"), "a < b -- & --- c-").unwrap();
-        let w = &mut Workspace::new();
         for p in [0.15, 0.2] {
             let response = fe.response(w, p, 0.1).unwrap();
             series.add(&fe.section_at(w, p, 0.1).unwrap(), &response).unwrap();
@@ -304,9 +309,8 @@ fn what_cannot_be_written_is_said_and_nothing_is_left_half_done() {
     assert!(error.to_string().contains("file"));
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "mine");
 
-    let fe = Axisymmetric::new(&Muscle::prototype()).unwrap();
+    let section = at_rest(&Muscle::prototype());
     let mut series = VtuSeries::new(&folder.path().join("series"), "").unwrap();
-    let section = fe.section_at(&mut Workspace::new(), 0.0, 0.0).unwrap();
     let bad = Response { force_n: f64::NAN, ..Response::default() };
     let error = series.add(&section, &bad).unwrap_err();
     assert!(matches!(error, VtuError::NotFinite { name: "force_n", .. }), "{error}");

@@ -48,6 +48,7 @@ pub mod model;
 pub mod muscle;
 mod nearest;
 pub mod prelude;
+pub mod progress;
 pub mod rubber;
 pub mod study;
 pub mod units;

@@ -4,8 +4,10 @@ use super::plan::{Inputs, Plan, constants, rounded};
 use crate::Row;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
+use mckibben::progress::Silent;
 use mckibben::rubber::RubberLaw;
-use mckibben_fem::axisymmetric::{FemError, TangentPoint};
+use mckibben_fem::FemError;
+use mckibben_fem::results::TangentPoint;
 
 /// There is an answer.
 pub(super) const OK: &str = "ok";
@@ -41,6 +43,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
                     contraction,
                     &testing.pressures_mpa,
                     testing.sensitivities,
+                    &Silent,
                 );
                 out.extend(
                     testing

@@ -110,7 +110,7 @@ fn points_of_formula() -> Vec<DataPoint> {
 }
 
 fn elements(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(m).map_err(|e| e.into_model(0.0, 0.0))?))
+    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
 }
 
 /// Values of the free targets.

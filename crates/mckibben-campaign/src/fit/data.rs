@@ -3,6 +3,8 @@
 use crate::Row;
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
+use mckibben::progress::Silent;
+use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use rayon::prelude::*;
 
@@ -109,7 +111,7 @@ fn of_muscle(muscle: &Muscle, contractions: &[f64], pressures: &[f64]) -> Vec<Fi
     let mut out = vec![];
     for &contraction in contractions {
         for (&pressure_mpa, point) in
-            pressures.iter().zip(model.isometric(&mut Workspace::new(), contraction, pressures))
+            pressures.iter().zip(model.isometric(&mut Workspace::new(), contraction, pressures, &Silent))
         {
             out.extend(point.ok().map(|p| FitPoint {
                 outer_diameter_mm: muscle.outer_diameter_mm(),

@@ -13,9 +13,9 @@ use mckibben::curve::Test;
 use mckibben::model::{Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
-use mckibben_fem::axisymmetric::Solution;
+use mckibben_fem::Simulation;
 use mckibben_fem::output::{Extent, Shape, VtuSeries, deck};
-use mckibben_fem::simulation::Simulation;
+use mckibben_fem::results::Solution;
 use mckibben_fem::three_dimensional::{Field, ThreeDimensional};
 use serde_json::{Map, Value, json};
 use std::path::Path;
@@ -68,7 +68,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
                     series.add(
                         &model
                             .section_at(w, solution.response.pressure_mpa, solution.response.contraction)
-                            .map_err(|e| Failure::from(e.into_model(0.0, 0.0)))?,
+                            .map_err(|e| Failure::from(ModelError::from(e)))?,
                         &solution.response,
                     )?;
                 }
@@ -83,7 +83,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
                     Meshed::Axisymmetric(model) => Shape::of_section(
                         &model
                             .section_at(w, solution.response.pressure_mpa, solution.response.contraction)
-                            .map_err(|e| Failure::from(e.into_model(0.0, 0.0)))?,
+                            .map_err(|e| Failure::from(ModelError::from(e)))?,
                     ),
                     Meshed::ThreeDimensional(model) => {
                         Shape::of_field(&field(model, w, &solution.response)?, Extent::Whole)
@@ -126,7 +126,7 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
 }
 
 fn field(model: &ThreeDimensional, w: &mut Workspace, at: &Response) -> Result<Field, Failure> {
-    model.field_at(w, at.pressure_mpa, at.contraction).map_err(|e| Failure::from(e.into_model(0.0, 0.0)))
+    model.field_at(w, at.pressure_mpa, at.contraction).map_err(|e| Failure::from(ModelError::from(e)))
 }
 
 /// Writes the input deck of an isometric test with three-dimensional elements.
@@ -166,8 +166,7 @@ fn questions(
     let f = resolve::points("--force", args.force.as_deref(), Dimension::Force, "20,80,150N", 5)?;
     if args.of_largest {
         let highest = p.iter().copied().fold(0.0, f64::max);
-        let largest =
-            model.free_contraction(w, highest).map_err(|e| Failure::from(e.into_model(highest, 0.0)))?;
+        let largest = model.free_contraction(w, highest).map_err(|e| Failure::from(ModelError::from(e)))?;
         e.iter_mut().for_each(|e| *e *= largest);
     }
     let second: Vec<Result<f64, f64>> = if test == Test::Isotonic {
@@ -212,9 +211,9 @@ fn point_json(q: &Point) -> Value {
     put("status", json!("ok"));
     json::put_response(&mut map, &s.response);
     let mut put = |key: &str, value: Value| drop(map.insert(key.into(), value));
-    put("rubber_energy_j", json!(1e-3 * s.energies.rubber));
-    put("braid_energy_j", json!(1e-3 * s.energies.braid));
-    put("pressure_work_j", json!(1e-3 * s.energies.pressure));
+    put("rubber_energy_j", json!(1e-3 * s.energies.rubber_n_mm));
+    put("braid_energy_j", json!(1e-3 * s.energies.braid_n_mm));
+    put("pressure_work_j", json!(1e-3 * s.energies.pressure_n_mm));
     put("unstable_directions", json!(s.unstable_directions));
     put("smallest_volume_ratio", json!(s.smallest_j));
     put(
@@ -231,7 +230,7 @@ fn point_json(q: &Point) -> Value {
     let strands = s.strands.iter().map(|x| {
         json!({
             "rest_z_mm": x.rest_mm, "stretch": x.stretch, "angle_deg": x.angle_deg,
-            "tension_n_per_mm": x.tension_per_width, "strand_tension_n": x.tension_n,
+            "tension_n_per_mm": x.tension_n_per_mm, "strand_tension_n": x.tension_n,
         })
     });
     put("strands", json!(strands.collect::<Vec<_>>()));
@@ -317,9 +316,9 @@ fn last_text(s: &Solution, p: Pressures) -> String {
     let joules = |v: f64| format!("{} J", number(1e-3 * v, 4));
     out.push_str(&format!(
         "  energy: rubber {}, strands {}, P·(V − V0) {}\n",
-        joules(s.energies.rubber),
-        joules(s.energies.braid),
-        joules(s.energies.pressure)
+        joules(s.energies.rubber_n_mm),
+        joules(s.energies.braid_n_mm),
+        joules(s.energies.pressure_n_mm)
     ));
     let at = s.max_stretch.rest_mm;
     out.push_str(&format!(

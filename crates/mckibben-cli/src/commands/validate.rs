@@ -6,6 +6,7 @@ use crate::flags::Format;
 use crate::output::text::{number, table};
 use crate::output::{csv, emit, json};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use mckibben::progress::Silent;
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
 use mckibben_fem::verification::{Kind, Row};
@@ -20,7 +21,10 @@ pub fn run(args: &ValidateArgs) -> Result<u8, Failure> {
         return sweep(args, count as usize);
     }
     let fine = if args.all { verification::bricks::cook_fine() } else { vec![] };
-    let rows = [verification::cases(), fine, held_out::cases(), validation::cases()].concat();
+    let cancelled = |e: mckibben_fem::FemError| Failure::new(NO_ANSWER, "cancelled", e.to_string(), "");
+    let exact = verification::cases(&Silent).map_err(cancelled)?;
+    let measured = validation::cases(&Silent).map_err(cancelled)?;
+    let rows = [exact, fine, held_out::cases(), measured].concat();
     let list: Vec<Value> = rows.iter().map(as_json).collect();
     let text = match args.output.format {
         Format::Json => json::print(&json!({ "cases": list })),

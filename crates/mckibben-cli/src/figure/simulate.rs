@@ -6,7 +6,7 @@ use crate::output::text::{Pressures, muscle_line, number, percent};
 use crate::simulated::Point;
 use mckibben::curve::Test;
 use mckibben::muscle::Muscle;
-use mckibben_fem::axisymmetric::Solution;
+use mckibben_fem::results::Solution;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// Shapes are drawn of so many points at most.
@@ -48,10 +48,10 @@ pub fn simulate(m: &Muscle, test: Test, points: &[Point], p: Pressures) -> Figur
         let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| x.inner_mm).collect();
         shape =
             shape.series(Series::line(name(s), outer).colour(i)).series(Series::line("", inner).colour(i));
-        let along = |of: fn(&mckibben_fem::axisymmetric::StrandState) -> f64| -> Vec<(f64, f64)> {
+        let along = |of: fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
             s.strands.iter().map(|x| (x.rest_mm, of(x))).collect()
         };
-        tension = tension.series(Series::line(name(s), along(|x| x.tension_per_width)).colour(i));
+        tension = tension.series(Series::line(name(s), along(|x| x.tension_n_per_mm)).colour(i));
         angle = angle.series(Series::line(name(s), along(|x| x.angle_deg)).colour(i));
     }
     figure = figure.panel(curve.title("curve"));

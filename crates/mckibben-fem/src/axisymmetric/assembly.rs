@@ -1,37 +1,21 @@
 //! Forces, volume defects and tangent of the whole body.
 
-use super::discrete::{BraidSpec, Discrete, State};
+use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::plane::{self, PlaneLaw, PlaneVisitor};
 use crate::element::q2::{MODES, NODES, PADDED};
 use crate::element::solid::{self, Contribution, Row, Unknowns};
 use crate::element::strand::STRAND_POINTS;
 use crate::load::cavity::volume;
+use crate::solver::body::{State, Totals};
 use crate::solver::chain::Chain;
 use crate::solver::newton::Stopped;
 
 /// Below this strain a strand that carries no compression is slack. At rest a strand counts as taut.
 const SLACK: f64 = -1e-9;
 
-/// What an assembly sums up, for the half muscle.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Totals {
-    /// Energy of the rubber in N·mm.
-    pub rubber: f64,
-    /// Energy of the strands in N·mm.
-    pub braid: f64,
-    /// Volume of the cavity in mm³.
-    pub volume: f64,
-    /// Smallest volume ratio.
-    pub smallest_j: f64,
-    /// Largest relative residual.
-    pub norm: f64,
-    /// ∂Π/∂u_z of the terminal: the pull in N.
-    pub pull: f64,
-}
-
 /// Memory for assembling and solving; made once.
 #[derive(Debug, Clone)]
-pub struct Work {
+pub struct Assembled {
     /// The tangent and its factorisation.
     pub chain: Chain,
     /// ∂Π/∂x
@@ -45,9 +29,9 @@ pub struct Work {
     element: Contribution,
 }
 
-impl Work {
+impl Assembled {
     /// Memory for a body.
-    pub fn new(d: &Discrete) -> Self {
+    pub fn new(d: &Discretisation) -> Self {
         let l = d.layout;
         Self {
             chain: Chain::new(l.along, l.station(), l.inside()),
@@ -64,14 +48,18 @@ impl Work {
 ///
 /// # Errors
 /// [`Stopped`] where an element is turned inside out, a stress is not finite or the tangent is singular.
-pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, w: &mut Work) -> Result<Totals, Stopped> {
-    plane::visit(&d.make.law, Assembly::<TANGENT> { d, s, w })
+pub fn assemble<const TANGENT: bool>(
+    d: &Discretisation,
+    s: &State,
+    w: &mut Assembled,
+) -> Result<Totals, Stopped> {
+    plane::visit(&d.problem.law, Assembly::<TANGENT> { d, s, w })
 }
 
 struct Assembly<'a, const TANGENT: bool> {
-    d: &'a Discrete,
+    d: &'a Discretisation,
     s: &'a State,
-    w: &'a mut Work,
+    w: &'a mut Assembled,
 }
 
 impl<const TANGENT: bool> PlaneVisitor for Assembly<'_, TANGENT> {
@@ -121,12 +109,18 @@ struct Scale {
 }
 
 impl Scale {
-    fn new(d: &Discrete, pressure: f64) -> Self {
+    fn new(d: &Discretisation, pressure: f64) -> Self {
         Self { force: 1.0 / d.force_scale(pressure) }
     }
 
     /// Largest residual of what is complete after slab `slab`.
-    fn slab(&self, d: &Discrete, w: &Work, slab: usize, totals: &mut Totals) -> Result<(), Stopped> {
+    fn slab(
+        &self,
+        d: &Discretisation,
+        w: &Assembled,
+        slab: usize,
+        totals: &mut Totals,
+    ) -> Result<(), Stopped> {
         let l = d.layout;
         let (m, start) = (l.station(), slab * l.stride());
         let r = &w.residual;
@@ -156,13 +150,13 @@ impl Scale {
                 sum += c;
             }
         }
-        totals.norm = totals.norm.max(largest * self.force).max(defect);
+        totals.defect = totals.defect.max(largest * self.force).max(defect);
         if sum.is_finite() { Ok(()) } else { Err(Stopped::NotFinite { element: slab * l.through }) }
     }
 }
 
 /// At Z = 0: u_z = 0.
-fn symmetry(d: &Discrete, w: &mut Work) {
+fn symmetry(d: &Discretisation, w: &mut Assembled) {
     let (size, inside) = (w.chain.size(), d.layout.inside());
     let a = w.chain.slab_mut(0);
     for i in 0..d.layout.nodes() {
@@ -182,7 +176,7 @@ struct Places {
 }
 
 impl Places {
-    fn new(d: &Discrete, slab: usize, node: usize) -> Self {
+    fn new(d: &Discretisation, slab: usize, node: usize) -> Self {
         let l = d.layout;
         let (m, n, start) = (l.station(), l.inside(), slab * l.stride());
         let first = 2 * node;
@@ -195,9 +189,9 @@ impl Places {
 
 #[inline(always)]
 fn solid<L: PlaneLaw, const TANGENT: bool>(
-    d: &Discrete,
+    d: &Discretisation,
     s: &State,
-    w: &mut Work,
+    w: &mut Assembled,
     law: &L,
     (slab, i): (usize, usize),
     totals: &mut Totals,
@@ -209,9 +203,9 @@ fn solid<L: PlaneLaw, const TANGENT: bool>(
     let mut u = Unknowns::default();
     for a in 0..NODES {
         let k = at.vector[a / 3] + 2 * (a % 3);
-        (u.r[a], u.z[a]) = (s.x[k], s.x[k + 1]);
+        (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
     }
-    u.p.copy_from_slice(&s.x[pressure..pressure + MODES]);
+    u.p.copy_from_slice(&s.u[pressure..pressure + MODES]);
     let c = &mut w.element;
     if !solid::contribute::<L, TANGENT>(geometry, &u, law, d.compliance, c) {
         return Err(Stopped::Inverted { element: index, smallest_j: c.smallest_j });
@@ -244,7 +238,7 @@ fn solid<L: PlaneLaw, const TANGENT: bool>(
 
 /// Adds the element's tangent to the slab's matrix (upper triangle).
 #[inline(always)]
-fn scatter(d: &Discrete, w: &mut Work, at: &Places, i: usize, volume: f64, slab: usize) {
+fn scatter(d: &Discretisation, w: &mut Assembled, at: &Places, i: usize, volume: f64, slab: usize) {
     let l = d.layout;
     let size = w.chain.size();
     let first = l.station() + MODES * i;
@@ -297,19 +291,25 @@ pub fn tension(braid: &BraidSpec, strain: f64, multiplier: f64, augment: f64) ->
 }
 
 #[inline(always)]
-fn strands<const TANGENT: bool>(d: &Discrete, s: &State, w: &mut Work, slab: usize, totals: &mut Totals) {
-    let Some(braid) = d.make.braid else { return };
+fn strands<const TANGENT: bool>(
+    d: &Discretisation,
+    s: &State,
+    w: &mut Assembled,
+    slab: usize,
+    totals: &mut Totals,
+) {
+    let Some(braid) = d.problem.braid else { return };
     let l = d.layout;
     let outer = 2 * l.through;
     let at = Places::new(d, slab, outer);
-    let u = s.line(&l, slab, outer);
+    let u = l.line(&s.u, slab, outer);
     let size = w.chain.size();
     for (g, point) in d.strands[slab].iter().enumerate() {
         let stretch = point.stretch(&u);
         let strain = stretch.value - 1.0;
         let both = 2.0 * point.area;
         let unknown = l.tension(slab) + g;
-        let multiplier = if l.multipliers { s.x[unknown] } else { 0.0 };
+        let multiplier = if l.multipliers { s.u[unknown] } else { 0.0 };
         let (q, k) = tension(&braid, strain, multiplier, d.augment_strand);
         for i in 0..6 {
             w.residual[at.vector[i / 2] + i % 2] += both * q * stretch.first[i];
@@ -352,9 +352,15 @@ fn strands<const TANGENT: bool>(d: &Discrete, s: &State, w: &mut Work, slab: usi
 }
 
 #[inline(always)]
-fn cavity<const TANGENT: bool>(d: &Discrete, s: &State, w: &mut Work, slab: usize, totals: &mut Totals) {
+fn cavity<const TANGENT: bool>(
+    d: &Discretisation,
+    s: &State,
+    w: &mut Assembled,
+    slab: usize,
+    totals: &mut Totals,
+) {
     let at = Places::new(d, slab, 0);
-    let mut x = s.line(&d.layout, slab, 0);
+    let mut x = d.layout.line(&s.u, slab, 0);
     for (k, j) in [2 * slab + 1, 2 * slab, 2 * slab + 2].into_iter().enumerate() {
         let rest = d.mesh.node(0, j);
         x[2 * k] += rest[0];

@@ -8,8 +8,9 @@
 //! with the bulge b that brings the terminal to its place; the wall behind it keeps its volume. Where the strands of the
 //! endless muscle are slack there is no tension, and the bulge is the endless muscle's.
 
-use super::discrete::{BraidSpec, Discrete, State};
+use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::strand::STRAND_POINTS;
+use crate::solver::body::State;
 
 /// ℓ over the outer radius.
 const LAYER: f64 = 1.4;
@@ -17,23 +18,23 @@ const LAYER: f64 = 1.4;
 const STEPS: usize = 4;
 
 /// Tensions and pressures of the ideal muscle.
-pub(super) fn loads(d: &Discrete, state: &mut State, stretch: f64) {
-    let Some(BraidSpec { angle_rad, .. }) = d.make.braid else { return };
+pub(super) fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
+    let Some(BraidSpec { angle_rad, .. }) = d.problem.braid else { return };
     let q = tension(d, angle_rad, state.pressure) * stretch;
     state.q.fill(q);
     let l = d.layout;
     for slab in 0..l.along {
         for i in 0..l.through {
-            state.x[l.pressure(slab, i)] = -state.pressure;
+            state.u[l.pressure(slab, i)] = -state.pressure;
         }
         if l.multipliers {
             let at = l.tension(slab);
-            state.x[at..at + STRAND_POINTS].fill(q);
+            state.u[at..at + STRAND_POINTS].fill(q);
         }
     }
 }
 
-fn tension(d: &Discrete, angle_rad: f64, pressure: f64) -> f64 {
+fn tension(d: &Discretisation, angle_rad: f64, pressure: f64) -> f64 {
     0.5 * pressure * d.radius / angle_rad.sin().powi(2)
 }
 
@@ -77,8 +78,8 @@ impl Line {
 
 /// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal and, where the strands
 /// are slack, the outer radius in the middle; `false` where no bulge brings the terminal there.
-pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64, slack: Option<f64>) -> bool {
-    let Some(BraidSpec { angle_rad, stiffness, .. }) = d.make.braid else { return false };
+pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, slack: Option<f64>) -> bool {
+    let Some(BraidSpec { angle_rad, stiffness, .. }) = d.problem.braid else { return false };
     let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
     let outer = 2 * l.through;
     let strain = stiffness.map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k).min(0.1);
@@ -93,7 +94,7 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64, slack: Optio
         line.bulge = radius / d.radius - 1.0;
         state.q.fill(0.0);
         if l.multipliers {
-            (0..l.along).for_each(|slab| state.x[l.tension(slab)..][..STRAND_POINTS].fill(0.0));
+            (0..l.along).for_each(|slab| state.u[l.tension(slab)..][..STRAND_POINTS].fill(0.0));
         }
     } else {
         let (mut low, mut high) = (-0.3, 0.995 * (strand2 / sin2).sqrt() - 1.0);
@@ -121,18 +122,18 @@ pub(super) fn shape(d: &Discrete, state: &mut State, terminal: f64, slack: Optio
             let rest = d.mesh.node(i, j);
             let k = l.at(j) + 2 * i;
             if j == 2 * l.along {
-                (state.x[k], state.x[k + 1]) = (0.0, terminal);
+                (state.u[k], state.u[k + 1]) = (0.0, terminal);
                 continue;
             }
             // r h − h²/2 = (Ro² − R²)/(2 λm): what lies outside of R keeps its volume.
             let section = (d.radius * d.radius - rest[0] * rest[0]) / meridian;
             let depth = r - (r * r - section).max(0.04 * r * r).sqrt();
-            state.x[k] = r - depth * lean - rest[0];
-            state.x[k + 1] = z - depth * tilt - rest[1];
+            state.u[k] = r - depth * lean - rest[0];
+            state.u[k + 1] = z - depth * tilt - rest[1];
         }
     }
     for i in 0..=outer {
-        state.x[2 * i + 1] = 0.0;
+        state.u[2 * i + 1] = 0.0;
     }
     state.terminal = terminal;
     true

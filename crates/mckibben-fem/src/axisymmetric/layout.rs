@@ -6,7 +6,7 @@ use crate::element::strand::STRAND_POINTS;
 /// A tube of `through` elements through the wall and `along` elements along the half length.
 ///
 /// Unknowns are laid out [station 0 | inside 0 | station 1 | …]: a station holds (u_r, u_z) of its 2·through + 1 nodes
-/// from the bore outwards; the inside of a slab holds its middle station, the pressure modes of its elements and, for
+/// from the inner surface outwards; the inside of a slab holds its middle station, the pressure modes of its elements and, for
 /// strands that do not stretch, their tensions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
@@ -62,5 +62,15 @@ impl Layout {
     /// Offset of the strand tensions of a slab, where they are unknowns.
     pub fn tension(&self, slab: usize) -> usize {
         self.pressure(slab, self.through)
+    }
+
+    /// Unknowns (r, z of middle, left, right) of node `i` of the stations of a slab.
+    #[inline(always)]
+    pub fn line(&self, u: &[f64], slab: usize, i: usize) -> [f64; 6] {
+        let (m, left) = (self.station(), slab * self.stride());
+        let right = left + self.stride();
+        let at = |k: usize| [u[k + 2 * i], u[k + 2 * i + 1]];
+        let ([a, b], [c, d], [e, f]) = (at(left + m), at(left), at(right));
+        [a, b, c, d, e, f]
     }
 }

@@ -1,7 +1,7 @@
 //! Meshes of the section (R, Z) of a tube.
 
-use super::error::FemError;
 use super::layout::Layout;
+use crate::FemError;
 
 /// How a tube is divided; what is `None` the program chooses.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -69,7 +69,7 @@ fn default_mesh(outer: f64, wall: f64, half: f64) -> (usize, usize, f64) {
     (through, 6 + (beyond.ceil() as usize).min(MOST_ALONG - 6), 2.0)
 }
 
-/// Nodes of a mesh, station by station along the muscle, each from the bore outwards.
+/// Nodes of a mesh, station by station along the muscle, each from the inner surface outwards.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mesh {
     /// Elements through the wall.

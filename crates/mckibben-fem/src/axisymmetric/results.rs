@@ -1,159 +1,91 @@
-//! What an equilibrium tells.
+//! What an equilibrium of the section tells.
 
-use super::discrete::{Discrete, State, nodes};
-use super::equilibrium::Body;
-use super::error::FemError;
-use super::sensitivity::{self, Sensitivity};
+use super::body::Body;
+use super::discretisation::{Discretisation, nodes};
+use super::sensitivity;
+use crate::FemError;
 use crate::element::q2::{GAUSS3, NODES, point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::STRAND_POINTS;
+use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt};
+use crate::solver::body::State;
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 
-/// A place along the muscle, from the middle (z = 0) to the terminal.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ProfilePoint {
-    /// Z at rest in mm.
-    pub rest_mm: f64,
-    /// (z, r) of the outer surface in mm.
-    pub outer_mm: (f64, f64),
-    /// (z, r) of the bore in mm.
-    pub inner_mm: (f64, f64),
+/// Everything the body's present equilibrium tells; factorises its tangent.
+///
+/// # Errors
+/// [`FemError::Force`] where the tangent is singular.
+pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> {
+    let response = response(body, muscle)?;
+    let (d, s) = (&body.discretisation, &body.state);
+    let rest_volume = muscle.rest_volume_mm3();
+    let totals = body.totals;
+    let energies = Energies {
+        rubber_n_mm: 2.0 * totals.rubber,
+        braid_n_mm: 2.0 * totals.braid,
+        pressure_n_mm: s.pressure * (2.0 * totals.volume - rest_volume),
+    };
+    Ok(Solution {
+        profile: profile(d, s),
+        strands: strands(d, s, muscle),
+        max_stretch: largest_stretch(d, s),
+        energies,
+        unstable_directions: body.unstable_directions(),
+        smallest_j: totals.smallest_j,
+        sensitivities: sensitivity::all(body, muscle)?,
+        response,
+    })
 }
 
-/// The strands at a place along the muscle.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StrandState {
-    /// Z at rest in mm.
-    pub rest_mm: f64,
-    /// λf
-    pub stretch: f64,
-    /// Angle to the axis now in degrees: tanθ = tanθ0 λθ/λm.
-    pub angle_deg: f64,
-    /// Tension per width of a family at rest, N/mm.
-    pub tension_per_width: f64,
-    /// Tension of one strand in N, where their number is known.
-    pub tension_n: Option<f64>,
-}
-
-/// A principal stretch and where it is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StretchAt {
-    /// The stretch.
-    pub value: f64,
-    /// R and Z at rest in mm.
-    pub rest_mm: [f64; 2],
-}
-
-/// Energies of the whole muscle in N·mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Energies {
-    /// Elastic energy of the rubber.
-    pub rubber: f64,
-    /// Elastic energy of the strands.
-    pub braid: f64,
-    /// P (V − V0): the work the pressure source can give at this pressure.
-    pub pressure: f64,
-}
-
-/// Everything an equilibrium tells.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Solution {
-    /// What every model tells.
-    pub response: Response,
-    /// Places of the nodes, from the middle to the terminal.
-    pub profile: Vec<ProfilePoint>,
-    /// The strands along the muscle.
-    pub strands: Vec<StrandState>,
-    /// The largest principal stretch of the rubber.
-    pub max_stretch: StretchAt,
-    /// Energies of the whole muscle.
-    pub energies: Energies,
-    /// Directions in which the equilibrium is unstable with the terminals held; 0 for a stable one.
-    pub unstable_directions: usize,
-    /// Smallest volume ratio of the rubber at an integration point.
-    pub smallest_j: f64,
-    /// ∂F/∂(constants and measures) at fixed P and ε.
-    pub sensitivities: Vec<Sensitivity>,
-}
-
-impl Solution {
-    /// What the body's present equilibrium tells; factorises its tangent.
-    ///
-    /// # Errors
-    /// [`FemError::Force`] where the tangent is singular.
-    pub fn of(body: &mut Body, muscle: &Muscle) -> Result<Self, FemError> {
-        let response = Self::response(body, muscle)?;
-        let (d, s) = (&body.discrete, &body.state);
-        let rest_volume = muscle.rest_volume_mm3();
-        let totals = body.totals;
-        let energies = Energies {
-            rubber: 2.0 * totals.rubber,
-            braid: 2.0 * totals.braid,
-            pressure: s.pressure * (2.0 * totals.volume - rest_volume),
-        };
-        Ok(Self {
-            profile: profile(d, s),
-            strands: strands(d, s, muscle),
-            max_stretch: largest_stretch(d, s),
-            energies,
-            unstable_directions: body.unstable_directions(),
-            smallest_j: totals.smallest_j,
-            sensitivities: sensitivity::all(body, muscle)?,
-            response,
-        })
-    }
-
-    /// The part that every model tells; factorises the tangent.
-    ///
-    /// # Errors
-    /// [`FemError::Force`] where the tangent is singular.
-    pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> {
-        let totals =
-            body.factorise().map_err(|reason| FemError::Force { force_n: body.totals.pull, reason })?;
-        let force_per_pressure = body.force_per_pressure();
-        let (d, s) = (&body.discrete, &body.state);
-        let l = d.layout;
-        let outer = |j: usize| d.mesh.node(2 * l.through, j)[0] + s.x[l.at(j) + 4 * l.through];
-        let bulge = (0..=2 * l.along).map(outer).fold(0.0, f64::max);
-        let largest = tensions(d, s).fold(0.0, f64::max);
-        let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
-        let all = 2.0 * std::f64::consts::PI * muscle.outer_diameter_mm() * cos * largest;
-        Ok(Response {
-            // Zeros without a sign.
-            pressure_mpa: s.pressure + 0.0,
-            contraction: 0.0 - s.terminal / d.half_length(),
-            force_n: totals.pull,
-            volume_mm3: Some(2.0 * totals.volume),
-            stiffness_n_per_mm: Some(0.5 * body.terminal_stiffness()),
-            force_per_pressure_mm2: Some(force_per_pressure),
-            braid_tension_n: Some(all),
-            strand_tension_n: count.map(|n| all / f64::from(n)),
-            bulged_diameter_mm: Some(2.0 * bulge),
-            max_stretch: Some(largest_stretch(d, s).value),
-        })
-    }
+/// The part that every model tells; factorises the tangent.
+///
+/// # Errors
+/// [`FemError::Force`] where the tangent is singular.
+pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> {
+    let totals = body.factorise().map_err(|reason| FemError::Force { force_n: body.totals.pull, reason })?;
+    let force_per_pressure = body.force_per_pressure();
+    let (d, s) = (&body.discretisation, &body.state);
+    let l = d.layout;
+    let outer = |j: usize| d.mesh.node(2 * l.through, j)[0] + s.u[l.at(j) + 4 * l.through];
+    let bulge = (0..=2 * l.along).map(outer).fold(0.0, f64::max);
+    let largest = tensions(d, s).fold(0.0, f64::max);
+    let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
+    let all = 2.0 * std::f64::consts::PI * muscle.outer_diameter_mm() * cos * largest;
+    Ok(Response {
+        // Zeros without a sign.
+        pressure_mpa: s.pressure + 0.0,
+        contraction: 0.0 - s.terminal / d.half_length(),
+        force_n: totals.pull,
+        volume_mm3: Some(2.0 * totals.volume),
+        stiffness_n_per_mm: Some(0.5 * body.terminal_stiffness()),
+        force_per_pressure_mm2: Some(force_per_pressure),
+        braid_tension_n: Some(all),
+        strand_tension_n: count.map(|n| all / f64::from(n)),
+        bulged_diameter_mm: Some(2.0 * bulge),
+        max_stretch: Some(largest_stretch(d, s).value),
+    })
 }
 
 /// Tension per width at every strand point.
-fn tensions<'a>(d: &'a Discrete, s: &'a State) -> impl Iterator<Item = f64> + 'a {
+fn tensions<'a>(d: &'a Discretisation, s: &'a State) -> impl Iterator<Item = f64> + 'a {
     (0..d.strands.len()).flat_map(move |slab| (0..STRAND_POINTS).map(move |g| strand(d, s, slab, g).1))
 }
 
 /// (λf with its angle in degrees, tension per width) of a strand point.
-fn strand(d: &Discrete, s: &State, slab: usize, g: usize) -> ((f64, f64), f64) {
+fn strand(d: &Discretisation, s: &State, slab: usize, g: usize) -> ((f64, f64), f64) {
     let l = d.layout;
     let p = &d.strands[slab][g];
-    let stretch = p.stretch(&s.line(&l, slab, 2 * l.through));
-    let multiplier = if l.multipliers { s.x[l.tension(slab) + g] } else { 0.0 };
+    let stretch = p.stretch(&l.line(&s.u, slab, 2 * l.through));
+    let multiplier = if l.multipliers { s.u[l.tension(slab) + g] } else { 0.0 };
     let q = d
-        .make
+        .problem
         .braid
         .map_or(0.0, |b| super::assembly::tension(&b, stretch.value - 1.0, multiplier, d.augment_strand).0);
     ((stretch.value, p.angle_rad(&stretch).to_degrees()), q)
 }
 
-pub(super) fn strands(d: &Discrete, s: &State, muscle: &Muscle) -> Vec<StrandState> {
+pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandState> {
     let spacing = muscle.braid().strands.map(|n| muscle.braid().strand_spacing_mm(muscle.tube(), n.count));
     let mut out: Vec<StrandState> = (0..d.strands.len())
         .flat_map(|slab| (0..STRAND_POINTS).map(move |g| (slab, g)))
@@ -163,7 +95,7 @@ pub(super) fn strands(d: &Discrete, s: &State, muscle: &Muscle) -> Vec<StrandSta
                 rest_mm: d.strands[slab][g].place,
                 stretch,
                 angle_deg,
-                tension_per_width: q,
+                tension_n_per_mm: q,
                 tension_n: spacing.map(|w| q * w),
             }
         })
@@ -172,21 +104,21 @@ pub(super) fn strands(d: &Discrete, s: &State, muscle: &Muscle) -> Vec<StrandSta
     out
 }
 
-fn profile(d: &Discrete, s: &State) -> Vec<ProfilePoint> {
+fn profile(d: &Discretisation, s: &State) -> Vec<ProfilePoint> {
     let l = d.layout;
     (0..=2 * l.along)
         .map(|j| {
             let at = |i: usize| {
                 let ([r, z], k) = (d.mesh.node(i, j), l.at(j) + 2 * i);
-                (z + s.x[k + 1], r + s.x[k])
+                (z + s.u[k + 1], r + s.u[k])
             };
             ProfilePoint { rest_mm: d.mesh.node(0, j)[1], outer_mm: at(2 * l.through), inner_mm: at(0) }
         })
         .collect()
 }
 
-/// Looks at the bore, the middle and the outer surface of every element.
-fn largest_stretch(d: &Discrete, s: &State) -> StretchAt {
+/// Looks at the inner surface, the middle and the outer surface of every element.
+fn largest_stretch(d: &Discretisation, s: &State) -> StretchAt {
     let l = d.layout;
     let mut largest = StretchAt { value: 1.0, rest_mm: [0.0; 2] };
     for slab in 0..l.along {
@@ -196,7 +128,7 @@ fn largest_stretch(d: &Discrete, s: &State) -> StretchAt {
             for a in 0..NODES {
                 let j = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3];
                 let k = l.at(j) + 2 * (2 * i + a % 3);
-                (u.r[a], u.z[a]) = (s.x[k], s.x[k + 1]);
+                (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
             }
             for (eta, _) in GAUSS3 {
                 for xi in [-1.0, 0.0, 1.0] {

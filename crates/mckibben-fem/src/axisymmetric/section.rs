@@ -1,16 +1,19 @@
 //! The deformed section (r, z) node by node, for pictures.
 //!
 //! Stretches are those of the element's own field at its nodes. Cauchy stress σ = P Fᵀ/J is taken at the 2 × 2 points
-//! where it is most exact (Barlow 1976) and carried to the nodes by the bilinear function through them. Where elements
+//! where it is most exact (Barlow 1976 \[barlow1976\]) and carried to the nodes by the bilinear function through them. Where elements
 //! meet, both are averaged.
 
-use super::discrete::{Discrete, State, nodes};
-use super::error::FemError;
+use super::discretisation::{Discretisation, nodes};
 use super::model::Axisymmetric;
-use super::results::{StrandState, strands};
+use super::results::strands;
+use crate::FemError;
 use crate::element::plane::{self, Gradient, PlaneLaw, PlaneVisitor};
 use crate::element::q2::{GAUSS2, GAUSS3, Geometry, MODES, NODES, Point, point, quadratic};
 use crate::element::solid::{Unknowns, gradient};
+use crate::results::StrandState;
+use crate::simulation::Discretised;
+use crate::solver::body::State;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 
@@ -48,17 +51,17 @@ impl Section {
         (self.through, self.along)
     }
 
-    /// Nodes, station by station from the middle to the terminal, each from the bore outwards.
+    /// Nodes, station by station from the middle to the terminal, each from the inner surface outwards.
     pub fn nodes(&self) -> &[SectionNode] {
         &self.nodes
     }
 
-    /// Index of node `i` = 0 … 2·through (from the bore outwards) of station `j` = 0 … 2·along.
+    /// Index of node `i` = 0 … 2·through (from the inner surface outwards) of station `j` = 0 … 2·along.
     pub fn index(&self, i: usize, j: usize) -> usize {
         j * (2 * self.through + 1) + i
     }
 
-    /// The nine nodes of every element, row by row along the muscle, each row from the bore outwards.
+    /// The nine nodes of every element, row by row along the muscle, each row from the inner surface outwards.
     pub fn connectivity(&self) -> Vec<[usize; NODES]> {
         (0..self.along)
             .flat_map(|slab| (0..self.through).map(move |e| (slab, e)))
@@ -95,11 +98,11 @@ impl Section {
         (rest, now)
     }
 
-    pub(super) fn of(d: &Discrete, s: &State, muscle: &Muscle) -> Self {
+    pub(crate) fn of(d: &Discretisation, s: &State, muscle: &Muscle) -> Self {
         Self {
             through: d.layout.through,
             along: d.layout.along,
-            nodes: plane::visit(&d.make.law, Nodes { d, s }),
+            nodes: plane::visit(&d.problem.law, Nodes { d, s }),
             strands: strands(d, s, muscle),
             angle_rad: muscle.braid().angle_rad(),
             count: muscle.braid().strands.map(|n| n.count),
@@ -108,6 +111,11 @@ impl Section {
 }
 
 impl Axisymmetric {
+    /// The section of the muscle at rest.
+    pub fn section_at_rest(&self) -> Section {
+        Section::of(self.discretisation(), &self.discretisation().rest(), self.muscle())
+    }
+
     /// The section at a pressure in MPa and a contraction: of the very equilibrium that was answered with, where the
     /// workspace still has it.
     ///
@@ -119,18 +127,17 @@ impl Axisymmetric {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Section, FemError> {
-        let e = self.engine(workspace);
-        if e.kept_at(pressure_mpa, contraction).is_none() {
-            e.reach(pressure_mpa, contraction)?;
+        let c = self.continuation(workspace)?;
+        if c.kept_at(pressure_mpa, contraction).is_none() {
+            c.reach(pressure_mpa, contraction)?;
         }
-        let body = &e.walker.body;
-        let state = e.kept_at(pressure_mpa, contraction).unwrap_or(&body.state);
-        Ok(Section::of(&body.discrete, state, self.muscle()))
+        let state = c.kept_at(pressure_mpa, contraction).unwrap_or(&c.body.state);
+        Ok(Section::of(&c.body.discretisation, state, self.muscle()))
     }
 }
 
 struct Nodes<'a> {
-    d: &'a Discrete,
+    d: &'a Discretisation,
     s: &'a State,
 }
 
@@ -175,17 +182,17 @@ impl PlaneVisitor for Nodes<'_> {
     }
 }
 
-fn unknowns(d: &Discrete, s: &State, slab: usize, element: usize) -> Unknowns {
+fn unknowns(d: &Discretisation, s: &State, slab: usize, element: usize) -> Unknowns {
     let l = d.layout;
     let mut u = Unknowns::default();
     for i in 0..3 {
-        let line = s.line(&l, slab, 2 * element + i);
+        let line = l.line(&s.u, slab, 2 * element + i);
         for k in 0..3 {
             (u.r[3 * k + i], u.z[3 * k + i]) = (line[2 * k], line[2 * k + 1]);
         }
     }
     let first = l.pressure(slab, element);
-    u.p.copy_from_slice(&s.x[first..first + MODES]);
+    u.p.copy_from_slice(&s.u[first..first + MODES]);
     u
 }
 

@@ -5,26 +5,15 @@
 //! ∂R/∂θ itself comes from fourth-order central differences of the residual at the fixed state; it is exact but for
 //! rounding in constants that enter linearly.
 
-use super::assembly::{Work, assemble};
-use super::discrete::{BraidSpec, Discrete, Make, State};
-use super::equilibrium::Body;
-use super::error::FemError;
+use super::assembly::{Assembled, assemble};
+use super::body::Body;
+use super::discretisation::{BraidSpec, Discretisation, Problem};
 use super::mesh::Mesh;
+use crate::FemError;
+use crate::results::Sensitivity;
+use crate::solver::body::State;
 use mckibben::muscle::Muscle;
 use mckibben::rubber::{Law, RubberLaw};
-
-/// ∂F of one constant or measure.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Sensitivity {
-    /// Key as in the muscle file: `tube.material.c10`, `tube.outer_diameter`, `braid.stiffness`, …
-    pub name: String,
-    /// Its value.
-    pub value: f64,
-    /// Its unit.
-    pub unit: &'static str,
-    /// ∂F in N per that unit, all others (k among them) held.
-    pub force_n_per_unit: f64,
-}
 
 /// A law with `change` added to its constant number `index`.
 fn changed(law: &Law, index: usize, change: f64) -> Law {
@@ -42,7 +31,7 @@ struct Measures {
 }
 
 /// The body with other measures; the mesh keeps its proportions.
-fn rebuilt(d: &Discrete, law: Law, from: &Measures, to: &Measures) -> Result<Discrete, FemError> {
+fn rebuilt(d: &Discretisation, law: Law, from: &Measures, to: &Measures) -> Result<Discretisation, FemError> {
     let mut mesh: Mesh = d.mesh.clone();
     let (outer, stretch) = (0.5 * to.outer_diameter, to.length / from.length);
     let inner = outer - to.wall;
@@ -50,12 +39,12 @@ fn rebuilt(d: &Discrete, law: Law, from: &Measures, to: &Measures) -> Result<Dis
         let share = (node[0] - (0.5 * from.outer_diameter - from.wall)) / from.wall;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let braid = d.make.braid.map(|b| BraidSpec {
+    let braid = d.problem.braid.map(|b| BraidSpec {
         angle_rad: to.angle_deg.to_radians(),
         stiffness: to.stiffness,
         ..b
     });
-    let mut out = Discrete::new(mesh, Make { law, braid, ..d.make.clone() })?;
+    let mut out = Discretisation::new(mesh, Problem { law, braid, ..d.problem.clone() })?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
     Ok(out)
@@ -83,9 +72,9 @@ pub fn of(
     muscle: &Muscle,
     wanted: impl Fn(&str) -> bool,
 ) -> Result<Vec<Sensitivity>, FemError> {
-    let d = body.discrete.clone();
+    let d = std::sync::Arc::clone(&body.discretisation);
     let state = body.state.clone();
-    let law = d.make.law.clone();
+    let law = d.problem.law.clone();
     let here = Measures {
         outer_diameter: muscle.outer_diameter_mm(),
         wall: muscle.wall_mm(),
@@ -99,7 +88,7 @@ pub fn of(
             return Ok(());
         }
         let step = STEP * if value == 0.0 { d.shear } else { value.abs() };
-        let mut change = vec![0.0; state.x.len()];
+        let mut change = vec![0.0; state.u.len()];
         for (k, weight) in STENCIL {
             let (law, to) = make(k * step);
             let residual = residual(&d, &state, law, &here, &to)?;
@@ -131,7 +120,7 @@ pub fn of(
 
 /// The residual of a neighbouring muscle at the same unknowns and the same contraction.
 fn residual(
-    d: &Discrete,
+    d: &Discretisation,
     state: &State,
     law: Law,
     from: &Measures,
@@ -145,10 +134,10 @@ fn residual(
     for j in 0..=2 * d.layout.along {
         let at = d.layout.at(j);
         for i in 0..d.layout.nodes() {
-            state.x[at + 2 * i + 1] *= ratio;
+            state.u[at + 2 * i + 1] *= ratio;
         }
     }
-    let mut work = Work::new(&other);
+    let mut work = Assembled::new(&other);
     assemble::<false>(&other, &state, &mut work)
         .map_err(|reason| FemError::Force { force_n: f64::NAN, reason })?;
     Ok(work.residual)

@@ -1,8 +1,9 @@
 //! How fine a mesh must be.
 
-use super::error::FemError;
 use super::mesh::MeshSpec;
 use super::model::Axisymmetric;
+use crate::FemError;
+use crate::simulation::Discretised;
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 
@@ -40,9 +41,8 @@ pub fn mesh_study(meshes: &[(usize, usize, f64)]) -> Result<Vec<StudyRow>, FemEr
             let pulls = |spec: &MeshSpec| -> Result<Vec<f64>, FemError> {
                 let model = Axisymmetric::with_mesh(&muscle, spec)?;
                 let workspace = &mut Workspace::new();
-                let elements = model.engine(workspace);
-                let pull =
-                    |&(p, e): &(f64, f64)| elements.reach(p, e).map(|()| elements.walker.body.totals.pull);
+                let c = model.continuation(workspace)?;
+                let pull = |&(p, e): &(f64, f64)| c.reach(p, e).map(|()| c.pull());
                 POINTS.iter().map(pull).collect()
             };
             let exact = pulls(&FINE)?;

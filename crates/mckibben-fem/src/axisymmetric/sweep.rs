@@ -1,11 +1,14 @@
 //! A seeded sweep of random muscles: what share of the questions that have an answer is answered.
 
 use super::model::Axisymmetric;
+use crate::FemError;
+use crate::simulation::Discretised;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::progress::Progress;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 
-/// SplitMix64 (Steele, Lea & Flood 2014): the same muscles everywhere.
+/// SplitMix64 (Steele, Lea & Flood 2014 \[steele2014\]): the same muscles everywhere.
 #[derive(Debug, Clone)]
 pub struct Random(pub u64);
 
@@ -113,7 +116,7 @@ fn law(kind: usize, mu: f64, random: &mut Random) -> Law {
         }
         3 => Law::Gent(Gent { mu_mpa: mu, jm: random.between(20.0, 80.0) }),
         _ => {
-            // Ogden 1972, Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
+            // Ogden 1972 [ogden1972], Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
             let scale = mu / 0.414_319;
             let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
             Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * scale, a)).collect() })
@@ -147,8 +150,20 @@ fn case(seed: u64, index: usize) -> Option<SweepCase> {
 /// Asks one random question of each of `n` random muscles: log-uniform D0 5–80 mm, s/D0 0.02–0.20, L0/D0 3–25,
 /// θ0 15–45°, shear modulus 0.05–1.5 MPa, each law, braid stiffness 5–100·D0 N/mm or inextensible, pressure up to 0.8 MPa,
 /// contraction up to 95 % of the ideal maximum.
-pub fn sweep(n: usize, seed: u64) -> Sweep {
-    Sweep { rows: (0..n).filter_map(|i| question(seed, i)).collect() }
+///
+/// # Errors
+/// [`FemError::Cancelled`].
+pub fn sweep(n: usize, seed: u64, progress: &dyn Progress) -> Result<Sweep, FemError> {
+    let mut rows = Vec::with_capacity(n);
+    for i in 0..n {
+        progress.report(i, n);
+        if progress.cancelled() {
+            return Err(FemError::Cancelled);
+        }
+        rows.extend(question(seed, i));
+    }
+    progress.report(n, n);
+    Ok(Sweep { rows })
 }
 
 /// Question number `index` of a sweep, asked: for callers that spread a sweep over threads.
@@ -170,16 +185,15 @@ fn ask(case: SweepCase) -> SweepRow {
     });
     let required = endless.is_some_and(|r| r.force_n > 0.0) && strain.is_some_and(|s| s < 0.05);
     let start = std::time::Instant::now();
-    let (answer, stable, factorisations) = match Axisymmetric::new(&case.muscle) {
-        Err(e) => (Err(e.to_string()), false, 0),
-        Ok(model) => {
-            let workspace = &mut Workspace::new();
-            let e = model.engine(workspace);
-            let answer = e.reach(case.pressure_mpa, case.contraction).map_err(|e| e.to_string());
-            let body = &e.walker.body;
-            (answer.map(|()| body.totals.pull), e.stable(), e.walker.effort.factorisations)
-        }
+    let asked = || {
+        let model = Axisymmetric::new(&case.muscle)?;
+        let workspace = &mut Workspace::new();
+        let c = model.continuation(workspace)?;
+        let answer = c.reach(case.pressure_mpa, case.contraction).map(|()| c.pull());
+        Ok((answer, c.stable(), c.effort.factorisations))
     };
+    let (answer, stable, factorisations) = asked().unwrap_or_else(|e: FemError| (Err(e), false, 0));
+    let answer = answer.map_err(|e| e.to_string());
     let seconds = start.elapsed().as_secs_f64();
     SweepRow {
         required,

@@ -10,5 +10,4 @@ pub mod spatial;
 pub mod spatial_stretches;
 pub mod strand;
 pub mod stretches;
-pub mod tie;
 pub mod truss;

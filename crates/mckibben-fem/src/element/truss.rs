@@ -1,12 +1,11 @@
-//! A straight two-node truss in space with Green's strain.
+//! A straight strand between two nodes: T = E A (λ − 1), λ = l/L0 (engineering strain).
 //!
-//!   Π = ½ E A L0 e²,   e = (l² − L0²)/(2 L0²),   l = |x1 − x0| now, L0 at rest
-//!   ∂Π/∂x1 = (N/L0) d,   N = E A e,   d = x1 − x0,   ∂Π/∂x0 = −∂Π/∂x1
-//!   ∂²Π/∂x1∂x1 = (N/L0) 1 + (E A/L0³) d⊗d
+//!   Π = E A L0 (λ − 1)²/2,   ∂Π/∂x1 = T n,   ∂²Π/∂x1∂x1 = (E A/L0) n⊗n + (T/l)(1 − n⊗n),   n = d/l, d = x1 − x0
 //!
-//! Crisfield (1991), ch. 1 and 3. Tension-only trusses carry nothing where e < 0.
+//! The tension in the second part may be one that is carried along as a variable of its own: with stiff strands
+//! Newton's method then does not slow down (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
 
-/// A truss at rest.
+/// A strand at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Truss {
     /// L0 in mm.
@@ -17,32 +16,47 @@ pub struct Truss {
     pub compression: bool,
 }
 
-/// Force and tangent of a truss on its second node; the first node has the opposite.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TrussForce {
-    /// Elastic energy in N·mm.
-    pub energy: f64,
-    /// ∂Π/∂x1 in N.
-    pub force: [f64; 3],
-    /// ∂²Π/∂x1∂x1 in N/mm; with respect to x0 it is the negative.
-    pub tangent: [[f64; 3]; 3],
+/// What a strand does to its second node; the first has the opposite.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pull {
+    /// λ − 1
+    pub strain: f64,
+    /// n
+    pub direction: [f64; 3],
+    /// T in N.
+    pub tension: f64,
+    /// Whether it carries anything.
+    pub carries: bool,
+    /// xx, yy, zz, xy, yz, zx of the tangent in N/mm.
+    pub tangent: [f64; 6],
 }
 
 impl Truss {
-    /// Energy, force and exact tangent for d = x1 − x0 in mm.
-    pub fn force(&self, d: [f64; 3]) -> TrussForce {
-        let l0 = self.length_mm;
-        let strain = (d.iter().map(|x| x * x).sum::<f64>() - l0 * l0) / (2.0 * l0 * l0);
-        if strain < 0.0 && !self.compression {
-            return TrussForce { energy: 0.0, force: [0.0; 3], tangent: [[0.0; 3]; 3] };
+    /// Force and tangent for d in mm. `offset` in N is added to the tension; `tension` in N is the one in the geometric
+    /// part of the tangent.
+    pub fn pull(&self, d: [f64; 3], offset: f64, tension: f64) -> Pull {
+        let l = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+        let strain = l / self.length_mm - 1.0;
+        let n = d.map(|x| x / l);
+        let force = offset + self.stiffness_n * strain;
+        if force <= 0.0 && !self.compression {
+            return Pull { strain, direction: n, ..Pull::default() };
         }
-        let n = self.stiffness_n * strain;
-        let material = self.stiffness_n / (l0 * l0 * l0);
-        let tangent = |i: usize, j: usize| material * d[i] * d[j] + if i == j { n / l0 } else { 0.0 };
-        TrussForce {
-            energy: 0.5 * n * l0 * strain,
-            force: d.map(|x| n / l0 * x),
-            tangent: [0, 1, 2].map(|i| [0, 1, 2].map(|j| tangent(i, j))),
+        let across = tension / l;
+        let along = self.stiffness_n / self.length_mm - across;
+        Pull {
+            strain,
+            direction: n,
+            tension: force,
+            carries: true,
+            tangent: [
+                along * n[0] * n[0] + across,
+                along * n[1] * n[1] + across,
+                along * n[2] * n[2] + across,
+                along * n[0] * n[1],
+                along * n[1] * n[2],
+                along * n[2] * n[0],
+            ],
         }
     }
 }

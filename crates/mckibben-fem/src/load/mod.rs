@@ -1,4 +1,4 @@
 //! Loads that are potentials.
 
-pub mod bore;
 pub mod cavity;
+pub mod cavity_faces;

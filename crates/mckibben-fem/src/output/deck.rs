@@ -4,7 +4,7 @@
 //! truss with engineering strain and k = E A/L. Laws are those of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with
 //! D1 = 2/K; Ogden's are written there as 2 μi/αi². What is told of the mesh stands in comments `** key = value`.
 
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use crate::three_dimensional::{Brick, ThreeDimensional};
 use mckibben::model::ForceModel;
 use mckibben::muscle::Bulk;
@@ -188,26 +188,26 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
 }
 
 fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), DeckError> {
-    let ties = &model.discrete().parts.ties;
+    let trusses = &model.discretisation().problem.trusses;
     // One set for each length, in the order in which they appear.
     let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
-    for (i, (_, tie)) in ties.iter().enumerate() {
-        groups.entry((tie.length_mm * 1e9).round() as i64).or_default().push(i);
+    for (i, (_, truss)) in trusses.iter().enumerate() {
+        groups.entry((truss.length_mm * 1e9).round() as i64).or_default().push(i);
     }
     let mut springs = String::new();
     for (number, members) in groups.values().enumerate() {
-        let tie = ties[members[0]].1;
-        let k = tie.stiffness_n / tie.length_mm;
+        let truss = trusses[members[0]].1;
+        let k = truss.stiffness_n / truss.length_mm;
         if !k.is_finite() {
             return Err(DeckError::Inextensible);
         }
         let _ = writeln!(out, "*ELEMENT, TYPE=SPRINGA, ELSET=STRANDS{}", number + 1);
         for &i in members {
-            let [a, b] = ties[i].0;
+            let [a, b] = trusses[i].0;
             let _ = writeln!(out, "{}, {}, {}", before + i + 1, a + 1, b + 1);
         }
         // A spring table from force and elongation; a trace of stiffness is left in compression.
-        let _ = if tie.compression {
+        let _ = if truss.compression {
             writeln!(springs, "*SPRING, ELSET=STRANDS{}\n\n{k:?}", number + 1)
         } else {
             writeln!(
@@ -249,7 +249,7 @@ fn sets(out: &mut String, model: &ThreeDimensional) {
     write("*NSET, NSET=SZ", all(&|_, _, k| k == 0));
     write("*NSET, NSET=NEND", all(&|_, _, k| k == last));
     write("*NSET, NSET=NIN", all(&|i, _, _| i == 0));
-    // Bricks at the bore; their face with ξ = −1 has number 6.
+    // Bricks at the inner surface; their face with ξ = −1 has number 6.
     let [through, around, along] = mesh.elements();
     write("*ELSET, ELSET=EIN", (0..around * along).map(|e| e * through + 1).collect());
 }

@@ -178,7 +178,7 @@ fn around(n: &NodeField) -> [f64; 2] {
     [c * c * xx + s * s * yy + twice, s * s * xx + c * c * yy - twice]
 }
 
-/// √(3/2 s:s), s the deviator (von Mises 1913).
+/// √(3/2 s:s), s the deviator (von Mises 1913 \[mises1913\]).
 fn mises(s: &[f64; 6]) -> f64 {
     let [xx, yy, zz, xy, yz, zx] = *s;
     let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);
@@ -283,7 +283,7 @@ mod tests {
     }
 
     /// Both terminals have eight times the volume of one eighth of them, of either brick; a rigid one keeps its shape. Their volume is that of
-    /// the prism of the bore's polygon over insertion and nose, less what the rounding takes.
+    /// the prism of the inner surface's polygon over insertion and nose, less what the rounding takes.
     #[test]
     fn terminals_are_seen_and_have_their_volume() {
         use crate::three_dimensional::{Plug, PlugMaterial};
@@ -314,7 +314,7 @@ mod tests {
             let rounded =
                 pi * flat * flat * nose + 2.0 * pi * (flat * pi / 4.0 * nose * nose + nose.powi(3) / 3.0);
             let exact = area * (insertion + rounded / (pi * inner * inner));
-            // Two chords of the rounding; the linear faces of a quadratic bore.
+            // Two chords of the rounding; the linear faces of a quadratic inner surface.
             assert!((eighth / exact - 1.0).abs() < 0.01, "{mesh} {material:?}: {eighth} {exact}");
         }
     }

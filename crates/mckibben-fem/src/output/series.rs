@@ -7,7 +7,7 @@ use crate::axisymmetric::Section;
 use mckibben::model::Response;
 use std::path::{Path, PathBuf};
 
-/// The parts of a step.
+/// The problem of a step.
 const PARTS: [&str; 3] = ["tube", "braid", "plug"];
 
 /// Writes `tube_0000.vtu`, `braid_0000.vtu`, … (`plug_0000.vtu` where the terminals are bodies) and `muscle.pvd`, which lists them, into a folder.
@@ -18,8 +18,8 @@ const PARTS: [&str; 3] = ["tube", "braid", "plug"];
 pub struct VtuSeries {
     folder: PathBuf,
     about: String,
-    /// Parts of every step.
-    parts: Vec<usize>,
+    /// Problem of every step.
+    problem: Vec<usize>,
 }
 
 impl VtuSeries {
@@ -29,7 +29,7 @@ impl VtuSeries {
     /// [`VtuError::Folder`].
     pub fn new(dir: &Path, about: &str) -> Result<Self, VtuError> {
         std::fs::create_dir_all(dir).map_err(|source| VtuError::Folder { folder: dir.to_owned(), source })?;
-        Ok(Self { folder: dir.to_owned(), about: about.to_owned(), parts: vec![] })
+        Ok(Self { folder: dir.to_owned(), about: about.to_owned(), problem: vec![] })
     }
 
     /// Adds a step: the section of an equilibrium and what the model says about it.
@@ -54,7 +54,7 @@ impl VtuSeries {
         note: &str,
         more: Vec<(&'static str, f64)>,
     ) -> Result<(), VtuError> {
-        let step = self.parts.len();
+        let step = self.problem.len();
         let about = format!("{}; step {step}{note}", self.about);
         let mut grids = vec![(shape.tube, vec![]), (shape.braid, more)];
         grids.extend(shape.plug.map(|grid| (grid, vec![])));
@@ -69,7 +69,7 @@ impl VtuSeries {
         for (file, xml) in ready {
             self.write(&file, &xml)?;
         }
-        self.parts.push(count);
+        self.problem.push(count);
         self.list().map(|_| ())
     }
 
@@ -78,21 +78,21 @@ impl VtuSeries {
     /// # Errors
     /// [`VtuError::Write`].
     pub fn finish(self) -> Result<PathBuf, VtuError> {
-        if self.parts.is_empty() {
+        if self.problem.is_empty() {
             return self.list();
         }
         Ok(self.folder.join(LIST))
     }
 
     fn list(&self) -> Result<PathBuf, VtuError> {
-        let parts = self.parts.iter().enumerate().flat_map(|(step, &count)| {
+        let problem = self.problem.iter().enumerate().flat_map(|(step, &count)| {
             PARTS
                 .into_iter()
                 .take(count)
                 .enumerate()
                 .map(move |(part, name)| (step, part, name, file(name, step)))
         });
-        self.write(LIST, &collection(&self.about, parts))
+        self.write(LIST, &collection(&self.about, problem))
     }
 
     fn write(&self, file: &str, text: &str) -> Result<PathBuf, VtuError> {

@@ -38,7 +38,7 @@ impl Shape {
     }
 
     /// Its surface with the numbers of one name, and its strands; `cut` leaves out the quarter x > 0, y > 0, so that wall and
-    /// bore show. `None` where no number has that name.
+    /// inner surface show. `None` where no number has that name.
     pub fn seen(&self, name: &str, cut: bool) -> Option<Seen> {
         let data = self.tube.data.iter().find(|d| d.name == name && d.components == 1)?;
         let points = &self.tube.points;
@@ -53,7 +53,7 @@ impl Shape {
                 .map(|&i| self.braid.points[i as usize])
                 .collect();
             start = end as usize;
-            // Runs of the parts that are kept.
+            // Runs of the problem that are kept.
             let mut run: Vec<[f64; 3]> = vec![];
             for pair in line.windows(2) {
                 if kept(middle(pair.iter().copied())) {

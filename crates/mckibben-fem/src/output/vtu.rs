@@ -97,11 +97,11 @@ impl Grid {
     }
 }
 
-/// The file that lists the parts (number, name, file) of each step.
-pub fn collection<'a>(about: &str, parts: impl Iterator<Item = (usize, usize, &'a str, String)>) -> String {
+/// The file that lists the problem (number, name, file) of each step.
+pub fn collection<'a>(about: &str, problem: impl Iterator<Item = (usize, usize, &'a str, String)>) -> String {
     let mut out = head("Collection", about);
     out.push_str("<Collection>\n");
-    for (step, part, name, file) in parts {
+    for (step, part, name, file) in problem {
         let _ = writeln!(
             out,
             r#"<DataSet timestep="{step}" group="" part="{part}" name="{name}" file="{file}"/>"#

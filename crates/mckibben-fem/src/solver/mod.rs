@@ -1,10 +1,14 @@
-//! Linear and non-linear solvers, free of any mechanics.
+//! Linear and non-linear solvers, and the continuation that leads any body from equilibrium to equilibrium.
 
+pub mod body;
 pub mod chain;
+pub mod continuation;
+pub mod curve;
 pub mod dense;
 pub mod dissection;
 pub mod newton;
 pub mod sparse;
+pub mod trail;
 
 use thiserror::Error;
 
@@ -16,22 +20,4 @@ pub struct Singular {
     pub block: usize,
     /// Pivot inside of the block.
     pub pivot: usize,
-}
-
-/// A symmetric system that is filled, factorised and solved again and again with the same pattern.
-pub trait LinearSolver {
-    /// Number of unknowns.
-    fn dimension(&self) -> usize;
-
-    /// Factorises what was filled in.
-    ///
-    /// # Errors
-    /// [`Singular`].
-    fn factorise(&mut self) -> Result<(), Singular>;
-
-    /// Replaces the right-hand side by the solution.
-    fn solve(&mut self, rhs: &mut [f64]);
-
-    /// Number of negative pivots of the last factorisation: by Sylvester's law the number of negative eigenvalues.
-    fn negative_pivots(&self) -> usize;
 }

@@ -91,17 +91,22 @@ pub struct NewtonOptions {
     pub factorisations: usize,
 }
 
+impl NewtonOptions {
+    /// What is taken where nothing else is said.
+    pub const DEFAULT: Self = Self {
+        tolerance: 1e-10,
+        iterations: 20,
+        small: 2e-3,
+        large: 50.0,
+        rounding: 1e-11,
+        rounding_residual: 1e-8,
+        factorisations: usize::MAX,
+    };
+}
+
 impl Default for NewtonOptions {
     fn default() -> Self {
-        Self {
-            tolerance: 1e-10,
-            iterations: 20,
-            small: 2e-3,
-            large: 50.0,
-            rounding: 1e-11,
-            rounding_residual: 1e-8,
-            factorisations: usize::MAX,
-        }
+        Self::DEFAULT
     }
 }
 
@@ -154,7 +159,7 @@ pub fn solve<S: NewtonSystem>(
                 watch(next);
                 let gain = next / norm;
                 norm = next;
-                // One more turn with the old tangent where that is likely to be the last.
+                // One more turn with the old tangent where that is likely to be the last (modified Newton method).
                 if norm > options.tolerance && gain * norm <= options.tolerance {
                     effort.iterations += 1;
                     effort.residuals += 1;

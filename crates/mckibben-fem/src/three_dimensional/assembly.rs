@@ -3,38 +3,21 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::discrete::{Discrete, Material};
+use super::discretisation::{Discretisation, Material};
 use super::mesh::Brick;
 use super::saddle::share;
-use super::state::State;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
 use crate::element::lanes::{Real, Width};
 use crate::element::spatial::{AT, SpatialLaw, SpatialVisitor, visit};
-use crate::element::tie::Tie;
-use crate::load::bore::{FacePoint, points4, points9, skew, volume};
+use crate::element::truss::Truss;
+use crate::load::cavity_faces::{FacePoint, points4, points9, skew, volume};
+use crate::solver::body::{State, Totals};
 use crate::solver::newton::Stopped;
-
-/// What the elements of a body add up to.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Totals {
-    /// Pull of the whole muscle in N: four times ∂Π/∂w of the eighth.
-    pub pull: f64,
-    /// Cavity of the eighth in mm³.
-    pub volume: f64,
-    /// Elastic energy of the eighth's rubber in N·mm.
-    pub rubber: f64,
-    /// Elastic energy of the eighth's strands in N·mm.
-    pub braid: f64,
-    /// Smallest volume ratio at an integration point.
-    pub smallest_j: f64,
-    /// Largest volume defect |∫(J − 1) − p V/K|/V of an element.
-    pub defect: f64,
-}
 
 /// What an assembly fills.
 #[derive(Debug, Clone)]
-pub struct Work {
+pub struct Assembled {
     /// Lower half of the tangent, the terminal's column, its own entry, and a number that nobody reads.
     pub values: Vec<f64>,
     /// ∂Π/∂u of every displacement, with what is condensed.
@@ -53,17 +36,17 @@ pub struct Work {
     face9: Vec<FacePoint<9>>,
 }
 
-impl Work {
+impl Assembled {
     /// Empty.
-    pub fn new(d: &Discrete) -> Self {
-        let displacements = 3 * d.parts.nodes.len();
+    pub fn new(d: &Discretisation) -> Self {
+        let displacements = 3 * d.problem.nodes.len();
         Self {
             values: vec![0.0; d.pattern.entries() + d.free + 2],
             force: vec![0.0; displacements],
             cavity: vec![0.0; displacements],
             gradient: vec![0.0; d.bricks() * d.modes * d.per_brick * 3],
             defect: vec![0.0; d.bricks() * d.modes],
-            strands: vec![([0.0; 3], 0.0, false); d.parts.ties.len()],
+            strands: vec![([0.0; 3], 0.0, false); d.problem.trusses.len()],
             points8: points8(),
             points27: points27(),
             face4: points4(),
@@ -76,7 +59,11 @@ impl Work {
 ///
 /// # Errors
 /// [`Stopped::Inverted`], [`Stopped::NotFinite`].
-pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work) -> Result<Totals, Stopped> {
+pub fn assemble<const TANGENT: bool>(
+    d: &Discretisation,
+    s: &State,
+    work: &mut Assembled,
+) -> Result<Totals, Stopped> {
     work.force.fill(0.0);
     work.cavity.fill(0.0);
     if TANGENT {
@@ -89,8 +76,8 @@ pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work) -
             return Err(Stopped::Inverted { element, smallest_j });
         }
     }
-    ties::<TANGENT>(d, s, work, &mut totals);
-    match d.parts.brick {
+    trusses::<TANGENT>(d, s, work, &mut totals);
+    match d.problem.brick {
         Brick::Linear => {
             let points = std::mem::take(&mut work.face4);
             faces::<4, TANGENT>(&points, d, s, work, &mut totals);
@@ -105,11 +92,11 @@ pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work) -
     for (f, v) in work.force.iter_mut().zip(&work.cavity) {
         *f -= s.pressure * v;
     }
-    for (f, dead) in work.force.chunks_exact_mut(3).zip(&d.parts.dead) {
+    for (f, dead) in work.force.chunks_exact_mut(3).zip(&d.problem.dead) {
         (0..3).for_each(|i| f[i] -= s.pressure * dead[i]);
     }
     // The terminal's own share of the cavity.
-    let cap = d.parts.cap_mm2;
+    let cap = d.problem.cap_mm2;
     totals.volume += cap * (d.half + s.terminal) / 3.0;
     let reaction: f64 = d.terminal.iter().map(|&i| work.force[i as usize]).sum();
     totals.pull = 4.0 * (reaction - s.pressure * cap / 3.0);
@@ -120,10 +107,10 @@ pub fn assemble<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work) -
 }
 
 struct Bricks<'a, const TANGENT: bool> {
-    d: &'a Discrete,
+    d: &'a Discretisation,
     m: &'a Material,
     s: &'a State,
-    work: &'a mut Work,
+    work: &'a mut Assembled,
     totals: &'a mut Totals,
 }
 
@@ -132,7 +119,7 @@ impl<const TANGENT: bool> SpatialVisitor for Bricks<'_, TANGENT> {
 
     fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
         let Self { d, m, s, work, totals } = self;
-        match d.parts.brick {
+        match d.problem.brick {
             Brick::Linear => {
                 let points = std::mem::take(&mut work.points8);
                 let out = wide::<L, 8, 1, TANGENT>(&points, (d, m), s, law, work, totals);
@@ -151,10 +138,10 @@ impl<const TANGENT: bool> SpatialVisitor for Bricks<'_, TANGENT> {
 
 fn wide<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discrete, &Material),
+    of: (&Discretisation, &Material),
     s: &State,
     law: &L,
-    work: &mut Work,
+    work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
     match of.0.width {
@@ -171,10 +158,10 @@ fn wide<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
 fn eight<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discrete, &Material),
+    of: (&Discretisation, &Material),
     s: &State,
     law: &L,
-    work: &mut Work,
+    work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
     all::<crate::element::lanes::Eight, L, NN, NM, TANGENT>(points, of, s, law, work, totals)
@@ -184,10 +171,10 @@ fn eight<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
 #[target_feature(enable = "avx2,fma")]
 fn four<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discrete, &Material),
+    of: (&Discretisation, &Material),
     s: &State,
     law: &L,
-    work: &mut Work,
+    work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
     all::<crate::element::lanes::Four, L, NN, NM, TANGENT>(points, of, s, law, work, totals)
@@ -196,10 +183,10 @@ fn four<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
 #[inline(always)]
 fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discrete, &Material),
+    of: (&Discretisation, &Material),
     s: &State,
     law: &L,
-    work: &mut Work,
+    work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
     let mut input = Input::<R, NN, NM>::zero();
@@ -214,7 +201,7 @@ fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: 
             let e = (first + lane).min(count - 1);
             for a in 0..NN {
                 let node = d.connectivity[e * NN + a] as usize;
-                let (x, u) = (&d.parts.nodes[node], &s.u[3 * node..3 * node + 3]);
+                let (x, u) = (&d.problem.nodes[node], &s.u[3 * node..3 * node + 3]);
                 for i in 0..3 {
                     input.rest[a][i].set_lane(lane, x[i]);
                     input.now[a][i].set_lane(lane, x[i] + u[i]);
@@ -277,16 +264,16 @@ fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: 
     None
 }
 
-fn ties<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work, totals: &mut Totals) {
-    for (t, ([a, b], tie)) in d.parts.ties.iter().enumerate() {
+fn trusses<const TANGENT: bool>(d: &Discretisation, s: &State, work: &mut Assembled, totals: &mut Totals) {
+    for (t, ([a, b], truss)) in d.problem.trusses.iter().enumerate() {
         let (a, b) = (*a as usize, *b as usize);
-        let end = |n: usize, i: usize| d.parts.nodes[n][i] + s.u[3 * n + i];
+        let end = |n: usize, i: usize| d.problem.nodes[n][i] + s.u[3 * n + i];
         let delta = [0, 1, 2].map(|i| end(b, i) - end(a, i));
         let (compliance, augment) = d.strand[t];
         // T = q + γ (strain − q/(E A)): of strands stiffer than γ the rest is iterated.
         let pull =
-            Tie { stiffness_n: augment, ..*tie }.pull(delta, share(compliance, augment) * s.q[t], s.q[t]);
-        totals.braid += 0.5 * pull.tension * pull.tension * compliance * tie.length_mm;
+            Truss { stiffness_n: augment, ..*truss }.pull(delta, share(compliance, augment) * s.q[t], s.q[t]);
+        totals.braid += 0.5 * pull.tension * pull.tension * compliance * truss.length_mm;
         work.strands[t] = (pull.direction, pull.strain, pull.carries);
         for i in 0..3 {
             let f = pull.tension * pull.direction[i];
@@ -294,7 +281,7 @@ fn ties<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work, totals: &
             work.force[3 * b + i] += f;
         }
         if TANGENT {
-            let map = &d.tie_map[t];
+            let map = &d.truss_map[t];
             for k in 0..6 {
                 work.values[map[k] as usize] += pull.tangent[k];
                 work.values[map[6 + k] as usize] += pull.tangent[k];
@@ -310,16 +297,16 @@ fn ties<const TANGENT: bool>(d: &Discrete, s: &State, work: &mut Work, totals: &
 
 fn faces<const N: usize, const TANGENT: bool>(
     points: &[FacePoint<N>],
-    d: &Discrete,
+    d: &Discretisation,
     s: &State,
-    work: &mut Work,
+    work: &mut Assembled,
     totals: &mut Totals,
 ) {
     let mut map = d.face_map.chunks_exact(9);
-    for nodes in &d.parts.faces {
+    for nodes in &d.problem.faces {
         let x: [[f64; 3]; N] = std::array::from_fn(|a| {
             let n = nodes[a] as usize;
-            std::array::from_fn(|i| d.parts.nodes[n][i] + s.u[3 * n + i])
+            std::array::from_fn(|i| d.problem.nodes[n][i] + s.u[3 * n + i])
         });
         let v = volume::<N, TANGENT>(points, &x);
         totals.volume += v.value;

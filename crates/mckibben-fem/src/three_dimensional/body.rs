@@ -4,12 +4,11 @@
 //! carried along as variables of their own so that stiff constraints do not slow Newton's method down (Magisano,
 //! Leonetti & Garcea 2017). `saddle.rs` solves the linear systems.
 
-use super::assembly::{Totals, Work, assemble};
-use super::discrete::Discrete;
+use super::assembly::{Assembled, assemble};
+use super::discretisation::Discretisation;
 use super::saddle::{Constraints, constraint_residual, dot, gather, share};
-use super::state::State;
-use crate::axisymmetric::FemError;
-use crate::axisymmetric::equilibrium::Control;
+use crate::FemError;
+use crate::solver::body::{Control, State, Totals};
 use crate::solver::newton::{NewtonSystem, Stopped};
 use crate::solver::sparse::SparseCholesky;
 use std::sync::Arc;
@@ -25,11 +24,11 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Debug)]
 pub struct Body {
     /// What does not change.
-    pub discrete: Arc<Discrete>,
+    pub discretisation: Arc<Discretisation>,
     /// The present iterate.
     pub state: State,
     /// What the last assembly filled.
-    pub work: Work,
+    pub assembled: Assembled,
     /// What is held.
     pub control: Control,
     /// Totals of the last assembly.
@@ -58,13 +57,13 @@ impl Body {
     ///
     /// # Errors
     /// [`FemError::TooLarge`] where there is not enough memory.
-    pub fn new(discrete: impl Into<Arc<Discrete>>) -> Result<Self, FemError> {
-        let discrete = discrete.into();
-        let cholesky = SparseCholesky::new(discrete.pattern.clone())
+    pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self, FemError> {
+        let discretisation = discretisation.into();
+        let cholesky = SparseCholesky::new(discretisation.pattern.clone())
             .map_err(|e| FemError::TooLarge { unknowns: e.dimension })?;
-        let state = State::rest(&discrete);
+        let state = discretisation.rest();
         Ok(Self {
-            work: Work::new(&discrete),
+            assembled: Assembled::new(&discretisation),
             step: state.clone(),
             control: Control::Length(0.0),
             totals: Totals::default(),
@@ -72,7 +71,7 @@ impl Body {
             substitutions: 0,
             cholesky,
             state,
-            discrete,
+            discretisation,
         })
     }
 
@@ -86,7 +85,7 @@ impl Body {
     /// # Errors
     /// [`Stopped`].
     pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<false>(&self.discrete, &self.state, &mut self.work)?;
+        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.totals)
     }
 
@@ -95,7 +94,7 @@ impl Body {
     /// # Errors
     /// [`Stopped`].
     pub fn assemble(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<true>(&self.discrete, &self.state, &mut self.work)?;
+        self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.totals)
     }
 
@@ -104,7 +103,7 @@ impl Body {
     /// # Errors
     /// [`Stopped::Singular`].
     pub fn factorise_assembled(&mut self) -> Result<(), Stopped> {
-        Ok(self.cholesky.factorise(&self.work.values)?)
+        Ok(self.cholesky.factorise(&self.assembled.values)?)
     }
 
     /// Residual and factorised tangent of the present state.
@@ -124,13 +123,13 @@ impl Body {
 
     /// The terminal's column of the tangent, and its own entry.
     fn terminal_column(&self) -> (&[f64], f64) {
-        let (entries, n) = (self.discrete.pattern.entries(), self.discrete.free);
-        (&self.work.values[entries..entries + n], self.work.values[entries + n])
+        let (entries, n) = (self.discretisation.pattern.entries(), self.discretisation.free);
+        (&self.assembled.values[entries..entries + n], self.assembled.values[entries + n])
     }
 
-    /// The step that the last tangent foretells, and by how much ∂Π/∂w changes.
+    /// The step that the last tangent predicts, and by how much ∂Π/∂w changes.
     fn respond(&mut self, cause: Cause, out: &mut State, tolerance: f64) -> f64 {
-        let d = &self.discrete;
+        let d = &self.discretisation;
         let dw = match cause {
             Cause::Residual(dw) => dw,
             Cause::Terminal => 1.0,
@@ -138,16 +137,16 @@ impl Body {
         };
         let bricks = d.bricks() * d.modes;
         let mut b = vec![0.0; d.free];
-        let mut dm = vec![0.0; bricks + d.parts.ties.len()];
+        let mut dm = vec![0.0; bricks + d.problem.trusses.len()];
         match cause {
             Cause::Residual(_) => {
-                gather(d, &self.work.force, &mut b);
+                gather(d, &self.assembled.force, &mut b);
                 b.iter_mut().for_each(|x| *x = -*x);
-                constraint_residual(d, &self.state, &self.work, &mut dm);
+                constraint_residual(d, &self.state, &self.assembled, &mut dm);
             }
             Cause::Pressure => {
-                let mut all = self.work.cavity.clone();
-                for (v, dead) in all.iter_mut().zip(d.parts.dead.iter().flatten()) {
+                let mut all = self.assembled.cavity.clone();
+                for (v, dead) in all.iter_mut().zip(d.problem.dead.iter().flatten()) {
                     *v += dead;
                 }
                 gather(d, &all, &mut b);
@@ -162,12 +161,12 @@ impl Body {
         for &i in &d.terminal {
             out.u[i as usize] = dw;
         }
-        let constraints = Constraints { d, work: &self.work };
+        let constraints = Constraints { d, assembled: &self.assembled };
         self.substitutions += constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
         gather(d, &out.u, &mut b);
         let (column, _) = {
             let (entries, n) = (d.pattern.entries(), d.free);
-            (&self.work.values[entries..entries + n], ())
+            (&self.assembled.values[entries..entries + n], ())
         };
         let mut change = own * dw + dot(column, &b);
         // What the iterated multipliers do to the terminal.
@@ -175,8 +174,8 @@ impl Body {
         constraints.forces(&dm, &mut forces);
         change += d.terminal.iter().map(|&i| forces[i as usize]).sum::<f64>();
         if cause == Cause::Pressure {
-            change -= d.terminal.iter().map(|&i| self.work.cavity[i as usize]).sum::<f64>();
-            change -= d.parts.cap_mm2 / 3.0;
+            change -= d.terminal.iter().map(|&i| self.assembled.cavity[i as usize]).sum::<f64>();
+            change -= d.problem.cap_mm2 / 3.0;
         }
         out.p.copy_from_slice(&dm[..bricks]);
         out.q.copy_from_slice(&dm[bricks..]);
@@ -184,7 +183,8 @@ impl Body {
         out.pressure = if cause == Cause::Pressure { 1.0 } else { 0.0 };
         if cause != Cause::Terminal && cause != Cause::Pressure {
             // Strands that do not carry forget their tension.
-            for ((q, s), (_, _, carries)) in out.q.iter_mut().zip(&self.state.q).zip(&self.work.strands) {
+            for ((q, s), (_, _, carries)) in out.q.iter_mut().zip(&self.state.q).zip(&self.assembled.strands)
+            {
                 if !carries {
                     *q = -s;
                 }
@@ -195,8 +195,7 @@ impl Body {
 
     /// dF/dw of the whole muscle for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L.
     pub fn terminal_stiffness(&mut self) -> f64 {
-        let mut out = self.state.clone();
-        4.0 * self.respond(Cause::Terminal, &mut out, TIGHT)
+        self.terminal_response().0
     }
 
     /// ∂F/∂P at fixed length in mm², of the last tangent.
@@ -207,23 +206,29 @@ impl Body {
 
     /// −∂V/∂L at fixed pressure in mm², of the last tangent: by Maxwell's relation the same as ∂F/∂P.
     pub fn volume_per_length(&mut self) -> f64 {
+        self.terminal_response().1
+    }
+
+    /// [`Body::terminal_stiffness`] and [`Body::volume_per_length`] by one solution.
+    pub fn terminal_response(&mut self) -> (f64, f64) {
         let mut out = self.state.clone();
-        self.respond(Cause::Terminal, &mut out, TIGHT);
-        -4.0 * (dot(&self.work.cavity, &out.u) + self.discrete.parts.cap_mm2 / 3.0)
+        let change = self.respond(Cause::Terminal, &mut out, TIGHT);
+        let volume = dot(&self.assembled.cavity, &out.u) + self.discretisation.problem.cap_mm2 / 3.0;
+        (4.0 * change, -4.0 * volume)
     }
 
     /// The size of nodal forces in N against which residuals are measured.
     pub fn force_scale(&self) -> f64 {
-        let d = &self.discrete;
+        let d = &self.discretisation;
         let volume = d.rest.iter().map(|m| m.volume).sum::<f64>() / d.bricks().max(1) as f64;
         (d.shear + self.state.pressure.abs()) * volume.powf(2.0 / 3.0)
     }
 
     /// Relative residual of the last assembly together with what is held.
     fn norm(&self) -> f64 {
-        let d = &self.discrete;
+        let d = &self.discretisation;
         let scale = self.force_scale();
-        let free = d.place.iter().map(|&i| self.work.force[i as usize].abs()).fold(0.0, f64::max);
+        let free = d.place.iter().map(|&i| self.assembled.force[i as usize].abs()).fold(0.0, f64::max);
         let held = match self.control {
             Control::Length(w) => (w - self.state.terminal).abs() / d.radius,
             Control::Force(f) => (self.totals.pull - f).abs() / scale,
@@ -250,10 +255,7 @@ impl NewtonSystem for Body {
     }
 
     fn correct(&mut self) -> Result<f64, Stopped> {
-        let mut step = std::mem::replace(
-            &mut self.step,
-            State { u: vec![], p: vec![], q: vec![], pressure: 0.0, terminal: 0.0 },
-        );
+        let mut step = std::mem::take(&mut self.step);
         let reaction = 0.25 * self.totals.pull;
         match self.control {
             Control::Length(w) => {
@@ -275,7 +277,7 @@ impl NewtonSystem for Body {
         }
         self.state.add(1.0, &step);
         let largest = step.u.iter().fold(0.0_f64, |a, x| a.max(x.abs()));
-        let size = largest / self.discrete.radius;
+        let size = largest / self.discretisation.radius;
         let sum = size + step.pressure + step.u.iter().sum::<f64>();
         self.step = step;
         if sum.is_finite() { Ok(size) } else { Err(Stopped::Diverged { correction: f64::INFINITY }) }

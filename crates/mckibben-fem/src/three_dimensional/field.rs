@@ -1,20 +1,21 @@
 //! Places, stretches and Cauchy stress at the nodes of one eighth, for pictures and files.
 //!
 //! Stretches are those of the bricks' own field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
-//! (Barlow 1976): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
+//! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
-use super::engine::Engine;
 use super::mesh::{Brick, BrickMesh};
 use super::model::ThreeDimensional;
+use super::muscle::MuscleInBricks;
 use super::results::now;
-use super::{Body, Discrete};
-use crate::axisymmetric::FemError;
+use super::{Body, Discretisation};
+use crate::FemError;
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::{PAIRS, SpatialLaw, SpatialVisitor, visit};
 use crate::element::spatial_stretches::principal_axes;
+use crate::simulation::Discretised;
 use mckibben::model::Workspace;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -83,36 +84,38 @@ impl ThreeDimensional {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Field, FemError> {
-        let e = self.engine(workspace)?;
-        if !e.back_to(pressure_mpa, contraction) {
-            e.reach(pressure_mpa, contraction)?;
+        let c = self.continuation(workspace)?;
+        match c.kept_at(pressure_mpa, contraction).cloned() {
+            Some(state) => c.body.bricks.state = state,
+            None => c.reach(pressure_mpa, contraction)?,
         }
-        field(e)
+        field(&mut c.body)
     }
 }
 
-fn field(e: &mut Engine) -> Result<Field, FemError> {
-    let force_n = e.body.totals.pull;
-    e.body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
-    let body = &e.body;
-    let mut nodes = visit(&body.discrete.parts.law, Nodes { body });
-    nodes.truncate(e.mesh.grid().iter().product());
-    Ok(Field { nodes, pieces: pieces(body), plug: plug(body, &e.mesh), mesh: BrickMesh::clone(&e.mesh) })
+fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
+    let (body, mesh) = (&mut muscle.bricks, &muscle.mesh);
+    let force_n = body.totals.pull;
+    body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
+    let body = &*body;
+    let mut nodes = visit(&body.discretisation.problem.law, Nodes { body });
+    nodes.truncate(mesh.grid().iter().product());
+    Ok(Field { nodes, pieces: pieces(body), plug: plug(body, mesh), mesh: BrickMesh::clone(mesh) })
 }
 
 fn pieces(body: &Body) -> Vec<PieceField> {
-    let d = &body.discrete;
+    let d = &body.discretisation;
     let one = |t: usize| {
         let pull = super::results::pull(body, t);
         let n = pull.direction;
         PieceField {
-            ends: d.parts.ties[t].0.map(|n| n as usize),
+            ends: d.problem.trusses[t].0.map(|n| n as usize),
             stretch: 1.0 + pull.strain,
             angle_deg: n[0].hypot(n[1]).atan2(n[2].abs()).to_degrees(),
             tension_n: pull.tension,
         }
     };
-    (0..d.parts.ties.len()).map(one).collect()
+    (0..d.problem.trusses.len()).map(one).collect()
 }
 
 /// The plug's bricks with a number of their own for every node.
@@ -139,7 +142,7 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
         }
     }
     let at = |&n: &usize| NodeField {
-        rest_mm: body.discrete.parts.nodes[n],
+        rest_mm: body.discretisation.problem.nodes[n],
         now_mm: now(body, n),
         hoop_stretch: 1.0,
         meridional_stretch: 1.0,
@@ -147,7 +150,7 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
         stress_mpa: [0.0; 6],
     };
     let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
-    if let Some(elastic) = body.discrete.materials.get(1) {
+    if let Some(elastic) = body.discretisation.materials.get(1) {
         let field = visit(&elastic.law, Middles { body, bricks: elastic.bricks.clone(), order });
         for (node, n) in out.nodes.iter_mut().zip(&which) {
             *node = NodeField { rest_mm: node.rest_mm, now_mm: node.now_mm, ..field[*n] };
@@ -175,11 +178,11 @@ impl SpatialVisitor for Middles<'_> {
 }
 
 fn middles<L: SpatialLaw, const NN: usize>(of: &Middles<'_>, law: &L, p: &ShapePoint<NN>) -> Vec<NodeField> {
-    let parts = &of.body.discrete.parts;
-    let mut out = vec![NodeField::default(); parts.nodes.len()];
+    let problem = &of.body.discretisation.problem;
+    let mut out = vec![NodeField::default(); problem.nodes.len()];
     let mut shares = vec![0.0; out.len()];
     for e in of.bricks.clone() {
-        let nodes = &parts.bricks[e];
+        let nodes = &problem.bricks[e];
         let Some((f, at)) = gradient(of.body, nodes, p) else { continue };
         let stress = stress(of.body, law, e, nodes, p);
         let one = NodeField { stress_mpa: stress, ..stretches(&f, at) };
@@ -231,9 +234,9 @@ impl SpatialVisitor for Nodes<'_> {
     type Output = Vec<NodeField>;
 
     fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
-        let d = &self.body.discrete;
-        let mut out = vec![NodeField::default(); d.parts.nodes.len()];
-        match d.parts.brick {
+        let d = &self.body.discretisation;
+        let mut out = vec![NodeField::default(); d.problem.nodes.len()];
+        match d.problem.brick {
             Brick::Linear => fill(self.body, law, &at8, &[[0.0; 3]], &mut out),
             Brick::Quadratic => {
                 let g = [GAUSS2[0].0, GAUSS2[1].0];
@@ -252,7 +255,7 @@ fn fill<L: SpatialLaw, const NN: usize>(
     points: &[[f64; 3]],
     out: &mut [NodeField],
 ) {
-    let d = &body.discrete;
+    let d = &body.discretisation;
     let corners = if NN == 8 { [-1.0, 1.0].as_slice() } else { &[-1.0, 0.0, 1.0] };
     let p = corners.len();
     let places: Vec<[f64; 3]> =
@@ -260,12 +263,12 @@ fn fill<L: SpatialLaw, const NN: usize>(
     let at_nodes: Vec<ShapePoint<NN>> = places.iter().map(|x| at(*x, 1.0)).collect();
     let at_points: Vec<ShapePoint<NN>> = points.iter().map(|x| at(*x, 1.0)).collect();
     let mut shares = vec![0.0; out.len()];
-    for (e, nodes) in d.parts.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
+    for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
         let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, nodes, p)).collect();
         for (a, node) in nodes.iter().enumerate() {
             let k = *node as usize;
             let Some((f, _)) = gradient(body, nodes, &at_nodes[a]) else { continue };
-            let rest = d.parts.nodes[k];
+            let rest = d.problem.nodes[k];
             let here = NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, rest) };
             let field = &mut out[k];
             shares[k] += 1.0;
@@ -308,7 +311,7 @@ pub(super) fn gradient<const NN: usize>(
 ) -> Option<([[f64; 3]; 3], [f64; 3])> {
     let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
     for (a, node) in nodes.iter().enumerate() {
-        let (x, y) = (body.discrete.parts.nodes[*node as usize], now(body, *node as usize));
+        let (x, y) = (body.discretisation.problem.nodes[*node as usize], now(body, *node as usize));
         for i in 0..3 {
             at[i] += p.n[a] * x[i];
             for j in 0..3 {
@@ -336,13 +339,13 @@ fn stress<L: SpatialLaw, const NN: usize>(
             f[0][k] * (f[1][a] * f[2][b] - f[1][b] * f[2][a])
         })
         .sum();
-    let pressure = pressure(&body.discrete, body, e, at);
+    let pressure = pressure(&body.discretisation, body, e, at);
     let tau = law.spatial::<f64, false>(&left(&f), j).tau;
     std::array::from_fn(|c| tau[c] / j + if c < 3 { pressure } else { 0.0 })
 }
 
 /// p = Σ (p_k + γ c_k/V) ψ_k at a place at rest, with the part that is condensed.
-fn pressure(d: &Discrete, body: &Body, e: usize, at: [f64; 3]) -> f64 {
+fn pressure(d: &Discretisation, body: &Body, e: usize, at: [f64; 3]) -> f64 {
     let rest = &d.rest[e];
     let monomials = [1.0, at[0] - rest.centre[0], at[1] - rest.centre[1], at[2] - rest.centre[2]];
     (0..d.modes)
@@ -350,7 +353,7 @@ fn pressure(d: &Discrete, body: &Body, e: usize, at: [f64; 3]) -> f64 {
             let psi: f64 = (0..4).map(|m| rest.factors[k][m] * monomials[m]).sum();
             let i = e * d.modes + k;
             let augment = d.materials[d.material[e] as usize].augment;
-            psi * (body.state.p[i] + augment * body.work.defect[i] / rest.volume)
+            psi * (body.state.p[i] + augment * body.assembled.defect[i] / rest.volume)
         })
         .sum()
 }

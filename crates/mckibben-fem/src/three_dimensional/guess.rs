@@ -1,15 +1,15 @@
 //! First iterates: the axisymmetric equilibrium of the same muscle, carried over to the nodes.
 //!
 //! It only says where Newton's method begins. What comes out is an equilibrium of the three-dimensional body by its own
-//! residual; where the guess does not lead to one, [`super::engine`] walks from rest.
+//! residual; where the guess does not lead to one, [`crate::solver::continuation`] walks from rest.
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::discrete::Discrete;
+use super::discretisation::Discretisation;
 use super::mesh::BrickMesh;
-use super::state::State;
 use crate::axisymmetric::Section;
+use crate::solver::body::State;
 
 /// Lagrange's weights through three places.
 fn lagrange(x: [f64; 3], at: f64) -> [f64; 3] {
@@ -55,10 +55,16 @@ impl<'a> Finder<'a> {
 
 /// Fills displacements, pressures and tensions of `state`; `scale` is the length at rest over that of the section, and
 /// `width` that of one strand of the mesh in mm.
-pub(super) fn carry_over(d: &Discrete, mesh: &BrickMesh, section: &Section, width: f64, state: &mut State) {
+pub(super) fn carry_over(
+    d: &Discretisation,
+    mesh: &BrickMesh,
+    section: &Section,
+    width: f64,
+    state: &mut State,
+) {
     let find = Finder::new(section);
-    let tube = mesh.plug().map_or(d.parts.nodes.len(), |p| p.base);
-    for (node, x) in d.parts.nodes.iter().enumerate() {
+    let tube = mesh.plug().map_or(d.problem.nodes.len(), |p| p.base);
+    for (node, x) in d.problem.nodes.iter().enumerate() {
         let r = x[0].hypot(x[1]);
         let (mut dr, mut dz) = (0.0, 0.0);
         // What lies behind the beginning of the bond, and the plug, moves with the terminal.
@@ -94,11 +100,11 @@ pub(super) fn carry_over(d: &Discrete, mesh: &BrickMesh, section: &Section, widt
         state.p[e * d.modes] = mean;
     }
     let strands = section.strands();
-    for (q, (ends, _)) in state.q.iter_mut().zip(&d.parts.ties) {
-        let z = 0.5 * (d.parts.nodes[ends[0] as usize][2] + d.parts.nodes[ends[1] as usize][2]);
+    for (q, (ends, _)) in state.q.iter_mut().zip(&d.problem.trusses) {
+        let z = 0.5 * (d.problem.nodes[ends[0] as usize][2] + d.problem.nodes[ends[1] as usize][2]);
         let next = strands.partition_point(|s| s.rest_mm < z).clamp(1, strands.len().max(2) - 1);
         let (Some(a), Some(b)) = (strands.get(next - 1), strands.get(next)) else { continue };
         let t = ((z - a.rest_mm) / (b.rest_mm - a.rest_mm)).clamp(0.0, 1.0);
-        *q = width * (a.tension_per_width + t * (b.tension_per_width - a.tension_per_width));
+        *q = width * (a.tension_n_per_mm + t * (b.tension_n_per_mm - a.tension_n_per_mm));
     }
 }

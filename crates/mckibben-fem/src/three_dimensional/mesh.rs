@@ -5,7 +5,7 @@
 //! quads of the outer grid; a diagonal is at θ0 where tanθ0 = chord/Δz.
 
 use super::plug::{Plug, PlugGrid, profile};
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// Which brick.
@@ -80,10 +80,10 @@ impl BrickSpec {
     /// the text is none of them.
     pub fn parse(text: &str) -> Option<Self> {
         let mut words = text.split(':').map(str::trim);
-        let parts: Vec<usize> =
+        let problem: Vec<usize> =
             words.next()?.split('x').map(|t| t.trim().parse().ok()).collect::<Option<Vec<usize>>>()?;
         let spec = |through, around, along| Self { through, around, along, ..Self::default() };
-        let mut out = match parts.as_slice() {
+        let mut out = match problem.as_slice() {
             [a] => spec(None, Some(*a), None),
             [t, a] => spec(Some(*t), Some(*a), None),
             [t, a, l] => spec(Some(*t), Some(*a), Some(*l)),
@@ -307,8 +307,8 @@ impl BrickMesh {
         out
     }
 
-    /// Nodes of every face of the bore up to the terminal: around first, then along.
-    pub fn bore(&self) -> Vec<Vec<u32>> {
+    /// Nodes of every face of the inner surface up to the terminal: around first, then along.
+    pub fn cavity_faces(&self) -> Vec<Vec<u32>> {
         let (p, [_, nc, _]) = (self.brick.order(), self.elements);
         let nz = self.free_rows() / p;
         let mut out = Vec::with_capacity(nc * nz);
@@ -336,7 +336,7 @@ impl BrickMesh {
         FRAC_PI_4 * self.inner * self.inner
     }
 
-    /// Area of the bore's polygon at the terminal, of the quarter, in mm².
+    /// Area of the inner surface's polygon at the terminal, of the quarter, in mm².
     pub fn polygon_mm2(&self) -> f64 {
         let [_, nj, _] = self.grid();
         let at = |j: usize| self.nodes[self.node(0, j, self.free_rows())];

@@ -1,11 +1,11 @@
 //! The three-dimensional muscle as a force model.
 
-use super::Discrete;
-use super::engine::{Engine, Fixed};
+use super::discretisation::Discretisation;
 use super::mesh::{BrickMesh, BrickSpec};
-use super::results;
-use crate::axisymmetric::{FemError, Solution};
-use crate::solver::newton::Effort;
+use super::muscle::{MuscleInBricks, MuscleMesh};
+use crate::FemError;
+use crate::simulation::{self, Discretised};
+use crate::solver::continuation::Continuation;
 use mckibben::model::{Accuracy, ForceModel, ModelError, ModelId, ModelRange, Response, Workspace};
 use mckibben::muscle::Muscle;
 
@@ -22,14 +22,14 @@ const MESH_ERROR_BASIS: &str = "the mesh alone, against the axisymmetric limit o
 pub struct ThreeDimensional {
     id: ModelId,
     muscle: Muscle,
-    fixed: Fixed,
+    divided: MuscleMesh,
 }
 
 impl ThreeDimensional {
     /// The model of a muscle with a mesh of the program's choice.
     ///
     /// # Errors
-    /// [`FemError`] where the mesh is none.
+    /// [`FemError`] where the numbers give no valid mesh.
     pub fn new(muscle: &Muscle) -> Result<Self, FemError> {
         Self::with_mesh(muscle, &BrickSpec::default())
     }
@@ -37,87 +37,34 @@ impl ThreeDimensional {
     /// The model of a muscle with a mesh that is said.
     ///
     /// # Errors
-    /// [`FemError`] where the mesh is none.
+    /// [`FemError`] where the numbers give no valid mesh.
     pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
-        Ok(Self { id: ModelId::new(), muscle: muscle.clone(), fixed: Fixed::new(muscle, spec)? })
-    }
-
-    /// The states and memory of this model in a workspace.
-    ///
-    /// # Errors
-    /// [`FemError::TooLarge`] where there is not enough memory.
-    pub fn engine<'w>(&self, workspace: &'w mut Workspace) -> Result<&'w mut Engine, FemError> {
-        workspace.try_of(&self.id, || Engine::of(&self.fixed))
+        Ok(Self { id: ModelId::new(), muscle: muscle.clone(), divided: MuscleMesh::new(muscle, spec)? })
     }
 
     /// The grid at rest.
     pub fn mesh(&self) -> &BrickMesh {
-        &self.fixed.mesh
+        &self.divided.mesh
     }
 
     /// The unknowns and what they are made of.
-    pub fn discrete(&self) -> &Discrete {
-        self.fixed.discrete()
+    pub fn discretisation(&self) -> &Discretisation {
+        &self.divided.discretisation
     }
+}
 
-    /// Newton iterations, factorisations and residuals spent with a workspace.
-    pub fn effort(&self, workspace: &Workspace) -> Effort {
-        workspace.get::<Engine>(&self.id).map(|e| e.effort).unwrap_or_default()
-    }
+impl Discretised for ThreeDimensional {
+    type Body = MuscleInBricks;
 
-    /// Everything known at a pressure in MPa and a contraction.
-    ///
-    /// # Errors
-    /// [`FemError`].
-    pub fn solve(
+    fn continuation<'w>(
         &self,
-        workspace: &mut Workspace,
-        pressure_mpa: f64,
-        contraction: f64,
-    ) -> Result<Solution, FemError> {
-        let e = self.engine(workspace)?;
-        e.reach(pressure_mpa, contraction)?;
-        results::solution(&mut e.body, &e.mesh, &self.muscle)
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w mut Continuation<MuscleInBricks>, FemError> {
+        workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))
     }
 
-    /// The equilibrium with a given pull in N at a pressure in MPa; its contraction is sought.
-    ///
-    /// # Errors
-    /// [`FemError`].
-    pub fn at_force(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        pressure_mpa: f64,
-    ) -> Result<Solution, FemError> {
-        let e = self.engine(workspace)?;
-        e.reach_force(force_n, pressure_mpa)?;
-        results::solution(&mut e.body, &e.mesh, &self.muscle)
-    }
-
-    /// The equilibrium with a given pull in N at a contraction; its pressure is sought.
-    ///
-    /// # Errors
-    /// [`FemError`].
-    pub fn at_pressure_for(
-        &self,
-        workspace: &mut Workspace,
-        force_n: f64,
-        contraction: f64,
-    ) -> Result<Solution, FemError> {
-        let e = self.engine(workspace)?;
-        e.reach_pressure(force_n, contraction)?;
-        results::solution(&mut e.body, &e.mesh, &self.muscle)
-    }
-
-    /// Free contraction: ε without a pull.
-    ///
-    /// # Errors
-    /// [`FemError`].
-    pub fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
-        let e = self.engine(workspace)?;
-        e.reach_force(0.0, pressure_mpa)?;
-        Ok(e.contraction())
+    fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<MuscleInBricks>> {
+        workspace.get(&self.id)
     }
 }
 
@@ -168,7 +115,7 @@ impl ForceModel for ThreeDimensional {
                     "the terminal is a plug ({name}) with {insertion} mm in the tube and a nose of {nose} mm radius"
                 ));
         }
-        if let Some(u) = workspace.get::<Engine>(&self.id).and_then(|e| e.unstable().first()) {
+        if let Some(u) = self.known(workspace).and_then(|c| c.unstable().first()) {
             let met = match u.step {
                 0 => "an equilibrium".to_owned(),
                 n => format!("step {n} of the walk from rest"),
@@ -187,12 +134,7 @@ impl ForceModel for ThreeDimensional {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Response, ModelError> {
-        let mut respond = || {
-            let e = self.engine(workspace)?;
-            e.reach(pressure_mpa, contraction)?;
-            results::response(&mut e.body, &e.mesh, &self.muscle)
-        };
-        respond().map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+        simulation::response(self, workspace, pressure_mpa, contraction)
     }
 
     fn force_n(
@@ -201,8 +143,7 @@ impl ForceModel for ThreeDimensional {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<f64, ModelError> {
-        let e = self.engine(workspace).and_then(|e| e.reach(pressure_mpa, contraction).map(|()| e));
-        e.map(|e| e.body.totals.pull).map_err(|e| e.into_model(pressure_mpa, contraction))
+        simulation::force_n(self, workspace, pressure_mpa, contraction)
     }
 
     fn pressure_in_closed_form(
@@ -211,9 +152,7 @@ impl ForceModel for ThreeDimensional {
         force_n: f64,
         contraction: f64,
     ) -> Option<Result<f64, ModelError>> {
-        let e = self.engine(workspace).ok()?;
-        e.reach_pressure(force_n, contraction).ok()?;
-        Some(e.body.state.pressure).filter(|p| *p >= 0.0).map(Ok)
+        simulation::pressure(self, workspace, force_n, contraction)
     }
 
     fn contraction_in_closed_form(
@@ -222,8 +161,6 @@ impl ForceModel for ThreeDimensional {
         force_n: f64,
         pressure_mpa: f64,
     ) -> Option<Result<f64, ModelError>> {
-        let e = self.engine(workspace).ok()?;
-        e.reach_force(force_n, pressure_mpa).ok()?;
-        Some(e.contraction()).filter(|e| *e >= 0.0).map(Ok)
+        simulation::contraction(self, workspace, force_n, pressure_mpa)
     }
 }

@@ -1,14 +1,14 @@
-//! The terminal as a body: a plug that fills the tube's bore, with a rounded nose towards the cavity.
+//! The terminal as a body: a plug that fills the end of the tube, with a rounded nose towards the cavity.
 //!
-//! The plug's side meets the bore from z = L0/2 on, over the insertion; tube and plug are bonded there, so that L0 stays the length
+//! The plug's side meets the inner surface from z = L0/2 on, over the insertion; tube and plug are bonded there, so that L0 stays the length
 //! between the terminals. Its nose stands in the cavity: a quarter of a circle of radius ρ from (Ri, L0/2) to (Ri − ρ, L0/2 − ρ), then
 //! a plane to the axis. The tube's outer face stays free over the insertion, the far end of tube and braid is held.
 //!
-//! The grid carries the tube's on to the axis: columns m from the axis (0) to the bore, around as the tube, rows along as the
+//! The grid carries the tube's on to the axis: columns m from the axis (0) to the inner surface, around as the tube, rows along as the
 //! tube's rows of the insertion. Bricks at the axis are wedges (two edges in one).
 
 use super::mesh::{BrickMesh, direction};
-use crate::axisymmetric::FemError;
+use crate::FemError;
 use std::f64::consts::FRAC_PI_2;
 
 /// What a plug is made of.
@@ -25,9 +25,9 @@ pub enum PlugMaterial {
 pub const ALUMINIUM_MPA: f64 = 70_000.0;
 /// Its Poisson's ratio.
 pub const ALUMINIUM_POISSON: f64 = 0.33;
-/// Radius of the nose over that of the bore, where none is said.
+/// Radius of the nose over the inner radius, where none is said.
 const NOSE: f64 = 0.25;
-/// Shortest insertion of an elastic plug over the radius of the bore.
+/// Shortest insertion of an elastic plug over the inner radius.
 const SHORTEST: f64 = 1e-3;
 
 impl PlugMaterial {
@@ -58,7 +58,7 @@ pub struct Plug {
     pub material: PlugMaterial,
     /// Length of the bond in mm; the muscle's `[terminals] insertion` where it is `None`.
     pub insertion_mm: Option<f64>,
-    /// Radius ρ of the nose in mm; a quarter of the bore's radius where it is `None`, 0 for a sharp edge.
+    /// Radius ρ of the nose in mm; a quarter of the inner radius where it is `None`, 0 for a sharp edge.
     pub nose_mm: Option<f64>,
 }
 
@@ -73,14 +73,14 @@ pub struct PlugGrid {
     pub nose_mm: f64,
     /// Row of the tube's nodes at which the bond begins.
     pub first_row: usize,
-    /// Nodes from the axis to the bore: (r, how far the face stands before the beginning of the bond), in mm.
+    /// Nodes from the axis to the inner surface: (r, how far the face stands before the beginning of the bond), in mm.
     pub profile: Vec<(f64, f64)>,
     /// Number of its first node.
     pub base: usize,
 }
 
 impl Plug {
-    /// Insertion and nose in mm for a bore of radius `inner` and half length `half`.
+    /// Insertion and nose in mm for an inner surface of radius `inner` and half length `half`.
     pub(super) fn measures(&self, inner: f64, half: f64) -> Result<(f64, f64), FemError> {
         let insertion = self.insertion_mm.unwrap_or(0.0);
         let least = if self.material == PlugMaterial::Rigid { 0.0 } else { SHORTEST * inner };
@@ -95,7 +95,7 @@ fn check(name: &'static str, value: f64, low: f64, high: f64) -> Result<(), FemE
     if (low..=high).contains(&value) { Ok(()) } else { Err(FemError::Mesh { name, value, low, high }) }
 }
 
-/// (r, how far before the bond) from the axis to the bore, with intervals of `order` and as many columns as suit `around` bricks.
+/// (r, how far before the bond) from the axis to the inner surface, with intervals of `order` and as many columns as suit `around` bricks.
 pub(super) fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec<(f64, f64)> {
     let columns = (around / 4).clamp(2, 16);
     let (flat, round) = (inner - nose, columns * order);
@@ -116,14 +116,14 @@ pub(super) fn profile(inner: f64, nose: f64, around: usize, order: usize) -> Vec
 }
 
 impl PlugGrid {
-    /// Intervals from the axis to the bore.
+    /// Intervals from the axis to the inner surface.
     pub fn columns(&self) -> usize {
         self.profile.len() - 1
     }
 }
 
 impl BrickMesh {
-    /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to the bore.
+    /// Adds the plug's nodes: those on the axis first, then row by row, around, from the axis to the inner surface.
     pub(super) fn fill_plug(&mut self, wide: f64, rows: &[f64]) {
         let Some(plug) = &self.plug else { return };
         let (order, [_, nj, _]) = (self.brick().order(), self.grid());
@@ -157,7 +157,7 @@ impl BrickMesh {
         self.plug.as_ref().map_or(self.grid()[2] - 1, |p| p.first_row)
     }
 
-    /// Number of the plug's node at (m from the axis, j around, k along from its face); at the bore it is the tube's.
+    /// Number of the plug's node at (m from the axis, j around, k along from its face); at the inner surface it is the tube's.
     pub fn plug_node(&self, plug: &PlugGrid, m: usize, j: usize, k: usize) -> usize {
         let ([_, nj, nk], columns) = (self.grid(), plug.columns());
         match m {

@@ -7,10 +7,11 @@ use super::body::Body;
 use super::field::{gradient, largest_principal};
 use super::mesh::{Brick, BrickMesh};
 use super::saddle::share;
-use crate::axisymmetric::{Energies, FemError, ProfilePoint, Solution, StrandState, StretchAt};
+use crate::FemError;
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
-use crate::element::tie::{Pull, Tie};
+use crate::element::truss::{Pull, Truss};
+use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt};
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -34,9 +35,9 @@ pub fn solution(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<So
         strands,
         max_stretch: largest_stretch(body),
         energies: Energies {
-            rubber: 8.0 * totals.rubber,
-            braid: 8.0 * totals.braid,
-            pressure: body.state.pressure * (8.0 * totals.volume - rest),
+            rubber_n_mm: 8.0 * totals.rubber,
+            braid_n_mm: 8.0 * totals.braid,
+            pressure_n_mm: body.state.pressure * (8.0 * totals.volume - rest),
         },
         unstable_directions: body.unstable_directions(),
         smallest_j: totals.smallest_j,
@@ -62,18 +63,18 @@ fn rest_volume(mesh: &BrickMesh) -> f64 {
 pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Response, FemError> {
     let force_n = body.totals.pull;
     let totals = body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
-    let force_per_pressure = body.force_per_pressure();
-    let stiffness = 0.5 * body.terminal_stiffness();
-    let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_per_width).fold(0.0, f64::max);
+    // By Maxwell's relation ∂F/∂P = −∂V/∂L.
+    let (stiffness, force_per_pressure) = body.terminal_response();
+    let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
     let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
     let bulge = profile(body, mesh).iter().map(|p| p.outer_mm.1).fold(0.0, f64::max);
     Ok(Response {
         pressure_mpa: body.state.pressure + 0.0,
-        contraction: 0.0 - body.state.terminal / body.discrete.half,
+        contraction: 0.0 - body.state.terminal / body.discretisation.half,
         force_n: totals.pull,
         volume_mm3: Some(8.0 * totals.volume),
-        stiffness_n_per_mm: Some(stiffness),
+        stiffness_n_per_mm: Some(0.5 * stiffness),
         force_per_pressure_mm2: Some(force_per_pressure),
         braid_tension_n: Some(all),
         strand_tension_n: count.map(|n| all / f64::from(n)),
@@ -84,7 +85,7 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
 
 /// Place now of a node in mm.
 pub(super) fn now(body: &Body, node: usize) -> [f64; 3] {
-    let (x, u) = (&body.discrete.parts.nodes[node], &body.state.u[3 * node..3 * node + 3]);
+    let (x, u) = (&body.discretisation.problem.nodes[node], &body.state.u[3 * node..3 * node + 3]);
     [x[0] + u[0], x[1] + u[1], x[2] + u[2]]
 }
 
@@ -115,13 +116,13 @@ fn profile(body: &Body, mesh: &BrickMesh) -> Vec<ProfilePoint> {
 
 /// What a piece of a strand does now.
 pub(super) fn pull(body: &Body, t: usize) -> Pull {
-    let d = &body.discrete;
-    let (ends, tie) = &d.parts.ties[t];
+    let d = &body.discretisation;
+    let (ends, truss) = &d.problem.trusses[t];
     let [a, b] = ends.map(|n| now(body, n as usize));
     let delta = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
     let (compliance, augment) = d.strand[t];
-    let tie = Tie { stiffness_n: augment, ..*tie };
-    tie.pull(delta, share(compliance, augment) * body.state.q[t], 0.0)
+    let truss = Truss { stiffness_n: augment, ..*truss };
+    truss.pull(delta, share(compliance, augment) * body.state.q[t], 0.0)
 }
 
 /// Means over both families, row of quads by row.
@@ -147,16 +148,16 @@ fn strands(body: &Body, mesh: &BrickMesh, muscle: &Muscle) -> Vec<StrandState> {
                 rest_mm: 0.5 * (z(k) + z(k + 1)),
                 stretch: stretch / count,
                 angle_deg: (angle / count).to_degrees(),
-                tension_per_width: per_width,
+                tension_n_per_mm: per_width,
                 tension_n: spacing.map(|s| per_width * s),
             }
         })
         .collect()
 }
 
-/// Looks at the bore, the middle and the outer face of every brick.
+/// Looks at the inner surface, the middle and the outer face of every brick.
 fn largest_stretch(body: &Body) -> StretchAt {
-    match body.discrete.parts.brick {
+    match body.discretisation.problem.brick {
         Brick::Linear => look(body, &[-1.0, 0.0, 1.0].map(|x| at8([x, 0.0, 0.0], 1.0))),
         Brick::Quadratic => {
             let g = 0.6_f64.sqrt();
@@ -167,9 +168,9 @@ fn largest_stretch(body: &Body) -> StretchAt {
 }
 
 fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> StretchAt {
-    let d = &body.discrete;
+    let d = &body.discretisation;
     let mut largest = StretchAt { value: 1.0, rest_mm: [0.0; 2] };
-    for nodes in &d.parts.bricks[d.materials[0].bricks.clone()] {
+    for nodes in &d.problem.bricks[d.materials[0].bricks.clone()] {
         for p in points {
             let Some((f, at)) = gradient(body, nodes, p) else { continue };
             let value = largest_principal(&f);

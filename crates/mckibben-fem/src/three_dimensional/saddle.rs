@@ -5,14 +5,14 @@
 //!   K du + Σ β G dm = b + Σ (γ/V) G d,    G du − (V/k) dm = d
 //!
 //! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G K⁻¹(…) − d by
-//! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983).
+//! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983 \[fortin1983\]).
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::assembly::Work;
-use super::discrete::Discrete;
-use super::state::State;
+use super::assembly::Assembled;
+use super::discretisation::Discretisation;
+use crate::solver::body::State;
 use crate::solver::sparse::SparseCholesky;
 
 /// Most iterations.
@@ -27,9 +27,9 @@ pub(super) fn share(compliance: f64, augment: f64) -> f64 {
 /// Constraints of a body at its last assembly.
 pub struct Constraints<'a> {
     /// The body.
-    pub d: &'a Discrete,
+    pub d: &'a Discretisation,
     /// Its last assembly.
-    pub work: &'a Work,
+    pub assembled: &'a Assembled,
 }
 
 impl Constraints<'_> {
@@ -48,16 +48,18 @@ impl Constraints<'_> {
             let (volume, material) = (d.rest[e].volume, &d.materials[d.material[e] as usize]);
             for k in 0..d.modes {
                 let m = e * d.modes + k;
-                let gradient = &self.work.gradient[m * nn * 3..(m + 1) * nn * 3];
+                let gradient = &self.assembled.gradient[m * nn * 3..(m + 1) * nn * 3];
                 each(m, nodes, gradient, volume, material.compliance, material.augment);
             }
         }
         let first = d.bricks() * d.modes;
-        for (t, ((ends, tie), &(n, _, carries))) in d.parts.ties.iter().zip(&self.work.strands).enumerate() {
+        for (t, ((ends, truss), &(n, _, carries))) in
+            d.problem.trusses.iter().zip(&self.assembled.strands).enumerate()
+        {
             if carries {
                 let gradient = [-n[0], -n[1], -n[2], n[0], n[1], n[2]];
                 let (compliance, augment) = d.strand[t];
-                each(first + t, ends, &gradient, tie.length_mm, compliance, augment);
+                each(first + t, ends, &gradient, truss.length_mm, compliance, augment);
             }
         }
     }
@@ -195,27 +197,27 @@ pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Unknowns into displacements.
-pub(super) fn spread(d: &Discrete, x: &[f64], u: &mut [f64]) {
+pub(super) fn spread(d: &Discretisation, x: &[f64], u: &mut [f64]) {
     for (x, place) in x.iter().zip(&d.place) {
         u[*place as usize] = *x;
     }
 }
 
 /// Displacements into unknowns.
-pub(super) fn gather(d: &Discrete, u: &[f64], x: &mut [f64]) {
+pub(super) fn gather(d: &Discretisation, u: &[f64], x: &mut [f64]) {
     for (x, place) in x.iter_mut().zip(&d.place) {
         *x = u[*place as usize];
     }
 }
 
 /// d = −c: what is left of the constraints.
-pub(super) fn constraint_residual(d: &Discrete, s: &State, work: &Work, out: &mut [f64]) {
+pub(super) fn constraint_residual(d: &Discretisation, s: &State, work: &Assembled, out: &mut [f64]) {
     let bricks = d.bricks() * d.modes;
     for (o, c) in out.iter_mut().zip(&work.defect) {
         *o = -c;
     }
     for (t, (_, strain, carries)) in work.strands.iter().enumerate() {
-        let length = d.parts.ties[t].1.length_mm;
+        let length = d.problem.trusses[t].1.length_mm;
         out[bricks + t] = if *carries { -length * (strain - s.q[t] * d.strand[t].0) } else { 0.0 };
     }
 }

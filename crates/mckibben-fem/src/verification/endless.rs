@@ -1,10 +1,12 @@
 //! F and G. The endless muscle: a slice without end constraint under a braid that stretches or does not, and bonded
 //! muscles that tend to it as they become longer.
+//!
+//! Loaded and held: pressure inside, the axial stretch given; all z of an end move together, r is free (slice) or bonded (muscles).
 
 use super::{Row, at, body, radius, rubber};
-use crate::axisymmetric::discrete::{BraidSpec, Ends};
-use crate::axisymmetric::mesh::Mesh;
+use crate::axisymmetric::Mesh;
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
+use crate::axisymmetric::{BraidSpec, Ends};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::MooneyRivlin;
@@ -24,7 +26,9 @@ const ROWS: [(f64, f64, f64, f64, f64); 5] = [
 ];
 const THROUGH: usize = 8;
 
-fn slice(stiffness: Option<f64>) -> Option<crate::axisymmetric::path::Walker> {
+fn slice(
+    stiffness: Option<f64>,
+) -> Option<crate::solver::continuation::Continuation<crate::axisymmetric::Body>> {
     let (inner, outer, angle, _) = SECTION;
     let mesh = Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0));
     let braid = BraidSpec { angle_rad: angle.to_radians(), stiffness, compression: false };
@@ -44,16 +48,16 @@ pub fn endless_braid() -> Vec<Row> {
     let (_, outer, angle, pressure) = SECTION;
     let mut rows = Vec::new();
     for (stretch, force, contact, a, b) in ROWS {
-        let mut walker = slice(None);
-        let solved = walker.as_mut().and_then(|w| {
+        let mut path = slice(None);
+        let solved = path.as_mut().and_then(|w| {
             // Pressure first: the strands must be taut.
-            let terminal = (stretch - 1.0) * w.body.discrete.half_length();
+            let terminal = (stretch - 1.0) * w.body.discretisation.half_length();
             w.walk(pressure, 0.0, 1.0).ok()?;
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(&w.body)
         });
         let found = solved.map(|w| {
-            let q = w.state.x[w.discrete.layout.tension(0)];
+            let q = w.state.u[w.discretisation.layout.tension(0)];
             let contact = 2.0 * q * angle.to_radians().sin().powi(2) / (outer * stretch);
             (w.totals.pull, contact, radius(w, 0, 0), radius(w, 2 * THROUGH, 0))
         });
@@ -67,9 +71,9 @@ pub fn endless_braid() -> Vec<Row> {
         let exact = muscle(200.0, BraidStiffness::NewtonPerMm(k))
             .and_then(|m| ThickWall::new(&m).force_n(&mut Workspace::new(), pressure, e).ok())
             .unwrap_or(f64::INFINITY);
-        let mut walker = slice(Some(k));
-        let ours = walker.as_mut().and_then(|w| {
-            let terminal = -e * w.body.discrete.half_length();
+        let mut path = slice(Some(k));
+        let ours = path.as_mut().and_then(|w| {
+            let terminal = -e * w.body.discretisation.half_length();
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(w.body.totals.pull)
         });
@@ -85,8 +89,8 @@ fn slack() -> Row {
     let law = MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 };
     let exact =
         mckibben::rubber::RubberLaw::uniaxial_stress_mpa(&law, 0.9) * PI * (outer * outer - inner * inner);
-    let mut walker = slice(Some(200.0));
-    let ours = walker.as_mut().and_then(|w| at(w, 0.0, 0.9)).map(|b| b.totals.pull);
+    let mut path = slice(Some(200.0));
+    let ours = path.as_mut().and_then(|w| at(w, 0.0, 0.9)).map(|b| b.totals.pull);
     let source = "F: strands carry nothing in compression";
     Row::new("slack strands, ε 0.1, P 0: F (N)".into(), source, exact, ours, 1e-9)
 }

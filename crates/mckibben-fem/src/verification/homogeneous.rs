@@ -1,9 +1,11 @@
 //! A. Homogeneous states (Rivlin 1948 \[rivlin1948\]; Treloar 1975 \[treloar1975\]), at a point and on a distorted patch.
+//!
+//! Loaded and held: both ends by given z (all of an end together), r free everywhere, no pressure.
 
 use super::{Row, at, body, rubber};
-use crate::axisymmetric::discrete::Ends;
-use crate::axisymmetric::equilibrium::Body;
-use crate::axisymmetric::mesh::Mesh;
+use crate::axisymmetric::Body;
+use crate::axisymmetric::Ends;
+use crate::axisymmetric::Mesh;
 use crate::element::plane::{Gradient, PlaneLaw, PlaneVisitor, visit};
 use std::f64::consts::PI;
 
@@ -26,14 +28,14 @@ fn distorted() -> Mesh {
 
 /// Largest distance of the nodes from the homogeneous state (λ^(−1/2) R, λ Z), in mm.
 fn distance(body: &Body, stretch: f64) -> f64 {
-    let (d, s) = (&body.discrete, &body.state);
+    let (d, s) = (&body.discretisation, &body.state);
     let across = stretch.powf(-0.5);
     let mut worst = 0.0_f64;
     for j in 0..=2 * d.layout.along {
         for i in 0..d.layout.nodes() {
             let ([r, z], k) = (d.mesh.node(i, j), d.layout.at(j) + 2 * i);
-            worst = worst.max((s.x[k] - (across - 1.0) * r).abs());
-            worst = worst.max((s.x[k + 1] - (stretch - 1.0) * z).abs());
+            worst = worst.max((s.u[k] - (across - 1.0) * r).abs());
+            worst = worst.max((s.u[k + 1] - (stretch - 1.0) * z).abs());
         }
     }
     worst
@@ -60,8 +62,8 @@ pub fn homogeneous() -> Vec<Row> {
         // λz = 1/4 is equibiaxial λ = 2: the true stresses differ by the sign alone.
         ("equibiaxial tension, λ = 2, distorted patch", 0.25, 0.70875, -0.125),
     ] {
-        let mut walker = body(distorted(), None, Ends::Sliding).ok();
-        let solved = walker.as_mut().and_then(|w| at(w, 0.0, stretch));
+        let mut path = body(distorted(), None, Ends::Sliding).ok();
+        let solved = path.as_mut().and_then(|w| at(w, 0.0, stretch));
         let stress = solved.as_ref().map(|b| factor * b.totals.pull / section);
         rows.push(Row::new(format!("{name}: nominal stress (MPa)"), SOURCE, nominal, stress, 1e-11));
         let off = solved.map(|b| distance(b, stretch));

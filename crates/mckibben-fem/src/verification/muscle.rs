@@ -1,4 +1,6 @@
 //! I. The two identities of the muscle, and the independent prototype.
+//!
+//! Loaded and held: pressure inside, the length given, both ends bonded to rigid terminals.
 
 use super::Row;
 use crate::axisymmetric::Axisymmetric;

@@ -1,11 +1,14 @@
 //! J. Numerical conduct: tangent, quadratic convergence, independence of steps, order of mesh convergence.
+//!
+//! Loaded and held: a bonded muscle under pressure at a given length; the order of meshes: a slice of tube under pressure, its length given.
 
 use super::{Row, at, body, radius};
+use crate::Simulation;
 use crate::axisymmetric::Axisymmetric;
-use crate::axisymmetric::discrete::{Discrete, Ends, Make};
-use crate::axisymmetric::equilibrium::{Body, Control};
-use crate::axisymmetric::mesh::Mesh;
-use crate::axisymmetric::path::Walker;
+use crate::axisymmetric::Body;
+use crate::axisymmetric::Mesh;
+use crate::axisymmetric::{Discretisation, Ends, Problem};
+use crate::solver::body::Control;
 use crate::solver::newton::{self, NewtonOptions};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle, Terminals, Tube};
@@ -25,14 +28,18 @@ pub fn laws() -> Vec<Law> {
 }
 
 /// A bonded muscle with one law, bulk and braid at rest.
-fn muscle_body(law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Option<Walker> {
+fn muscle_body(
+    law: Law,
+    bulk: Bulk,
+    stiffness: BraidStiffness,
+) -> Option<crate::solver::continuation::Continuation<crate::axisymmetric::Body>> {
     let muscle = Muscle::prototype();
     let mut tube = muscle.tube().clone();
     (tube.rubber.law, tube.rubber.bulk) = (law, bulk);
     let muscle = muscle.with_tube(tube).ok()?;
     let muscle = muscle.with_braid(Braid { stiffness, ..Braid::paper() }).ok()?;
     let mesh = Mesh::tube(12.0, 15.0, 142.5, (1, 6, 2.0));
-    Discrete::new(mesh, Make::of(&muscle)).ok().map(Walker::new)
+    Discretisation::new(mesh, Problem::of(&muscle)).ok().map(super::at_rest)
 }
 
 /// The rows of J.
@@ -65,8 +72,8 @@ pub fn numerics() -> Vec<Row> {
 /// factorised tangent, and compares with v.
 pub fn tangent_error(body: &mut Body) -> Option<f64> {
     body.factorise().ok()?;
-    let (l, state) = (body.discrete.layout, body.state.clone());
-    let mut v = vec![0.0; state.x.len()];
+    let (l, state) = (body.discretisation.layout, body.state.clone());
+    let mut v = vec![0.0; state.u.len()];
     let mut seed = 1u64;
     for x in v[..l.end()].iter_mut() {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -78,7 +85,7 @@ pub fn tangent_error(body: &mut Body) -> Option<f64> {
     let h = 1e-4;
     let mut change = vec![0.0; v.len()];
     for (k, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
-        for ((x, x0), v) in body.state.x.iter_mut().zip(&state.x).zip(&v) {
+        for ((x, x0), v) in body.state.u.iter_mut().zip(&state.u).zip(&v) {
             *x = x0 + k * h * v;
         }
         body.evaluate().ok()?;

@@ -1,6 +1,9 @@
 //! E. Follower pressure: derivatives of the volume, forces in balance, and the energy along a path.
+//!
+//! Loaded and held: a line of the cavity's wall alone; and a bonded muscle along a path of pressures and lengths.
 
 use super::Row;
+use crate::Simulation;
 use crate::axisymmetric::Axisymmetric;
 use crate::load::cavity::volume;
 use mckibben::model::Workspace;
@@ -23,7 +26,7 @@ pub fn follower_pressure() -> Vec<Row> {
         slope = slope.max(((up.value - down.value) / (2.0 * h) - v.first[i]).abs() / v.first[4].abs());
         for j in 0..6 {
             curvature = curvature.max(((up.first[j] - down.first[j]) / (2.0 * h) - v.second[j][i]).abs());
-            // Parts that integrate to the ends of the line are not symmetric inside of it; the sum is.
+            // Problem that integrate to the ends of the line are not symmetric inside of it; the sum is.
             skew = skew.max((v.second[i][j] - v.second[j][i]).abs());
         }
     }
@@ -58,7 +61,7 @@ fn energy() -> Row {
             if i == 0 || i == STEPS {
                 let sign = if i == 0 { -1.0 } else { 1.0 };
                 work += sign * p(t) * volume;
-                stored[usize::from(i == STEPS)] = s.energies.rubber + s.energies.braid;
+                stored[usize::from(i == STEPS)] = s.energies.rubber_n_mm + s.energies.braid_n_mm;
             }
         }
         Some(work / (stored[1] - stored[0]))

@@ -1,9 +1,10 @@
 //! C. Thick sphere under inside pressure: A = 1, B = 2.
+//!
+//! Loaded and held: pressure inside, outside free; u_z = 0 at the equator, r = 0 at the pole, whose z is free.
 
 use super::{Row, at, body, radius};
-use crate::axisymmetric::discrete::{Discrete, Ends, Make};
-use crate::axisymmetric::mesh::Mesh;
-use crate::axisymmetric::path::Walker;
+use crate::axisymmetric::Mesh;
+use crate::axisymmetric::{Discretisation, Ends, Problem};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 use std::f64::consts::FRAC_PI_2;
@@ -20,8 +21,8 @@ pub fn thick_sphere() -> Vec<Row> {
                 let (sin, cos) = (FRAC_PI_2 * y).sin_cos();
                 [(1.0 + x) * if y < 1.0 { cos } else { 0.0 }, (1.0 + x) * sin]
             });
-            let mut walker = body(mesh, None, Ends::Pole).ok();
-            let ours = walker.as_mut().and_then(|w| at(w, pressure, 1.0)).map(|b| radius(b, 0, 0));
+            let mut path = body(mesh, None, Ends::Pole).ok();
+            let ours = path.as_mut().and_then(|w| at(w, pressure, 1.0)).map(|b| radius(b, 0, 0));
             Row::new(format!("thick sphere 1/2, p {pressure}: a/A"), SOURCE, swell, ours, 1e-5)
         })
         .collect();
@@ -41,17 +42,17 @@ fn balloon() -> Row {
             [rho * if y < 1.0 { cos } else { 0.0 }, rho * sin]
         });
         let law = Law::NeoHookean(NeoHookean { mu_mpa: mu });
-        let make = Make { law, bulk: Bulk::Incompressible, braid: None, ends: Ends::Pole };
-        let mut walker = Walker::new(Discrete::new(mesh, make).ok()?);
+        let problem = Problem { law, bulk: Bulk::Incompressible, braid: None, ends: Ends::Pole };
+        let mut path = super::at_rest(Discretisation::new(mesh, problem).ok()?);
         let mut low = 0.5 * exact;
-        walker.walk(low, 0.0, 1.0).ok()?;
+        path.walk(low, 0.0, 1.0).ok()?;
         let mut step = 0.4 * exact;
         while step > 1e-5 * exact {
-            let before = walker.body.state.clone();
-            if walker.walk(low + step, 0.0, 1.0).is_ok() && walker.body.unstable_directions() == 0 {
+            let before = path.body.state.clone();
+            if path.walk(low + step, 0.0, 1.0).is_ok() && path.body.unstable_directions() == 0 {
                 low += step;
             } else {
-                walker.start_from(&before);
+                path.body.state.copy_from(&before);
                 step *= 0.5;
             }
         }

@@ -1,10 +1,11 @@
 //! B. Thick tube under inside pressure at a fixed axial stretch (Rivlin 1949 \[rivlin1949\]; Haughton & Ogden 1979 \[haughton1979\]), and Lamé's.
+//!
+//! Loaded and held: pressure inside, outside free, the axial stretch given; all z of an end move together, r is free.
 
 use super::{Row, at, body, radius};
-use crate::axisymmetric::discrete::{Discrete, Ends, Make};
-use crate::axisymmetric::equilibrium::Control;
-use crate::axisymmetric::mesh::Mesh;
-use crate::axisymmetric::path::Walker;
+use crate::axisymmetric::Mesh;
+use crate::axisymmetric::{Discretisation, Ends, Problem};
+use crate::solver::body::Control;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, NeoHookean};
 
@@ -33,8 +34,8 @@ pub fn thick_tube() -> Vec<Row> {
     let mut rows = Vec::new();
     for (inner, outer, stretch, swell, pressure, outside, axial) in ROWS {
         let through = if outer / inner > 1.5 { 24 } else { 8 };
-        let mut walker = body(slice(inner, outer, through), None, Ends::Sliding).ok();
-        let solved = walker.as_mut().and_then(|w| at(w, pressure, stretch));
+        let mut path = body(slice(inner, outer, through), None, Ends::Sliding).ok();
+        let solved = path.as_mut().and_then(|w| at(w, pressure, stretch));
         let found = solved.map(|b| (radius(b, 0, 0) / inner, radius(b, 2 * through, 0), b.totals.pull));
         let name = |what: &str| format!("thick tube {inner}/{outer}, λz {stretch}, p {pressure}: {what}");
         rows.push(Row::new(name("a/A"), SOURCE, swell, found.map(|f| f.0), 1e-7));
@@ -54,11 +55,11 @@ fn lame() -> Row {
     let ratio = b * b / (a * a);
     let exact = p * a / (2.0 * g) * ((1.0 - 2.0 * nu) + ratio) / (ratio - 1.0);
     let law = Law::NeoHookean(NeoHookean { mu_mpa: g });
-    let make = Make { law, bulk: Bulk::Modulus(k), braid: None, ends: Ends::Sliding };
-    let ours = Discrete::new(slice(a, b, 16), make).ok().and_then(|d| {
-        let mut walker = Walker::new(d);
-        walker.walk(p, 0.0, 1.0).ok()?;
-        Some(walker.body.state.x[0])
+    let problem = Problem { law, bulk: Bulk::Modulus(k), braid: None, ends: Ends::Sliding };
+    let ours = Discretisation::new(slice(a, b, 16), problem).ok().and_then(|d| {
+        let mut path = super::at_rest(d);
+        path.walk(p, 0.0, 1.0).ok()?;
+        Some(path.body.state.u[0])
     });
     Row::new(
         "Lamé's thick cylinder 1/2, K = 10 G: u(A) (mm)".into(),
@@ -73,12 +74,12 @@ fn lame() -> Row {
 fn finite_bulk() -> Row {
     let (inner, outer, stretch, _, pressure, ..) = ROWS[0];
     let swell = |bulk: Bulk| {
-        let make = Make { law: super::rubber(), bulk, braid: None, ends: Ends::Sliding };
-        let mut walker = Walker::new(Discrete::new(slice(inner, outer, 4), make).ok()?);
-        walker.options.newton.tolerance = 1e-13;
-        walker.walk(pressure, (stretch - 1.0) * walker.body.discrete.half_length(), 1.0).ok()?;
-        walker.solve(Control::Length(0.0)).ok()?;
-        Some(radius(&walker.body, 0, 0))
+        let problem = Problem { law: super::rubber(), bulk, braid: None, ends: Ends::Sliding };
+        let mut path = super::at_rest(Discretisation::new(slice(inner, outer, 4), problem).ok()?);
+        path.newton.tolerance = 1e-13;
+        path.walk(pressure, (stretch - 1.0) * path.body.discretisation.half_length(), 1.0).ok()?;
+        path.solve(Control::Length(0.0)).ok()?;
+        Some(radius(&path.body, 0, 0))
     };
     let ratio = (|| {
         let limit = swell(Bulk::Incompressible)?;

@@ -76,6 +76,12 @@ pub enum ModelError {
         /// The law's name.
         law: &'static str,
     },
+    /// Finite elements have no equilibrium, for a reason that they say.
+    #[error("{reason}")]
+    NoEquilibrium {
+        /// The reason in words.
+        reason: String,
+    },
     /// An iteration did not converge.
     #[error(
         "no convergence at {pressure_mpa} MPa and contraction {contraction} after {iterations} iterations (residual {residual:.3e})"

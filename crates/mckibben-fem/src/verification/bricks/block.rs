@@ -1,7 +1,7 @@
 //! Bodies that are no muscles: a box of bricks, bent by a map into what a case needs.
 
 use crate::solver::dissection::Sheet;
-use crate::three_dimensional::{Brick, Freedom, Parts};
+use crate::three_dimensional::{Brick, Freedom, Problem};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::Law;
 
@@ -48,7 +48,7 @@ impl Block {
     }
 
     /// The body, all free; `map` carries the unit cube to the places at rest.
-    pub fn parts(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Parts {
+    pub fn problem(&self, law: Law, bulk: Bulk, map: impl Fn([f64; 3]) -> [f64; 3]) -> Problem {
         let (p, [n0, n1, n2], [ni, nj, nk]) = (self.brick.order(), self.elements, self.grid());
         let unit = |i: usize, n: usize| i as f64 / (n - 1) as f64;
         let nodes: Vec<[f64; 3]> =
@@ -68,10 +68,10 @@ impl Block {
         let sheet = Sheet { around: nj, along: nk, stride: p };
         let columns = sheet.order().into_iter();
         let order = columns.flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
-        Parts {
+        Problem {
             brick: self.brick,
             bricks,
-            ties: vec![],
+            trusses: vec![],
             faces: vec![],
             cap_mm2: 0.0,
             dead: vec![],

@@ -1,4 +1,6 @@
 //! H. Cook's membrane, nearly incompressible neo-Hooke, plane strain, mean dilatation (Q1P0): the tip mesh by mesh.
+//!
+//! Loaded and held: the left side clamped, a dead load of 100 N upwards on the right side, z held everywhere.
 
 use super::block::Block;
 use super::{body, solve};
@@ -14,23 +16,23 @@ fn tip(n: usize) -> Option<f64> {
     let block = Block::new(Brick::Linear, [1, n, n]);
     let law = Law::NeoHookean(NeoHookean { mu_mpa: 80.1938 });
     // First direction: the thickness (z); second and third: along and across.
-    let mut parts = block.parts(law, Bulk::Modulus(400_889.806), |[t, x, y]| {
+    let mut problem = block.problem(law, Bulk::Modulus(400_889.806), |[t, x, y]| {
         let (low, high) = (44.0 * x, 44.0 + 16.0 * x);
         [48.0 * x, low + (high - low) * y, t]
     });
-    parts.dead = vec![[0.0; 3]; parts.nodes.len()];
+    problem.dead = vec![[0.0; 3]; problem.nodes.len()];
     for (node, [_, j, k]) in block.places().into_iter().enumerate() {
-        parts.freedom[node][2] = Freedom::Held;
+        problem.freedom[node][2] = Freedom::Held;
         if j == 0 {
-            parts.freedom[node] = [Freedom::Held; 3];
+            problem.freedom[node] = [Freedom::Held; 3];
         }
         if j == n {
             let share = if k == 0 || k == n { 0.5 } else { 1.0 };
-            parts.dead[node][1] = 100.0 * 0.5 * share / n as f64;
+            problem.dead[node][1] = 100.0 * 0.5 * share / n as f64;
         }
     }
     let corner = block.node(0, n, n);
-    let mut body = body(parts)?;
+    let mut body = body(problem)?;
     for i in 1..=4 {
         body.state.pressure = 0.25 * f64::from(i);
         solve(&mut body, 0.0)?;

@@ -1,4 +1,6 @@
 //! A. Homogeneous states with bricks whose inner nodes are out of place: the patch test at large strains.
+//!
+//! Loaded and held: the faces of a block by given displacements in one or two directions, all else free.
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
@@ -17,7 +19,7 @@ fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, 
     let block = Block::new(brick, [2, 2, 2]);
     // Zero on the surface, and trilinear in each brick, so that quadratic bricks have plain sides as well.
     let hat = |x: f64| 1.0 - (2.0 * x - 1.0).abs();
-    let mut parts = block.parts(rubber(), Bulk::Incompressible, |[x, y, z]| {
+    let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let bump = hat(x) * hat(y) * hat(z);
         [x + 0.10 * bump, y - 0.07 * bump, z + 0.05 * bump]
     });
@@ -26,11 +28,11 @@ fn cube(brick: Brick, held: impl Fn([bool; 3], usize) -> bool) -> Option<(Body, 
     for (node, place) in block.places().iter().enumerate() {
         for i in 0..3 {
             if place[i] == 0 || held(far[node], i) {
-                parts.freedom[node][i] = Freedom::Held;
+                problem.freedom[node][i] = Freedom::Held;
             }
         }
     }
-    Some((body(parts)?, far))
+    Some((body(problem)?, far))
 }
 
 /// Nominal stress on the far face x for stretches of the far faces x and, where given, y; and the largest distance of a
@@ -40,7 +42,7 @@ fn stress(brick: Brick, x: f64, y: Option<f64>) -> Option<(f64, f64)> {
     let stretch = [x, y.unwrap_or(x.powf(-0.5)), 1.0 / (x * y.unwrap_or(x.powf(-0.5)))];
     push(&mut body, 10, |n, i| if far[n][i] { stretch[i] - 1.0 } else { 0.0 })?;
     let sum = reaction(&mut body, (0..far.len()).filter(|&n| far[n][0]).map(|n| (n, 0)))?;
-    let nodes = &body.discrete.parts.nodes;
+    let nodes = &body.discretisation.problem.nodes;
     let mut worst = 0.0_f64;
     for (n, rest) in nodes.iter().enumerate() {
         for i in 0..3 {

@@ -1,5 +1,7 @@
 //! I. Strands that do not stretch, at rest length: the pull tends to π D0² P (3 cos²θ0 − 1)/(4 sin²θ0) as the polygon of the mesh tends to
 //! the circle, with the square of the bricks' size.
+//!
+//! Loaded and held: pressure inside, rest length held, both ends bonded.
 
 use crate::three_dimensional::{BrickSpec, Match, ThreeDimensional};
 use crate::verification::Row;

@@ -27,34 +27,39 @@ pub use terminal::terminal;
 pub use torsion::torsion;
 pub use tube::thick_tube;
 
-use super::Row;
-use crate::axisymmetric::equilibrium::Control;
+use crate::solver::body::Control;
+use crate::solver::continuation::Continuation;
 use crate::solver::newton::{self, Effort, NewtonOptions};
-use crate::three_dimensional::{Body, Brick, Discrete, Freedom, Parts};
+use crate::three_dimensional::{
+    Body, Brick, BrickSpec, Discretisation, Freedom, MuscleInBricks, MuscleMesh, Problem,
+};
+use mckibben::muscle::Muscle;
 
 const BRICKS: [(Brick, &str); 2] = [(Brick::Linear, "8-node brick"), (Brick::Quadratic, "27-node brick")];
 
 /// Every case with bricks.
-pub fn cases() -> Vec<Row> {
-    [
-        homogeneous(),
-        shear(),
-        thick_tube(),
-        torsion(),
-        follower_pressure(),
-        terminal(),
-        snap(),
-        cook(),
-        numerics(),
-        paths(),
-        limit(),
-        muscle(),
-    ]
-    .concat()
+pub(super) const CASES: [super::Case; 12] = [
+    homogeneous,
+    shear,
+    thick_tube,
+    torsion,
+    follower_pressure,
+    terminal,
+    snap,
+    cook,
+    numerics,
+    paths,
+    limit,
+    muscle,
+];
+
+fn body(problem: Problem) -> Option<Body> {
+    Body::new(Discretisation::new(problem).ok()?).ok()
 }
 
-fn body(parts: Parts) -> Option<Body> {
-    Body::new(Discrete::new(parts).ok()?).ok()
+/// A muscle at rest.
+fn at_rest(muscle: &Muscle, spec: &BrickSpec) -> Option<Continuation<MuscleInBricks>> {
+    MuscleMesh::new(muscle, spec).ok()?.at_rest().ok().map(Continuation::new)
 }
 
 fn tight() -> NewtonOptions {
@@ -80,9 +85,9 @@ fn drive(body: &mut Body, pressure: f64, terminal: f64, steps: usize) -> Option<
 
 /// Moves held displacements to what `at` says of (node, direction), in so many equal steps.
 fn push(body: &mut Body, steps: usize, at: impl Fn(usize, usize) -> f64) -> Option<()> {
-    let held: Vec<(usize, usize)> = (0..body.discrete.parts.nodes.len())
+    let held: Vec<(usize, usize)> = (0..body.discretisation.problem.nodes.len())
         .flat_map(|n| (0..3).map(move |i| (n, i)))
-        .filter(|&(n, i)| body.discrete.parts.freedom[n][i] == Freedom::Held)
+        .filter(|&(n, i)| body.discretisation.problem.freedom[n][i] == Freedom::Held)
         .collect();
     let start: Vec<f64> = held.iter().map(|&(n, i)| body.state.u[3 * n + i]).collect();
     for step in 1..=steps {
@@ -99,5 +104,5 @@ fn push(body: &mut Body, steps: usize, at: impl Fn(usize, usize) -> f64) -> Opti
 /// Sum of ∂Π/∂u over some displacements.
 fn reaction(body: &mut Body, of: impl Iterator<Item = (usize, usize)>) -> Option<f64> {
     body.evaluate().ok()?;
-    Some(of.map(|(n, i)| body.work.force[3 * n + i]).sum())
+    Some(of.map(|(n, i)| body.assembled.force[3 * n + i]).sum())
 }

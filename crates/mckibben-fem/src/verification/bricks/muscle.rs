@@ -1,4 +1,6 @@
 //! The muscle itself: another program's numbers on the same mesh, and the axisymmetric limit.
+//!
+//! Loaded and held: pressure inside, the length given, both ends bonded.
 
 use crate::three_dimensional::{Brick, BrickSpec, Match, ThreeDimensional};
 use crate::verification::Row;

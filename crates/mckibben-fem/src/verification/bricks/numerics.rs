@@ -1,14 +1,16 @@
 //! J. Numerical conduct: tangents of every law and brick, objectivity, Newton's order, steps, numbering.
+//!
+//! Loaded and held: a short muscle shaken at random, its length given.
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
 use super::pressure::prototype;
 use super::{BRICKS, body, solve, tight};
-use crate::axisymmetric::equilibrium::Control;
-use crate::element::tie::Tie;
+use crate::element::truss::Truss;
+use crate::solver::body::Control;
 use crate::solver::newton::{self, Effort};
-use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Parts};
+use crate::three_dimensional::{Body, Brick, BrickMesh, BrickSpec, Problem};
 use crate::verification::Row;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::rubber::Law;
@@ -30,21 +32,21 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
     let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
     let spec = BrickSpec { brick, around: Some(2), along: Some(2), through: Some(1), ..BrickSpec::default() };
     let mesh = BrickMesh::new(12.0, 15.0, 20.0, 0.5, &spec).ok()?;
-    let mut body = body(Parts::of(&muscle, &mesh))?;
+    let mut body = body(Problem::of(&muscle, &mesh))?;
     let mut seed = 7;
-    for &i in &body.discrete.place.clone() {
+    for &i in &body.discretisation.place.clone() {
         body.state.u[i as usize] = 0.6 * random(&mut seed);
     }
     body.state.p.iter_mut().for_each(|p| *p = 0.4 * random(&mut seed));
     body.state.terminal = 0.7;
-    for &i in &body.discrete.terminal.clone() {
+    for &i in &body.discretisation.terminal.clone() {
         body.state.u[i as usize] = 0.7;
     }
     body.state.pressure = 0.15;
     // Tensions that belong to the strains: the residual holds them so.
     body.evaluate().ok()?;
-    for (t, (_, strain, _)) in body.work.strands.clone().into_iter().enumerate() {
-        let (compliance, augment) = body.discrete.strand[t];
+    for (t, (_, strain, _)) in body.assembled.strands.clone().into_iter().enumerate() {
+        let (compliance, augment) = body.discretisation.strand[t];
         body.state.q[t] = if compliance > 0.0 { strain / compliance } else { augment * strain };
     }
     Some(body)
@@ -54,18 +56,18 @@ fn shaken(brick: Brick, law: Law, bulk: Bulk, stiffness: BraidStiffness) -> Opti
 ///
 /// With everything condensed (K finite) the residual is r(u, p) and p follows u: p = K (v − V)/V.
 pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
-    let d = body.discrete.clone();
+    let d = body.discretisation.clone();
     let incompressible = d.compliance == 0.0;
     let follow = |b: &mut Body| -> Option<()> {
         // Of condensed modes, p + γ c/V is what the elements take; put it into p.
         if !incompressible {
             b.evaluate().ok()?;
-            for (i, c) in b.work.defect.clone().into_iter().enumerate() {
+            for (i, c) in b.assembled.defect.clone().into_iter().enumerate() {
                 b.state.p[i] += d.augment * c / d.rest[i / d.modes].volume;
             }
         }
         b.evaluate().ok()?;
-        for (t, (_, strain, _)) in b.work.strands.clone().into_iter().enumerate() {
+        for (t, (_, strain, _)) in b.assembled.strands.clone().into_iter().enumerate() {
             let (compliance, augment) = d.strand[t];
             if augment * compliance > 0.999 {
                 b.state.q[t] = strain / compliance;
@@ -86,12 +88,12 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     for c in 0..d.free {
         for k in d.pattern.columns[c] as usize..d.pattern.columns[c + 1] as usize {
             let r = d.pattern.rows[k] as usize;
-            product[r] += body.work.values[k] * v[c];
+            product[r] += body.assembled.values[k] * v[c];
             if r != c {
-                product[c] += body.work.values[k] * v[r];
+                product[c] += body.assembled.values[k] * v[r];
             }
         }
-        product[c] += body.work.values[d.pattern.entries() + c] * w;
+        product[c] += body.assembled.values[d.pattern.entries() + c] * w;
     }
     let base = body.state.clone();
     let h = 1e-5;
@@ -107,7 +109,7 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
         body.state.terminal += step * h * w;
         body.evaluate().ok()?;
         for (c, &i) in change.iter_mut().zip(&d.place) {
-            *c += weight * body.work.force[i as usize] / (12.0 * h);
+            *c += weight * body.assembled.force[i as usize] / (12.0 * h);
         }
     }
     body.state.copy_from(&base);
@@ -122,10 +124,10 @@ fn objectivity(brick: Brick) -> Option<f64> {
     let mut body = shaken(brick, law, Bulk::Modulus(20.0), BraidStiffness::NewtonPerMm(300.0))?;
     body.state.pressure = 0.0;
     let before = body.evaluate().ok()?;
-    let size = |b: &Body| b.work.force.iter().map(|f| f * f).sum::<f64>().sqrt();
+    let size = |b: &Body| b.assembled.force.iter().map(|f| f * f).sum::<f64>().sqrt();
     let force = size(&body);
     let axis = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]].map(|r: [f64; 3]| r.map(|x| x / 3.0));
-    for (n, rest) in body.discrete.parts.nodes.clone().into_iter().enumerate() {
+    for (n, rest) in body.discretisation.problem.nodes.clone().into_iter().enumerate() {
         let x: Vec<f64> = (0..3).map(|i| rest[i] + body.state.u[3 * n + i]).collect();
         for i in 0..3 {
             body.state.u[3 * n + i] = (0..3).map(|j| axis[i][j] * x[j]).sum::<f64>() - rest[i];
@@ -138,10 +140,10 @@ fn objectivity(brick: Brick) -> Option<f64> {
 
 /// log(r3/r2)/log(r2/r1) of the last residuals of a large step.
 fn order_of_newton(brick: Brick) -> Option<f64> {
-    let mut engine = prototype(brick)?;
-    engine.reach(0.2, 0.05).ok()?;
-    let half = engine.half_length();
-    let body = &mut engine.body;
+    let mut c = prototype(brick)?;
+    c.reach(0.2, 0.05).ok()?;
+    let body = &mut c.body.bricks;
+    let half = body.discretisation.half;
     body.control = Control::Length(-0.09 * half);
     body.tolerance = 1e-11;
     let mut seen = Vec::new();
@@ -155,7 +157,7 @@ fn order_of_newton(brick: Brick) -> Option<f64> {
 /// Relative difference of the pull after 4 and after 25 steps of pressure.
 fn steps(brick: Brick) -> Option<f64> {
     let pull = |steps: usize| {
-        let mut body = prototype(brick)?.body;
+        let mut body = prototype(brick)?.body.bricks;
         super::drive(&mut body, 0.2, 0.0, steps)?;
         Some(body.totals.pull)
     };
@@ -167,11 +169,11 @@ fn numbering(brick: Brick) -> Option<f64> {
     let spec = BrickSpec { brick, around: Some(3), along: Some(6), ..BrickSpec::default() };
     let mesh = BrickMesh::new(12.0, 15.0, 60.0, 0.5, &spec).ok()?;
     let pull = |back: bool| {
-        let mut parts = Parts::of(&Muscle::prototype(), &mesh);
+        let mut problem = Problem::of(&Muscle::prototype(), &mesh);
         if back {
-            parts.order.reverse();
+            problem.order.reverse();
         }
-        let mut body = body(parts)?;
+        let mut body = body(problem)?;
         body.state.pressure = 0.1;
         solve(&mut body, 0.0)?;
         Some(body.totals.pull)
@@ -180,14 +182,14 @@ fn numbering(brick: Brick) -> Option<f64> {
 }
 
 /// Largest difference between a strand's tangent and differences of its force, over the tangent.
-fn tie() -> f64 {
-    let tie = Tie { length_mm: 3.0, stiffness_n: 200.0, compression: true };
+fn truss() -> f64 {
+    let truss = Truss { length_mm: 3.0, stiffness_n: 200.0, compression: true };
     let at = [1.9, 2.1, -1.6];
     let force = |d: [f64; 3]| {
-        let p = tie.pull(d, 0.0, 0.0);
+        let p = truss.pull(d, 0.0, 0.0);
         p.direction.map(|n| n * p.tension)
     };
-    let here = tie.pull(at, 0.0, tie.pull(at, 0.0, 0.0).tension);
+    let here = truss.pull(at, 0.0, truss.pull(at, 0.0, 0.0).tension);
     let mut worst = 0.0_f64;
     for j in 0..3 {
         let h = 1e-5;
@@ -225,6 +227,6 @@ pub fn numerics() -> Vec<Row> {
         rows.push(row("pull after 4 and 25 steps", 0.0, steps(brick), 1e-8));
         rows.push(row("pull with unknowns numbered backwards", 0.0, numbering(brick), 1e-10));
     }
-    rows.push(Row::new("strand, tangent against differences".into(), SOURCE, 0.0, Some(tie()), 1e-8));
+    rows.push(Row::new("strand, tangent against differences".into(), SOURCE, 0.0, Some(truss()), 1e-8));
     rows
 }

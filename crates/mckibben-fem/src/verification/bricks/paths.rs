@@ -1,11 +1,14 @@
 //! J. The answer does not depend on the way to it; and an equilibrium that is not stable is noticed.
+//!
+//! Loaded and held: a bonded muscle under pressure at a given length; strands that carry compression shortened without pressure.
 
 use super::super::numerics::laws;
 use super::muscle::peers;
 use super::numerics::tangent_error;
 use super::pressure::prototype;
-use super::{BRICKS, solve};
-use crate::three_dimensional::{Body, Brick, BrickSpec, Engine};
+use super::{BRICKS, at_rest, solve};
+use crate::solver::continuation::Unstable;
+use crate::three_dimensional::{Body, Brick, BrickSpec};
 use crate::verification::Row;
 use faer::{Mat, Side};
 use mckibben::muscle::{Bulk, Muscle};
@@ -15,12 +18,12 @@ const SOURCE: &str = "J: numerical conduct (bricks)";
 
 /// Relative difference of the pull from the axisymmetric first iterate and after a walk from rest.
 fn walked(brick: Brick, pressure: f64, contraction: f64) -> Option<f64> {
-    let mut engine = prototype(brick)?;
-    engine.reach(pressure, contraction).ok()?;
-    let guessed = engine.body.totals.pull;
-    engine.forget();
-    engine.walk_from_rest(pressure, contraction).ok()?;
-    Some((engine.body.totals.pull / guessed - 1.0).abs())
+    let mut c = prototype(brick)?;
+    c.reach(pressure, contraction).ok()?;
+    let guessed = c.pull();
+    c.forget();
+    c.walk_from_rest(pressure, contraction).ok()?;
+    Some((c.pull() / guessed - 1.0).abs())
 }
 
 /// The largest difference between tangent and differences at an equilibrium of an incompressible rubber.
@@ -30,22 +33,22 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
     (tube.rubber.law, tube.rubber.bulk) = (law, Bulk::Incompressible);
     let muscle = muscle.with_tube(tube).ok()?;
     let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
-    let mut engine =
-        Engine::new(&muscle, &BrickSpec { brick, around, along, ..BrickSpec::default() }).ok()?;
-    engine.reach(0.2, 0.05).ok()?;
+    let mut c = at_rest(&muscle, &BrickSpec { brick, around, along, ..BrickSpec::default() })?;
+    c.reach(0.2, 0.05).ok()?;
+    let body = &mut c.body.bricks;
     // Defects of the volume multiply second derivatives that the tangent leaves out: none may be left.
-    let terminal = engine.body.state.terminal;
-    solve(&mut engine.body, terminal)?;
-    tangent_error(&mut engine.body)
+    let terminal = body.state.terminal;
+    solve(body, terminal)?;
+    tangent_error(body)
 }
 
 /// Negative eigenvalues of the tangent with the terminal held, from all of them.
 fn negative_eigenvalues(body: &Body) -> Option<usize> {
-    let d = &body.discrete;
+    let d = &body.discretisation;
     let mut full = Mat::<f64>::zeros(d.free, d.free);
     for c in 0..d.free {
         for k in d.pattern.columns[c] as usize..d.pattern.columns[c + 1] as usize {
-            full[(d.pattern.rows[k] as usize, c)] = body.work.values[k];
+            full[(d.pattern.rows[k] as usize, c)] = body.assembled.values[k];
         }
     }
     let values = full.self_adjoint_eigenvalues(Side::Lower).ok()?;
@@ -53,19 +56,20 @@ fn negative_eigenvalues(body: &Body) -> Option<usize> {
 }
 
 /// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues) that are negative.
-fn shortened() -> Option<(Engine, usize, usize)> {
+fn shortened() -> Option<(Vec<Unstable>, usize, usize)> {
     let spec = BrickSpec { around: Some(4), along: Some(12), through: Some(1), ..BrickSpec::default() };
-    let mut engine = Engine::new(&peers()?, &spec).ok()?;
+    let mut c = at_rest(&peers()?, &spec)?;
     let contraction = 0.02;
-    let half = engine.half_length();
+    let half = c.body.bricks.discretisation.half;
     for i in 1..=4 {
         let w = -0.25 * f64::from(i) * contraction * half;
-        engine.body.state.pressure = 0.0;
-        engine.step(i as usize, w).ok()?;
+        c.body.bricks.state.pressure = 0.0;
+        c.step(i as usize, w).ok()?;
     }
-    engine.body.factorise().ok()?;
-    let (pivots, eigenvalues) = (engine.body.unstable_directions(), negative_eigenvalues(&engine.body)?);
-    Some((engine, pivots, eigenvalues))
+    let body = &mut c.body.bricks;
+    body.factorise().ok()?;
+    let (pivots, eigenvalues) = (body.unstable_directions(), negative_eigenvalues(body)?);
+    Some((c.unstable().to_vec(), pivots, eigenvalues))
 }
 
 /// The rows of paths and stability.
@@ -89,7 +93,7 @@ pub fn paths() -> Vec<Row> {
     rows.push(Row::new(title, SOURCE, reference, pivots, 0.0));
     let title = "the same: there are some".to_owned();
     rows.push(Row::new(title, SOURCE, 1.0, pivots.map(|n| n.min(1.0)), 0.0));
-    let noticed = got.as_ref().and_then(|g| g.0.unstable().first().copied());
+    let noticed = got.as_ref().and_then(|g| g.0.first().copied());
     let title = |what: &str| format!("the same: the first unstable step is noticed, {what}");
     rows.push(Row::new(title("P (MPa)"), SOURCE, 0.0, noticed.map(|u| u.pressure_mpa), 0.0));
     // One of the four contractions that were asked for.

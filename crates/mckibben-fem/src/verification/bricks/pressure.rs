@@ -1,38 +1,41 @@
 //! E. Follower pressure and conservation, on a muscle in bricks.
+//!
+//! Loaded and held: a bonded muscle, pressure at rest length, then shortened at that pressure.
 
-use super::{BRICKS, solve};
-use crate::solver::newton::NewtonOptions;
-use crate::three_dimensional::{Body, Brick, BrickSpec, Engine};
+use super::{BRICKS, at_rest, solve};
+use crate::solver::continuation::Continuation;
+use crate::three_dimensional::{Body, Brick, BrickSpec, MuscleInBricks};
 use crate::verification::Row;
 use mckibben::muscle::Muscle;
 
 const SOURCE: &str = "E: closed cavity, energy (bricks)";
 
 /// A small mesh of the prototype.
-pub(super) fn prototype(brick: Brick) -> Option<Engine> {
+pub(super) fn prototype(brick: Brick) -> Option<Continuation<MuscleInBricks>> {
     let spec = BrickSpec {
         brick,
         around: Some(4 / brick.order()),
         along: Some(12 / brick.order()),
         ..BrickSpec::default()
     };
-    let mut engine = Engine::new(&Muscle::prototype(), &spec).ok()?;
-    engine.newton = NewtonOptions { tolerance: 1e-12, ..engine.newton };
-    Some(engine)
+    let mut c = at_rest(&Muscle::prototype(), &spec)?;
+    c.newton.tolerance = 1e-12;
+    Some(c)
 }
 
 /// (∂F/∂P, −∂V/∂L) in mm².
 fn maxwell(brick: Brick) -> Option<(f64, f64)> {
-    let mut engine = prototype(brick)?;
-    engine.reach(0.2, 0.08).ok()?;
-    engine.body.factorise().ok()?;
-    Some((engine.body.force_per_pressure(), engine.body.volume_per_length()))
+    let mut c = prototype(brick)?;
+    c.reach(0.2, 0.08).ok()?;
+    let body = &mut c.body.bricks;
+    body.factorise().ok()?;
+    Some((body.force_per_pressure(), body.volume_per_length()))
 }
 
 /// ∫ P dV − ∫ F dL over a path (pressure at rest length, then contraction) and the elastic energy gained, in N·mm.
 fn energy(brick: Brick) -> Option<(f64, f64)> {
-    let mut body = prototype(brick)?.body;
-    let half = body.discrete.half;
+    let mut body = prototype(brick)?.body.bricks;
+    let half = body.discretisation.half;
     let taken = |b: &Body| (b.state.pressure, 8.0 * b.totals.volume, b.totals.pull, 2.0 * b.state.terminal);
     // Gauss points would need derivatives; Simpson's rule in P dV = d(PV) − V dP and F dL needs none.
     const STEPS: usize = 40;

@@ -2,6 +2,8 @@
 //!
 //! σ12 = 2(C1 + C2)γ, σ11 − σ33 = 2 C1 γ², σ22 − σ33 = −2 C2 γ². The mean nominal stress P = Σ f⊗X/V over the nodes (virtual work of
 //! an affine displacement) gives σ = P Fᵀ at J = 1. The far face z = 1 is free along z, so that the pressure is determined.
+//!
+//! Loaded and held: all faces by x = X + γ Y, the far face z = 1 free along z.
 
 // Components are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
@@ -19,21 +21,21 @@ const GAMMA: f64 = 1.0;
 fn sheared(brick: Brick) -> Option<([f64; 3], f64)> {
     let block = Block::new(brick, [2, 2, 2]);
     let hat = |x: f64| 1.0 - (2.0 * x - 1.0).abs();
-    let mut parts = block.parts(rubber(), Bulk::Incompressible, |[x, y, z]| {
+    let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let bump = hat(x) * hat(y) * hat(z);
         [x + 0.10 * bump, y - 0.07 * bump, z + 0.05 * bump]
     });
     let last = block.grid()[0] - 1;
     for (node, place) in block.places().iter().enumerate() {
         if place.iter().any(|&i| i == 0 || i == last) {
-            parts.freedom[node] = [Freedom::Held; 3];
+            problem.freedom[node] = [Freedom::Held; 3];
         }
         if place[2] == last {
-            parts.freedom[node][2] = Freedom::Free;
+            problem.freedom[node][2] = Freedom::Free;
         }
     }
-    let rest = parts.nodes.clone();
-    let mut body = body(parts)?;
+    let rest = problem.nodes.clone();
+    let mut body = body(problem)?;
     push(&mut body, 10, |n, i| if i == 0 { GAMMA * rest[n][1] } else { 0.0 })?;
     body.evaluate().ok()?;
     let (mut p, mut worst) = ([[0.0; 3]; 3], 0.0_f64);
@@ -42,7 +44,7 @@ fn sheared(brick: Brick) -> Option<([f64; 3], f64)> {
             let exact = if i == 0 { GAMMA * x[1] } else { 0.0 };
             worst = worst.max((body.state.u[3 * n + i] - exact).abs());
             for (j, x) in x.iter().enumerate() {
-                p[i][j] += body.work.force[3 * n + i] * x;
+                p[i][j] += body.assembled.force[3 * n + i] * x;
             }
         }
     }

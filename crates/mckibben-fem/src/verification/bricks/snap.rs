@@ -5,8 +5,10 @@
 //!   P(d) = 2 E A (h − d) (1/l − 1/L0),  l² = w² + (h − d)²;  limit where l³ = w² L0
 //!
 //! Under the limit load the apex snaps to where P(d) is the same beyond d = 2h.
+//!
+//! Loaded and held: both supports held, the apex pushed down.
 
-use crate::element::tie::Tie;
+use crate::element::truss::Truss;
 use crate::verification::Row;
 
 const SOURCE: &str = "F: von Mises truss, engineering strain (strands)";
@@ -19,11 +21,11 @@ const H: f64 = 1.0;
 
 /// Load on the apex and its derivative in d: two strands in three dimensions, one from (−0.6, −0.8) w and one from its opposite.
 fn apex(d: f64, compression: bool) -> (f64, f64) {
-    let tie = Tie { length_mm: W.hypot(H), stiffness_n: EA, compression };
+    let truss = Truss { length_mm: W.hypot(H), stiffness_n: EA, compression };
     let (mut load, mut stiffness) = (0.0, 0.0);
     for side in [1.0, -1.0] {
         let at = [0.6 * side * W, 0.8 * side * W, H - d];
-        let here = tie.pull(at, 0.0, tie.pull(at, 0.0, 0.0).tension);
+        let here = truss.pull(at, 0.0, truss.pull(at, 0.0, 0.0).tension);
         load -= here.tension * here.direction[2];
         stiffness += here.tangent[2];
     }

@@ -1,17 +1,21 @@
 //! E. Terminals that are bodies: the cavity is closed by real faces.
+//!
+//! Loaded and held: pressure inside, the length given; the far end of tube, braid and plug is held.
 
 use super::numerics::tangent_error;
-use super::{BRICKS, solve};
-use crate::three_dimensional::{Brick, BrickSpec, Engine, Plug, PlugMaterial, Totals};
+use super::{BRICKS, at_rest, solve};
+use crate::solver::body::Totals;
+use crate::solver::continuation::Continuation;
+use crate::three_dimensional::{Brick, BrickSpec, MuscleInBricks, Plug, PlugMaterial};
 use crate::verification::Row;
 use mckibben::muscle::Muscle;
 
 const SOURCE: &str = "E: closed cavity, terminals as bodies (bricks)";
 
-fn engine(brick: Brick, plug: Option<Plug>) -> Option<Engine> {
+fn muscle(brick: Brick, plug: Option<Plug>) -> Option<Continuation<MuscleInBricks>> {
     let (around, along) = (Some(4 / brick.order()), Some(12 / brick.order()));
     let spec = BrickSpec { brick, around, along, plug, ..BrickSpec::default() };
-    Engine::new(&Muscle::prototype(), &spec).ok()
+    at_rest(&Muscle::prototype(), &spec)
 }
 
 fn plug(material: PlugMaterial, insertion_mm: f64, nose_mm: f64) -> Option<Plug> {
@@ -19,9 +23,9 @@ fn plug(material: PlugMaterial, insertion_mm: f64, nose_mm: f64) -> Option<Plug>
 }
 
 fn totals(brick: Brick, plug: Option<Plug>, pressure: f64, contraction: f64) -> Option<Totals> {
-    let mut engine = engine(brick, plug)?;
-    engine.reach(pressure, contraction).ok()?;
-    Some(engine.body.totals)
+    let mut c = muscle(brick, plug)?;
+    c.reach(pressure, contraction).ok()?;
+    Some(c.body.bricks.totals)
 }
 
 /// The rows of terminals.
@@ -35,12 +39,12 @@ pub fn terminal() -> Vec<Row> {
         };
         let (p, e) = (0.2, 0.1);
         let lid = (|| {
-            let mut engine = engine(brick, None)?;
-            engine.reach(p, e).ok()?;
-            // The lid is round, a plug's face has the rim of the bore: a prism of the muscle's length lies between them.
-            let more = engine.mesh.lid_mm2() - engine.mesh.polygon_mm2();
-            let (pull, volume) = (engine.body.totals.pull, engine.body.totals.volume);
-            Some((pull + 4.0 * p * more, volume - more * (1.0 - e) * engine.half_length()))
+            let mut c = muscle(brick, None)?;
+            c.reach(p, e).ok()?;
+            // The lid is round, a plug's face has the rim of the inner surface: a prism of the muscle's length lies between them.
+            let more = c.body.mesh.lid_mm2() - c.body.mesh.polygon_mm2();
+            let (pull, volume) = (c.pull(), c.body.bricks.totals.volume);
+            Some((pull + 4.0 * p * more, volume - more * (1.0 - e) * c.body.bricks.discretisation.half))
         })();
         let sharp = totals(brick, plug(rigid, 0.0, 0.0), p, e);
         let what = "rigid plug without insertion or nose: F of the lid (N)";
@@ -57,13 +61,14 @@ pub fn terminal() -> Vec<Row> {
         row("nose: volume it takes, in two states (mm³)", one.map(|n| n.0), two.map(|n| n.0), 1e-8);
         for (material, what) in [(rigid, "rigid"), (aluminium, "aluminium")] {
             let found = (|| {
-                let mut engine = engine(brick, plug(material, 10.0, 3.0))?;
-                engine.reach(0.2, 0.08).ok()?;
-                let terminal = engine.body.state.terminal;
-                solve(&mut engine.body, terminal).or(Some(Default::default()))?;
-                engine.body.factorise().ok()?;
-                let maxwell = (engine.body.force_per_pressure(), engine.body.volume_per_length());
-                Some((maxwell, tangent_error(&mut engine.body)?))
+                let mut c = muscle(brick, plug(material, 10.0, 3.0))?;
+                c.reach(0.2, 0.08).ok()?;
+                let body = &mut c.body.bricks;
+                let terminal = body.state.terminal;
+                solve(body, terminal).or(Some(Default::default()))?;
+                body.factorise().ok()?;
+                let maxwell = (body.force_per_pressure(), body.volume_per_length());
+                Some((maxwell, tangent_error(body)?))
             })();
             row(
                 &format!("{what} plug, Maxwell: ∂F/∂P = −∂V/∂L (mm²)"),

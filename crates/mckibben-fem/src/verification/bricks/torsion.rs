@@ -1,4 +1,6 @@
 //! D. Torsion of a solid cylinder (Rivlin 1949 \[rivlin1949\]): M = πR⁴ψ(C1 + C2), N = −½πR⁴ψ²(C1 + 2 C2).
+//!
+//! Loaded and held: both ends by the rotation about the axis, length and plane sections held, the side free.
 
 use super::block::Block;
 use super::{body, push};
@@ -15,7 +17,7 @@ const HEIGHT: f64 = 2.0;
 fn twisted(elements: usize) -> Option<(Body, Vec<usize>)> {
     let block = Block::new(Brick::Quadratic, [elements, elements, 1]);
     // The square becomes a disc (the elliptical map).
-    let mut parts = block.parts(rubber(), Bulk::Incompressible, |[x, y, z]| {
+    let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let (u, v) = (2.0 * x - 1.0, 2.0 * y - 1.0);
         [RADIUS * u * (1.0 - 0.5 * v * v).sqrt(), RADIUS * v * (1.0 - 0.5 * u * u).sqrt(), HEIGHT * z]
     });
@@ -23,15 +25,15 @@ fn twisted(elements: usize) -> Option<(Body, Vec<usize>)> {
     let mut top = Vec::new();
     for (node, [_, _, k]) in block.places().into_iter().enumerate() {
         if k == 0 || k == last {
-            parts.freedom[node] = [Freedom::Held; 3];
+            problem.freedom[node] = [Freedom::Held; 3];
         }
         if k == last {
             top.push(node);
         }
     }
-    let nodes = parts.nodes.clone();
+    let nodes = problem.nodes.clone();
     let (sin, cos) = (TWIST * HEIGHT).sin_cos();
-    let mut body = body(parts)?;
+    let mut body = body(problem)?;
     push(&mut body, 1, |n, i| {
         let [x, y, z] = nodes[n];
         if z < 0.5 * HEIGHT {
@@ -48,7 +50,7 @@ fn loads(elements: usize) -> Option<(f64, f64)> {
     body.evaluate().ok()?;
     let (mut moment, mut axial) = (0.0, 0.0);
     for n in top {
-        let (x, f) = (body.discrete.parts.nodes[n], &body.work.force[3 * n..3 * n + 3]);
+        let (x, f) = (body.discretisation.problem.nodes[n], &body.assembled.force[3 * n..3 * n + 3]);
         let (px, py) = (x[0] + body.state.u[3 * n], x[1] + body.state.u[3 * n + 1]);
         moment += px * f[1] - py * f[0];
         axial += f[2];

@@ -1,4 +1,6 @@
 //! B. A thick tube under inside pressure with a given axial stretch, in bricks, and the order of mesh convergence.
+//!
+//! Loaded and held: pressure inside, outside free, the axial stretch given; a quarter between planes of symmetry.
 
 use super::block::Block;
 use super::{BRICKS, body, drive};
@@ -20,12 +22,12 @@ fn ring(
     let (through, around) = divisions;
     let block = Block::new(brick, [through, around, 1]);
     let [_, nj, nk] = block.grid();
-    let mut parts = block.parts(rubber(), Bulk::Incompressible, |[x, y, z]| {
+    let mut problem = block.problem(rubber(), Bulk::Incompressible, |[x, y, z]| {
         let (r, phi) = (radii.0 + x * (radii.1 - radii.0), FRAC_PI_2 * y);
         [r * phi.cos(), r * phi.sin(), z]
     });
     for (node, [_, j, k]) in block.places().into_iter().enumerate() {
-        let f = &mut parts.freedom[node];
+        let f = &mut problem.freedom[node];
         if j == 0 {
             f[1] = Freedom::Held;
         }
@@ -40,13 +42,13 @@ fn ring(
         }
     }
     // The lid closes the cavity: from the ring to a point of the terminal on the axis.
-    let centre = parts.nodes.len();
-    parts.nodes.push([0.0, 0.0, 1.0]);
-    parts.freedom.push([Freedom::Held, Freedom::Held, Freedom::Terminal]);
-    parts.faces = block.faces([around, 1], |a, b| block.node(0, a, b));
+    let centre = problem.nodes.len();
+    problem.nodes.push([0.0, 0.0, 1.0]);
+    problem.freedom.push([Freedom::Held, Freedom::Held, Freedom::Terminal]);
+    problem.faces = block.faces([around, 1], |a, b| block.node(0, a, b));
     let lid = block.faces([around, 1], |a, b| if b == 0 { block.node(0, a, nk - 1) } else { centre });
-    parts.faces.extend(lid);
-    let mut body = body(parts)?;
+    problem.faces.extend(lid);
+    let mut body = body(problem)?;
     drive(&mut body, 0.0, stretch - 1.0, 2)?;
     for i in 1..=4 {
         body.state.pressure = 0.25 * f64::from(i) * p;

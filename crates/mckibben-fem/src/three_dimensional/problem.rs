@@ -5,7 +5,7 @@
 
 use super::mesh::{Brick, BrickMesh};
 use super::plug::PlugGrid;
-use crate::element::tie::Tie;
+use crate::element::truss::Truss;
 use crate::solver::dissection::Sheet;
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::{Law, NeoHookean};
@@ -25,7 +25,7 @@ pub enum Freedom {
 
 /// Nodes, elements, loads and supports of a body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Parts {
+pub struct Problem {
     /// Places at rest in mm.
     pub nodes: Vec<[f64; 3]>,
     /// Which brick.
@@ -33,7 +33,7 @@ pub struct Parts {
     /// Nodes of every brick.
     pub bricks: Vec<Vec<u32>>,
     /// Strands between nodes.
-    pub ties: Vec<([u32; 2], Tie)>,
+    pub trusses: Vec<([u32; 2], Truss)>,
     /// Faces under pressure, their normals out of the cavity.
     pub faces: Vec<Vec<u32>>,
     /// Area in mm² with which the terminal closes the cavity.
@@ -68,7 +68,7 @@ pub struct Other {
     pub bulk: Bulk,
 }
 
-impl Parts {
+impl Problem {
     /// One eighth of a muscle between bonded rigid terminals.
     pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
         let ([ni, nj, nk], rubber) = (mesh.grid(), &muscle.tube().rubber);
@@ -108,7 +108,7 @@ impl Parts {
                 order.extend((0..nk - 1 - plug.first_row).map(|k| mesh.plug_node(plug, 0, 0, k) as u32));
             }
         }
-        let (mut bricks, mut faces, mut others) = (mesh.bricks(), mesh.bore(), vec![]);
+        let (mut bricks, mut faces, mut others) = (mesh.bricks(), mesh.cavity_faces(), vec![]);
         faces.extend(mesh.plug_face());
         if let Some((mu_mpa, k)) = elastic.and_then(|p| p.material.moduli_mpa()) {
             let law = Law::NeoHookean(NeoHookean { mu_mpa });
@@ -122,15 +122,15 @@ impl Parts {
         };
         let nodes = mesh.nodes();
         let stiffness_n = strand_stiffness_n(muscle, mesh);
-        let ties = mesh.strands().into_iter().map(|ends| {
+        let trusses = mesh.strands().into_iter().map(|ends| {
             let [a, b] = ends.map(|n| nodes[n as usize]);
             let length_mm = (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>().sqrt();
-            (ends, Tie { length_mm, stiffness_n, compression: muscle.braid().compression })
+            (ends, Truss { length_mm, stiffness_n, compression: muscle.braid().compression })
         });
         Self {
             brick: mesh.brick(),
             bricks,
-            ties: ties.collect(),
+            trusses: trusses.collect(),
             faces,
             cap_mm2,
             dead: vec![],
@@ -145,7 +145,7 @@ impl Parts {
     }
 }
 
-/// A rigid plug moves with the terminal, and with it the bore that is bonded to it; an elastic one is held at its far end.
+/// A rigid plug moves with the terminal, and with it the inner surface that is bonded to it; an elastic one is held at its far end.
 fn hold_plug(mesh: &BrickMesh, plug: &PlugGrid, freedom: &mut [[Freedom; 3]]) {
     const MOVES: [Freedom; 3] = [Freedom::Held, Freedom::Held, Freedom::Terminal];
     let [_, nj, nk] = mesh.grid();

@@ -19,8 +19,9 @@ pub struct LastConverged {
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
 pub enum FemError {
-    /// Numbers that make no mesh.
+    /// A number that no mesh can have.
     #[error("mesh: {name} is {value}; it must lie between {low} and {high}")]
     Mesh {
         /// Which number: `through`, `along`, `grading`, a measure of the terminal.
@@ -77,14 +78,44 @@ pub enum FemError {
         /// Why the search ended.
         reason: Stopped,
     },
+    /// A pull beyond all that the muscle reaches at a pressure.
+    #[error("{}", out_of_reach(*.force_n, *.pressure_mpa, *.nearest_force_n, *.contraction))]
+    OutOfReach {
+        /// The pull asked for in N.
+        force_n: f64,
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// The nearest pull that was found, in N.
+        nearest_force_n: f64,
+        /// Contraction at which it stands; below zero the muscle is stretched.
+        contraction: f64,
+    },
+    /// The caller wanted the work to end.
+    #[error("cancelled")]
+    Cancelled,
 }
 
-impl FemError {
-    /// The same as an error of the library's models.
-    pub fn into_model(self, pressure_mpa: f64, contraction: f64) -> ModelError {
-        match self {
-            Self::Question { .. } => ModelError::Geometry { contraction, lowest: -1.0, highest: 1.0 },
-            Self::Path { iterations, reason, last, .. } => ModelError::Stopped {
+fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {
+    let (percent, nearest) = (100.0 * contraction.abs(), (10.0 * nearest).round() / 10.0);
+    if force > nearest {
+        format!(
+            "rubber and strands cannot carry a pull of {force} N at {pressure} MPa: stretched by {percent:.0} % of its length, as far as an equilibrium was found, the muscle pulls with {nearest} N"
+        )
+    } else {
+        format!(
+            "no equilibrium with a pull of {force} N exists at {pressure} MPa: shortened by {percent:.0} % of its length, as far as an equilibrium was found, the muscle still pulls with {nearest} N"
+        )
+    }
+}
+
+/// The same as an error of the library's models.
+impl From<FemError> for ModelError {
+    fn from(error: FemError) -> Self {
+        match error {
+            FemError::Question { contraction, .. } => {
+                Self::Geometry { contraction, lowest: -1.0, highest: 1.0 }
+            }
+            FemError::Path { pressure_mpa, contraction, iterations, reason, last } => Self::Stopped {
                 pressure_mpa,
                 contraction,
                 iterations,
@@ -93,10 +124,12 @@ impl FemError {
                 last_contraction: last.contraction,
                 smallest_volume_ratio: last.smallest_j,
             },
-            Self::Mesh { .. } | Self::Element { .. } | Self::TooLarge { .. } => {
-                ModelError::Elements { reason: self.to_string() }
+            FemError::Mesh { .. } | FemError::Element { .. } | FemError::TooLarge { .. } => {
+                Self::Elements { reason: error.to_string() }
             }
-            Self::Force { .. } => ModelError::NotFinite { model: "fe".into(), pressure_mpa, contraction },
+            FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Cancelled => {
+                Self::NoEquilibrium { reason: error.to_string() }
+            }
         }
     }
 }

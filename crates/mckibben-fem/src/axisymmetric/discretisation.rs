@@ -1,10 +1,11 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
-use super::error::FemError;
 use super::layout::Layout;
 use super::mesh::Mesh;
+use crate::FemError;
 use crate::element::q2::{Geometry, NODES};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
+use crate::solver::body::State;
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::{Law, RubberLaw};
 
@@ -32,7 +33,7 @@ pub struct BraidSpec {
 
 /// Rubber, braid and ends of a model.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Make {
+pub struct Problem {
     /// The law of the rubber.
     pub law: Law,
     /// Incompressible or a bulk modulus.
@@ -43,7 +44,7 @@ pub struct Make {
     pub ends: Ends,
 }
 
-impl Make {
+impl Problem {
     /// Rubber and braid of a muscle between bonded terminals.
     pub fn of(muscle: &Muscle) -> Self {
         let braid = BraidSpec {
@@ -58,14 +59,14 @@ impl Make {
 
 /// A body divided into elements.
 #[derive(Debug, Clone)]
-pub struct Discrete {
+pub struct Discretisation {
     /// Where unknowns stand.
     pub layout: Layout,
     /// The nodes at rest.
     pub mesh: Mesh,
     /// Rubber, braid, ends.
-    pub make: Make,
-    /// Elements, slab by slab, each from the bore outwards.
+    pub problem: Problem,
+    /// Elements, slab by slab, each from the inner surface outwards.
     pub elements: Vec<Geometry>,
     /// Points of the braid, slab by slab; empty without a braid.
     pub strands: Vec<[StrandPoint; STRAND_POINTS]>,
@@ -94,13 +95,13 @@ pub(crate) fn nodes(mesh: &Mesh, slab: usize, element: usize) -> [[f64; 2]; NODE
     out
 }
 
-impl Discrete {
+impl Discretisation {
     /// Divides a body.
     ///
     /// # Errors
     /// [`FemError::Element`] where an element is turned inside out.
-    pub fn new(mesh: Mesh, make: Make) -> Result<Self, FemError> {
-        let multipliers = matches!(make.braid, Some(BraidSpec { stiffness: None, .. }));
+    pub fn new(mesh: Mesh, problem: Problem) -> Result<Self, FemError> {
+        let multipliers = matches!(problem.braid, Some(BraidSpec { stiffness: None, .. }));
         let layout = mesh.layout(multipliers);
         let mut elements = Vec::with_capacity(mesh.through * mesh.along);
         for slab in 0..mesh.along {
@@ -112,15 +113,15 @@ impl Discrete {
         }
         let outer = 2 * mesh.through;
         let mut strands = Vec::new();
-        if let Some(braid) = make.braid {
+        if let Some(braid) = problem.braid {
             for slab in 0..mesh.along {
                 let (left, right) = (mesh.node(outer, 2 * slab), mesh.node(outer, 2 * slab + 2));
                 strands.push(strand::points(left[1], right[1], left[0], braid.angle_rad));
             }
         }
         let (inner, radius) = (mesh.node(0, 0)[0], mesh.node(outer, 0)[0]);
-        let shear = make.law.shear_modulus_mpa();
-        let (compliance, augment) = match make.bulk {
+        let shear = problem.law.shear_modulus_mpa();
+        let (compliance, augment) = match problem.bulk {
             Bulk::Incompressible => (0.0, 20.0 * shear),
             Bulk::Modulus(k) => (1.0 / k, (20.0 * shear).min(0.5 * k)),
         };
@@ -135,14 +136,14 @@ impl Discrete {
             section: std::f64::consts::PI * (radius * radius - inner * inner),
             shear,
             mesh,
-            make,
+            problem,
         })
     }
 
     /// Size of a force that is to be told from zero, in N, at a pressure in MPa. Stiff strands add what rounding
     /// leaves of their tension.
     pub fn force_scale(&self, pressure: f64) -> f64 {
-        let k = self.make.braid.and_then(|b| b.stiffness).unwrap_or(0.0);
+        let k = self.problem.braid.and_then(|b| b.stiffness).unwrap_or(0.0);
         let inside = std::f64::consts::PI * self.radius * self.radius;
         pressure.abs() * inside + self.shear * self.section + 1e-4 * k * self.radius
     }
@@ -151,46 +152,9 @@ impl Discrete {
     pub fn half_length(&self) -> f64 {
         self.mesh.node(0, 2 * self.mesh.along)[1]
     }
-}
 
-/// A state of deformation with its pressure.
-#[derive(Debug, Clone, PartialEq)]
-pub struct State {
-    /// All unknowns in the order of [`Layout`].
-    pub x: Vec<f64>,
-    /// Tension per width of every strand point as the last step extrapolated it, N/mm (strands that stretch).
-    pub q: Vec<f64>,
-    /// P in MPa.
-    pub pressure: f64,
-    /// u_z of the terminal in mm: −ε L0/2.
-    pub terminal: f64,
-}
-
-impl State {
     /// The body at rest.
-    pub fn rest(d: &Discrete) -> Self {
-        Self {
-            x: vec![0.0; d.layout.unknowns()],
-            q: vec![0.0; STRAND_POINTS * d.strands.len()],
-            pressure: 0.0,
-            terminal: 0.0,
-        }
-    }
-
-    /// Becomes another state without allocating.
-    pub fn copy_from(&mut self, other: &State) {
-        self.x.copy_from_slice(&other.x);
-        self.q.copy_from_slice(&other.q);
-        (self.pressure, self.terminal) = (other.pressure, other.terminal);
-    }
-
-    /// Unknowns (r, z of middle, left, right) of node `i` of the stations of a slab.
-    #[inline(always)]
-    pub fn line(&self, layout: &Layout, slab: usize, i: usize) -> [f64; 6] {
-        let (m, left) = (layout.station(), slab * layout.stride());
-        let right = left + layout.stride();
-        let at = |k: usize| [self.x[k + 2 * i], self.x[k + 2 * i + 1]];
-        let ([a, b], [c, d], [e, f]) = (at(left + m), at(left), at(right));
-        [a, b, c, d, e, f]
+    pub fn rest(&self) -> State {
+        State::rest(self.layout.unknowns(), 0, STRAND_POINTS * self.strands.len())
     }
 }

@@ -5,11 +5,12 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::mesh::Brick;
-use super::parts::{Freedom, Parts};
-use crate::axisymmetric::FemError;
+use super::problem::{Freedom, Problem};
+use crate::FemError;
 use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::{points8, points27};
 use crate::element::lanes::Width;
+use crate::solver::body::State;
 use crate::solver::sparse::Pattern;
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
@@ -22,9 +23,9 @@ const AUGMENT_STRAND: f64 = 2e5;
 
 /// A body divided into elements.
 #[derive(Debug, Clone)]
-pub struct Discrete {
+pub struct Discretisation {
     /// What it is made of.
-    pub parts: Parts,
+    pub problem: Problem,
     /// Nodes a brick.
     pub per_brick: usize,
     /// Pressure modes a brick.
@@ -48,7 +49,7 @@ pub struct Discrete {
     /// (brick, entry) that counts twice: both displacements are one.
     pub twice: Vec<(u32, u32)>,
     /// Where the blocks of strands go: 0-0, 1-1 (six numbers each) and 0-1 (nine).
-    pub tie_map: Vec<[u32; 21]>,
+    pub truss_map: Vec<[u32; 21]>,
     /// Where the blocks of faces go: nine numbers for every pair a < b.
     pub face_map: Vec<u32>,
     /// 1/K in 1/MPa.
@@ -96,46 +97,46 @@ impl Material {
         Self { bricks, law: law.clone(), compliance, augment }
     }
 
-    fn all(parts: &Parts) -> Vec<Self> {
-        let ends = parts.others.iter().map(|o| o.first).chain([parts.bricks.len()]);
+    fn all(problem: &Problem) -> Vec<Self> {
+        let ends = problem.others.iter().map(|o| o.first).chain([problem.bricks.len()]);
         let ends: Vec<usize> = ends.collect();
-        let mut out = vec![Self::new(0..ends[0], &parts.law, parts.bulk)];
-        for (other, end) in parts.others.iter().zip(&ends[1..]) {
+        let mut out = vec![Self::new(0..ends[0], &problem.law, problem.bulk)];
+        for (other, end) in problem.others.iter().zip(&ends[1..]) {
             out.push(Self::new(other.first..*end, &other.law, other.bulk));
         }
         out
     }
 }
 
-impl Discrete {
+impl Discretisation {
     /// Numbers the unknowns and finds every entry's place.
     ///
     /// # Errors
     /// [`FemError::Element`] where an element is turned inside out at rest.
-    pub fn new(parts: Parts) -> Result<Self, FemError> {
-        let (per_brick, count) = match parts.brick {
+    pub fn new(problem: Problem) -> Result<Self, FemError> {
+        let (per_brick, count) = match problem.brick {
             Brick::Linear => (8, 1),
             Brick::Quadratic => (27, 4),
         };
-        let connectivity: Vec<u32> = parts.bricks.concat();
-        let rest = rest_modes(&parts, count)?;
-        let (unknown, place, terminal) = number(&parts);
+        let connectivity: Vec<u32> = problem.bricks.concat();
+        let rest = rest_modes(&problem, count)?;
+        let (unknown, place, terminal) = number(&problem);
         let free = place.len();
-        let pattern = pattern(&parts, &unknown, free);
-        let shear = parts.law.shear_modulus_mpa();
-        let materials = Material::all(&parts);
+        let pattern = pattern(&problem, &unknown, free);
+        let shear = problem.law.shear_modulus_mpa();
+        let materials = Material::all(&problem);
         let (compliance, augment) = (materials[0].compliance, materials[0].augment);
-        let mut material = vec![0u8; parts.bricks.len()];
+        let mut material = vec![0u8; problem.bricks.len()];
         for (m, one) in materials.iter().enumerate() {
             material[one.bricks.clone()].fill(m as u8);
         }
-        let greatest = parts.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
-        let half = parts.length_mm.unwrap_or(greatest);
+        let greatest = problem.nodes.iter().map(|x| x[2]).fold(0.0, f64::max);
+        let half = problem.length_mm.unwrap_or(greatest);
         let rounding_n = rounding(&materials[1..], &rest, greatest);
-        let radius = parts.nodes.iter().map(|x| x[0].hypot(x[1])).fold(0.0, f64::max);
+        let radius = problem.nodes.iter().map(|x| x[0].hypot(x[1])).fold(0.0, f64::max);
         let most = AUGMENT_STRAND * shear;
-        let strand = parts
-            .ties
+        let strand = problem
+            .trusses
             .iter()
             .map(|(_, t)| (1.0 / t.stiffness_n, t.stiffness_n.min(most * t.length_mm)))
             .collect();
@@ -151,7 +152,7 @@ impl Discrete {
             pattern,
             brick_map: vec![],
             twice: vec![],
-            tie_map: vec![],
+            truss_map: vec![],
             face_map: vec![],
             compliance,
             augment,
@@ -163,15 +164,20 @@ impl Discrete {
             half,
             radius,
             width: Width::here(),
-            parts,
+            problem,
         };
         out.map();
         Ok(out)
     }
 
+    /// The body at rest.
+    pub fn rest(&self) -> State {
+        State::rest(3 * self.problem.nodes.len(), self.bricks() * self.modes, self.problem.trusses.len())
+    }
+
     /// Number of bricks.
     pub fn bricks(&self) -> usize {
-        self.parts.bricks.len()
+        self.problem.bricks.len()
     }
 
     /// Entries a brick has in `brick_map`.
@@ -196,7 +202,7 @@ impl Discrete {
         let nothing = (self.pattern.entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
-        for (e, nodes) in self.parts.bricks.iter().enumerate() {
+        for (e, nodes) in self.problem.bricks.iter().enumerate() {
             let start = map.len();
             for a in 0..nn {
                 let ua = self.unknown[nodes[a] as usize];
@@ -218,9 +224,9 @@ impl Discrete {
         }
         self.twice = twice;
         self.brick_map = map;
-        self.tie_map = self
-            .parts
-            .ties
+        self.truss_map = self
+            .problem
+            .trusses
             .iter()
             .map(|(ends, _)| {
                 let [p, q] = ends.map(|n| self.unknown[n as usize]);
@@ -238,7 +244,7 @@ impl Discrete {
             })
             .collect();
         let mut faces = Vec::new();
-        for nodes in &self.parts.faces {
+        for nodes in &self.problem.faces {
             for a in 0..nodes.len() {
                 for b in a + 1..nodes.len() {
                     let (ua, ub) = (self.unknown[nodes[a] as usize], self.unknown[nodes[b] as usize]);
@@ -262,31 +268,31 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     stiff.iter().map(one).fold(0.0, f64::max)
 }
 
-fn rest_modes(parts: &Parts, count: usize) -> Result<Vec<Modes>, FemError> {
+fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
     fn all<const NN: usize>(
-        parts: &Parts,
+        problem: &Problem,
         points: &[crate::element::brick::ShapePoint<NN>],
         count: usize,
     ) -> Result<Vec<Modes>, FemError> {
         let element = |(e, nodes): (usize, &Vec<u32>)| {
-            let places: [[f64; 3]; NN] = std::array::from_fn(|a| parts.nodes[nodes[a] as usize]);
+            let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.nodes[nodes[a] as usize]);
             modes(points, &places, count).ok_or(FemError::Element { element: e })
         };
-        parts.bricks.iter().enumerate().map(element).collect()
+        problem.bricks.iter().enumerate().map(element).collect()
     }
-    match parts.brick {
-        Brick::Linear => all(parts, &points8(), count),
-        Brick::Quadratic => all(parts, &points27(), count),
+    match problem.brick {
+        Brick::Linear => all(problem, &points8(), count),
+        Brick::Quadratic => all(problem, &points27(), count),
     }
 }
 
 /// Numbers of the displacements, displacement of each unknown, displacements of the terminal.
-fn number(parts: &Parts) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
+fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
     let mut place = Vec::new();
-    let mut numbers = vec![[u32::MAX; 3]; parts.nodes.len()];
-    for &node in &parts.order {
+    let mut numbers = vec![[u32::MAX; 3]; problem.nodes.len()];
+    for &node in &problem.order {
         for i in 0..3 {
-            if parts.freedom[node as usize][i] == Freedom::Free {
+            if problem.freedom[node as usize][i] == Freedom::Free {
                 numbers[node as usize][i] = place.len() as u32;
                 place.push(3 * node + i as u32);
             }
@@ -294,7 +300,7 @@ fn number(parts: &Parts) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
     }
     let n = place.len() as u32;
     let mut terminal = Vec::new();
-    for (node, freedom) in parts.freedom.iter().enumerate() {
+    for (node, freedom) in problem.freedom.iter().enumerate() {
         for i in 0..3 {
             match freedom[i] {
                 Freedom::Terminal => {
@@ -310,14 +316,14 @@ fn number(parts: &Parts) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
 }
 
 /// The lower half: unknowns of a node meet those of every node with which it shares a brick or a strand.
-fn pattern(parts: &Parts, unknown: &[[u32; 3]], free: usize) -> Pattern {
-    let mut near: Vec<Vec<u32>> = vec![vec![]; parts.nodes.len()];
-    for nodes in &parts.bricks {
+fn pattern(problem: &Problem, unknown: &[[u32; 3]], free: usize) -> Pattern {
+    let mut near: Vec<Vec<u32>> = vec![vec![]; problem.nodes.len()];
+    for nodes in &problem.bricks {
         for &a in nodes {
             near[a as usize].extend(nodes);
         }
     }
-    for ([a, b], _) in &parts.ties {
+    for ([a, b], _) in &problem.trusses {
         near[*a as usize].push(*b);
         near[*b as usize].push(*a);
     }

@@ -9,30 +9,18 @@
 //! together with everything behind it; force control takes dw = (F + b)/S from it; pressure control the same with the
 //! condensed ∂V/∂x.
 
-use super::assembly::{Totals, Work, assemble};
-use super::discrete::{Discrete, Ends, State};
+use super::assembly::{Assembled, assemble};
+use super::discretisation::{BraidSpec, Discretisation, Ends};
+use super::guess;
+use crate::FemError;
 use crate::element::q2::{MODES, NODES};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::Singular;
+use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::dense;
-use crate::solver::newton::{NewtonSystem, Stopped};
+use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
+use mckibben::model::{ForceModel, Ideal, ThickWall, Workspace};
 use std::sync::Arc;
-
-/// What is held while the rest finds its equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Control {
-    /// Pressure and the terminal's displacement (mm).
-    Length(f64),
-    /// Pressure and the pull in N.
-    Force(f64),
-    /// The terminal's displacement (mm) and the pull in N; the pressure is sought.
-    Pressure {
-        /// u_z of the terminal in mm.
-        terminal: f64,
-        /// Pull in N.
-        force: f64,
-    },
-}
 
 /// The last station after everything else was condensed.
 #[derive(Debug, Clone)]
@@ -47,9 +35,9 @@ struct EndSystem {
 }
 
 impl EndSystem {
-    fn new(d: &Discrete) -> Self {
+    fn new(d: &Discretisation) -> Self {
         let (r, z): (Vec<_>, Vec<_>) = (0..d.layout.station()).partition(|i| i % 2 == 0);
-        let (free, tied) = match d.make.ends {
+        let (free, tied) = match d.problem.ends {
             Ends::Bonded => (vec![], z),
             Ends::Sliding => (r, z),
             Ends::Pole => (z, vec![]),
@@ -112,14 +100,14 @@ impl EndSystem {
 #[derive(Debug, Clone)]
 pub struct Body {
     /// What does not change.
-    pub discrete: Arc<Discrete>,
+    pub discretisation: Arc<Discretisation>,
     /// The present iterate.
     pub state: State,
     /// What is held.
     pub control: Control,
     /// Sums of the last assembly.
     pub totals: Totals,
-    work: Work,
+    assembled: Assembled,
     end: EndSystem,
     step: Vec<f64>,
     step_q: Vec<f64>,
@@ -127,29 +115,37 @@ pub struct Body {
     step_load: [f64; 2],
     /// For sensitivities and pressure control.
     second: Vec<f64>,
+    /// The endless muscle of the same rubber and braid: where first guesses come from.
+    endless: Option<Arc<ThickWall>>,
 }
 
 impl Body {
     /// A body at rest.
-    pub fn new(discrete: impl Into<Arc<Discrete>>) -> Self {
-        let discrete = discrete.into();
-        let state = State::rest(&discrete);
+    pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Self {
+        let discretisation = discretisation.into();
+        let state = discretisation.rest();
         Self {
-            work: Work::new(&discrete),
-            end: EndSystem::new(&discrete),
-            step: vec![0.0; state.x.len()],
+            assembled: Assembled::new(&discretisation),
+            end: EndSystem::new(&discretisation),
+            step: vec![0.0; state.u.len()],
             step_q: vec![0.0; state.q.len()],
             step_load: [0.0; 2],
-            second: vec![0.0; state.x.len()],
+            second: vec![0.0; state.u.len()],
+            endless: None,
             control: Control::Length(0.0),
             totals: Totals::default(),
             state,
-            discrete,
+            discretisation,
         }
     }
 
+    /// A muscle at rest, and the endless muscle of the same rubber and braid.
+    pub fn of_muscle(discretisation: Arc<Discretisation>, endless: Arc<ThickWall>) -> Self {
+        Self { endless: Some(endless), ..Self::new(discretisation) }
+    }
+
     fn station(&self) -> usize {
-        self.discrete.layout.station()
+        self.discretisation.layout.station()
     }
 
     /// Residual of the present state, without a tangent.
@@ -157,7 +153,7 @@ impl Body {
     /// # Errors
     /// [`Stopped`].
     pub fn evaluate(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<false>(&self.discrete, &self.state, &mut self.work)?;
+        self.totals = assemble::<false>(&self.discretisation, &self.state, &mut self.assembled)?;
         Ok(self.totals)
     }
 
@@ -166,27 +162,27 @@ impl Body {
     /// # Errors
     /// [`Stopped`].
     pub fn factorise(&mut self) -> Result<Totals, Stopped> {
-        self.totals = assemble::<true>(&self.discrete, &self.state, &mut self.work)?;
-        let (m, block) = (self.station(), self.discrete.layout.along);
+        self.totals = assemble::<true>(&self.discretisation, &self.state, &mut self.assembled)?;
+        let (m, block) = (self.station(), self.discretisation.layout.along);
         self.end
-            .factorise(self.work.chain.end(), m)
+            .factorise(self.assembled.chain.end(), m)
             .map_err(|pivot| Stopped::Singular(Singular { block, pivot }))?;
         Ok(self.totals)
     }
 
     /// ∂Π/∂x as of the last assembly.
     pub fn residual_vector(&self) -> &[f64] {
-        &self.work.residual
+        &self.assembled.residual
     }
 
     /// Number of negative eigenvalues of the tangent beyond those of the multipliers, with the terminal held:
     /// zero for a stable equilibrium.
     pub fn unstable_directions(&self) -> usize {
-        let l = self.discrete.layout;
+        let l = self.discretisation.layout;
         let negative_end =
             (0..self.end.free.len()).filter(|&i| self.end.matrix[i * (self.end.size() + 1)] < 0.0).count();
         let multipliers = l.inside() - l.station();
-        (self.work.chain.negative() + negative_end).saturating_sub(multipliers * l.along)
+        (self.assembled.chain.negative() + negative_end).saturating_sub(multipliers * l.along)
     }
 
     /// dF/dw of the last tangent: twice the stiffness ∂F/∂L, in N/mm.
@@ -197,7 +193,7 @@ impl Body {
     /// ∂F/∂P at fixed length in mm², of the last tangent: one forward substitution.
     pub fn force_per_pressure(&mut self) -> f64 {
         let mut rhs = std::mem::take(&mut self.second);
-        rhs.copy_from_slice(&self.work.volume);
+        rhs.copy_from_slice(&self.assembled.volume);
         let b = self.condense(&mut rhs);
         self.second = rhs;
         -b
@@ -213,25 +209,25 @@ impl Body {
     /// Solves with the last tangent and the terminal moved by `dw`; the right-hand side becomes the solution.
     pub fn solve_linear(&mut self, rhs: &mut [f64], dw: f64) {
         self.condense(rhs);
-        let last = self.discrete.layout.end();
+        let last = self.discretisation.layout.end();
         self.end.backward(&mut rhs[last..], dw);
-        self.work.chain.backward(rhs);
+        self.assembled.chain.backward(rhs);
     }
 
     /// Augments and forward-substitutes a right-hand side; gives what arrives at the terminal.
     fn condense(&mut self, rhs: &mut [f64]) -> f64 {
         self.augment(rhs);
-        for i in 0..self.discrete.layout.nodes() {
+        for i in 0..self.discretisation.layout.nodes() {
             rhs[2 * i + 1] = 0.0;
         }
-        self.work.chain.forward(rhs);
-        let last = self.discrete.layout.end();
+        self.assembled.chain.forward(rhs);
+        let last = self.discretisation.layout.end();
         self.end.forward(&rhs[last..])
     }
 
     /// The tangent is that of the augmented system; so must be the right-hand side.
     fn augment(&self, rhs: &mut [f64]) {
-        let (d, l) = (&self.discrete, self.discrete.layout);
+        let (d, l) = (&self.discretisation, self.discretisation.layout);
         let beta = 1.0 - d.augment * d.compliance;
         for slab in 0..l.along {
             let start = slab * l.stride();
@@ -243,7 +239,8 @@ impl Body {
                 for k in 0..MODES {
                     let value = share * rhs[at + k];
                     rhs[at + k] *= beta;
-                    let [br, bz] = [&self.work.coupling[index][0][k], &self.work.coupling[index][1][k]];
+                    let [br, bz] =
+                        [&self.assembled.coupling[index][0][k], &self.assembled.coupling[index][1][k]];
                     for a in 0..NODES {
                         let place = stations[a / 3] + 2 * (2 * i + a % 3);
                         rhs[place] += value * br[a];
@@ -254,7 +251,7 @@ impl Body {
             if l.multipliers {
                 for g in 0..STRAND_POINTS {
                     let value = d.augment_strand * rhs[l.tension(slab) + g];
-                    let first = &self.work.strand[slab * STRAND_POINTS + g];
+                    let first = &self.assembled.strand[slab * STRAND_POINTS + g];
                     for i in 0..6 {
                         rhs[stations[i / 2] + 4 * l.through + i % 2] += value * first[i];
                     }
@@ -265,10 +262,10 @@ impl Body {
 
     /// Relative residual of the last assembly together with what is held.
     fn norm(&self) -> f64 {
-        let d = &self.discrete;
+        let d = &self.discretisation;
         let scale = d.force_scale(self.state.pressure);
         let last = d.layout.end();
-        let free = self.end.free.iter().map(|&i| self.work.residual[last + i].abs()).fold(0.0, f64::max);
+        let free = self.end.free.iter().map(|&i| self.assembled.residual[last + i].abs()).fold(0.0, f64::max);
         let held = match self.control {
             Control::Length(w) => (w - self.state.terminal).abs() / d.radius,
             Control::Force(f) => (self.totals.pull - f).abs() / scale,
@@ -276,12 +273,12 @@ impl Body {
                 (terminal - self.state.terminal).abs() / d.radius + (self.totals.pull - force).abs() / scale
             }
         };
-        self.totals.norm.max(free / scale).max(held)
+        self.totals.defect.max(free / scale).max(held)
     }
 
     /// Adds `share` of the last step.
     fn add_step(&mut self, share: f64) {
-        for (x, dx) in self.state.x.iter_mut().zip(&self.step) {
+        for (x, dx) in self.state.u.iter_mut().zip(&self.step) {
             *x += share * dx;
         }
         for (q, dq) in self.state.q.iter_mut().zip(&self.step_q) {
@@ -293,15 +290,15 @@ impl Body {
 
     /// q := k (c + ∂λf/∂u du) at every strand point, with the derivatives of the last tangent.
     fn extrapolate_tensions(&mut self) {
-        let (d, l) = (&self.discrete, self.discrete.layout);
-        let Some(k) = d.make.braid.and_then(|b| b.stiffness) else { return };
+        let (d, l) = (&self.discretisation, self.discretisation.layout);
+        let Some(k) = d.problem.braid.and_then(|b| b.stiffness) else { return };
         for (slab, points) in d.strands.iter().enumerate() {
-            let u = self.state.line(&l, slab, 2 * l.through);
+            let u = l.line(&self.state.u, slab, 2 * l.through);
             let start = slab * l.stride();
             let stations = [start + l.station(), start, start + l.stride()];
             for (g, point) in points.iter().enumerate() {
                 let index = slab * STRAND_POINTS + g;
-                let first = &self.work.strand[index];
+                let first = &self.assembled.strand[index];
                 let change: f64 =
                     (0..6).map(|i| first[i] * self.step[stations[i / 2] + 4 * l.through + i % 2]).sum();
                 let q = k * (point.stretch(&u).value - 1.0 + change);
@@ -324,7 +321,7 @@ impl NewtonSystem for Body {
 
     fn correct(&mut self) -> Result<f64, Stopped> {
         let mut rhs = std::mem::take(&mut self.step);
-        for (x, r) in rhs.iter_mut().zip(&self.work.residual) {
+        for (x, r) in rhs.iter_mut().zip(&self.assembled.residual) {
             *x = -r;
         }
         let b = self.condense(&mut rhs);
@@ -336,7 +333,7 @@ impl NewtonSystem for Body {
             Control::Pressure { terminal, force } => {
                 let dw = terminal - self.state.terminal;
                 let mut second = std::mem::take(&mut self.second);
-                second.copy_from_slice(&self.work.volume);
+                second.copy_from_slice(&self.assembled.volume);
                 let v = self.condense(&mut second);
                 dp = (s * dw - b - force) / v;
                 for (x, y) in rhs.iter_mut().zip(&second) {
@@ -346,21 +343,21 @@ impl NewtonSystem for Body {
                 dw
             }
         };
-        let last = self.discrete.layout.end();
+        let last = self.discretisation.layout.end();
         // With the right-hand side complete, the last station once more.
         self.end.forward(&rhs[last..]);
         self.end.backward(&mut rhs[last..], dw);
-        self.work.chain.backward(&mut rhs);
+        self.assembled.chain.backward(&mut rhs);
         self.step = rhs;
         self.step_load = [dw, dp];
         self.extrapolate_tensions();
         self.add_step(1.0);
-        let l = self.discrete.layout;
+        let l = self.discretisation.layout;
         let m = l.station();
         let largest = (0..l.along)
             .flat_map(|slab| &self.step[slab * l.stride()..][..2 * m])
             .fold(0.0_f64, |a, x| a.max(x.abs()));
-        let size = largest / self.discrete.radius;
+        let size = largest / self.discretisation.radius;
         if size.is_finite() && dw.is_finite() && dp.is_finite() {
             Ok(size)
         } else {
@@ -373,5 +370,153 @@ impl NewtonSystem for Body {
         for x in self.step.iter_mut().chain(&mut self.step_q).chain(&mut self.step_load) {
             *x *= keep;
         }
+    }
+}
+
+/// Factorisations a question may cost where the endless muscle does not pull or its strands stretch too far, and elsewhere.
+const BUDGET: usize = 50;
+const BUDGET_PULLING: usize = 600;
+/// Strand strain up to which there must be an answer.
+const STRAIN: f64 = 0.05;
+
+impl body::Body for Body {
+    const SETTINGS: Settings = Settings {
+        newton: NewtonOptions { iterations: 10, ..NewtonOptions::DEFAULT },
+        kept: 8,
+        near_pressure: 0.6,
+        near_contraction: 0.08,
+        first_step: 1.0,
+        first_step_down: 0.3,
+        smallest_step: 1.0 / 512.0,
+        take_unstable: false,
+    };
+    const COPIES: f64 = 2.0;
+
+    fn state(&self) -> &State {
+        &self.state
+    }
+
+    fn state_mut(&mut self) -> &mut State {
+        &mut self.state
+    }
+
+    fn hold(&mut self, control: Control) {
+        self.control = control;
+    }
+
+    fn half_length(&self) -> f64 {
+        self.discretisation.half_length()
+    }
+
+    fn totals(&self) -> Totals {
+        self.totals
+    }
+
+    fn unstable_directions(&self) -> usize {
+        Self::unstable_directions(self)
+    }
+
+    fn terminal_stiffness(&mut self) -> f64 {
+        Self::terminal_stiffness(self)
+    }
+
+    fn force_per_pressure(&mut self) -> f64 {
+        Self::force_per_pressure(self)
+    }
+
+    fn smallest_pressure(&self) -> f64 {
+        1e-3 * self.discretisation.shear
+    }
+
+    fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool> {
+        match attempt {
+            0 => Some(self.guess_slack(pressure, terminal)),
+            1 => Some(self.guess_taut(pressure, terminal)),
+            2 => {
+                self.guess_ideal(pressure, terminal);
+                Some(true)
+            }
+            _ => None,
+        }
+    }
+
+    fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
+        self.guess_ideal(pressure, terminal);
+        guess::shape(&self.discretisation, &mut self.state, terminal, None)
+    }
+
+    fn guess_loads(&mut self) {
+        guess::loads(&self.discretisation, &mut self.state, 1.0);
+    }
+
+    /// The pressure at which the endless muscle begins to pull.
+    fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
+        let (endless, high) = (self.endless.as_ref()?, self.discretisation.shear);
+        let pull = |p: f64| endless.force_n(&mut Workspace::new(), p, contraction).ok();
+        let push = pull(0.0)?;
+        let slope = (pull(high)? - push) / high;
+        (slope > 0.0).then(|| (-push / slope).max(0.0))
+    }
+
+    /// Between the contraction −0.05 and above the ideal maximum, by bisection of the endless muscle's pull.
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
+        let Some(endless) = &self.endless else { return Ok(0.0) };
+        let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
+        let (mut low, mut high) = (-0.05, 1.2 * endless.muscle().max_ideal_contraction());
+        if pull(low).is_none() {
+            return Ok(0.0);
+        }
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            match pull(middle) {
+                Some(f) if f > force => low = middle,
+                _ => high = middle,
+            }
+        }
+        // The ends take a share of the endless muscle's contraction.
+        Ok(0.85 * low)
+    }
+
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
+        let ideal =
+            self.endless.as_ref().map_or(1.0, |e| Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0));
+        let start = body::Body::pulling_pressure(self, contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
+        Ok(1.4 * start + body::Body::smallest_pressure(self))
+    }
+
+    fn budget(&self, pressure: f64, contraction: f64) -> usize {
+        let answer = self.endless.as_ref().map(|e| e.response(&mut Workspace::new(), pressure, contraction));
+        let Some(Ok(endless)) = answer else { return BUDGET };
+        let d = &self.discretisation;
+        let strain = match (d.problem.braid, endless.braid_tension_n) {
+            (Some(BraidSpec { stiffness: Some(k), angle_rad, .. }), Some(tension)) => {
+                tension / (4.0 * std::f64::consts::PI * d.radius * angle_rad.cos() * k)
+            }
+            _ => 0.0,
+        };
+        if endless.force_n > 0.0 && strain < STRAIN { BUDGET_PULLING } else { BUDGET }
+    }
+}
+
+impl Body {
+    /// The body at rest with the tensions and pressures of the ideal muscle.
+    fn guess_ideal(&mut self, pressure: f64, terminal: f64) {
+        self.state.clear();
+        self.state.pressure = pressure;
+        let stretch = 1.0 + terminal / self.discretisation.half_length();
+        guess::loads(&self.discretisation, &mut self.state, stretch);
+    }
+
+    /// The shape of a tube that does not reach its strands; `false` where the endless muscle says that it does.
+    fn guess_slack(&mut self, pressure: f64, terminal: f64) -> bool {
+        let contraction = -terminal / self.discretisation.half_length();
+        let radius = self.endless.as_ref().and_then(|endless| {
+            let r = endless.response(&mut Workspace::new(), pressure, contraction).ok()?;
+            let radius = 0.5 * r.bulged_diameter_mm?;
+            (r.braid_tension_n? <= 0.0).then_some(radius)
+        });
+        let Some(radius) = radius else { return false };
+        self.guess_ideal(pressure, terminal);
+        guess::shape(&self.discretisation, &mut self.state, terminal, Some(radius))
     }
 }

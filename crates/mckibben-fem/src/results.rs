@@ -1,0 +1,97 @@
+//! What an equilibrium tells, whichever elements found it.
+
+use mckibben::model::Response;
+
+/// A place along the muscle, from the middle (z = 0) to the terminal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProfilePoint {
+    /// Z at rest in mm.
+    pub rest_mm: f64,
+    /// (z, r) of the outer surface in mm.
+    pub outer_mm: (f64, f64),
+    /// (z, r) of the inner surface in mm.
+    pub inner_mm: (f64, f64),
+}
+
+/// The strands at a place along the muscle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StrandState {
+    /// Z at rest in mm.
+    pub rest_mm: f64,
+    /// λf
+    pub stretch: f64,
+    /// Angle to the axis now in degrees: tanθ = tanθ0 λθ/λm.
+    pub angle_deg: f64,
+    /// Tension per width of a family at rest, N/mm.
+    pub tension_n_per_mm: f64,
+    /// Tension of one strand in N, where their number is known.
+    pub tension_n: Option<f64>,
+}
+
+/// A principal stretch and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StretchAt {
+    /// The stretch.
+    pub value: f64,
+    /// R and Z at rest in mm.
+    pub rest_mm: [f64; 2],
+}
+
+/// Energies of the whole muscle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Energies {
+    /// Elastic energy of the rubber in N·mm (mJ).
+    pub rubber_n_mm: f64,
+    /// Elastic energy of the strands in N·mm (mJ).
+    pub braid_n_mm: f64,
+    /// P (V − V0) in N·mm (mJ): the work the pressure source can give at this pressure.
+    pub pressure_n_mm: f64,
+}
+
+/// Everything an equilibrium tells.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Solution {
+    /// What every model tells.
+    pub response: Response,
+    /// Places of the nodes, from the middle to the terminal.
+    pub profile: Vec<ProfilePoint>,
+    /// The strands along the muscle.
+    pub strands: Vec<StrandState>,
+    /// The largest principal stretch of the rubber.
+    pub max_stretch: StretchAt,
+    /// Energies of the whole muscle.
+    pub energies: Energies,
+    /// Directions in which the equilibrium is unstable with the terminals held; 0 for a stable one.
+    pub unstable_directions: usize,
+    /// Smallest volume ratio of the rubber at an integration point.
+    pub smallest_j: f64,
+    /// ∂F/∂(constants and measures) at fixed P and ε.
+    pub sensitivities: Vec<Sensitivity>,
+}
+
+/// ∂F of one constant or measure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// Key as in the muscle file: `tube.material.c10`, `tube.outer_diameter`, `braid.stiffness`, …
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Its unit.
+    pub unit: &'static str,
+    /// ∂F in N per that unit, all others (k among them) held.
+    pub force_n_per_unit: f64,
+}
+
+/// A point of a curve with what its tangent tells.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct TangentPoint {
+    /// What every model tells, stiffness and ∂F/∂P among it.
+    pub response: Response,
+    /// ∂F/∂(constants and measures), where they were asked for.
+    pub sensitivities: Vec<Sensitivity>,
+    /// Newton iterations it took.
+    pub iterations: usize,
+}

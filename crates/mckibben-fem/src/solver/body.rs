@@ -1,0 +1,212 @@
+//! What an incremental solver must know of a body under pressure and pull.
+
+use super::newton::{NewtonOptions, NewtonSystem};
+use crate::error::FemError;
+
+/// The state of a body: unknowns, variables that are carried along, and the loads under which it stands.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct State {
+    /// Unknowns as the body numbers them. In the section: displacements in mm, pressures in MPa and the tensions of strands
+    /// that do not stretch in N/mm. In bricks: displacements in mm, node by node.
+    pub u: Vec<f64>,
+    /// Pressures in the bricks in MPa (tension positive), carried along; none in the section.
+    pub p: Vec<f64>,
+    /// Tensions of the strands, carried along: N/mm in the section, N in bricks.
+    pub q: Vec<f64>,
+    /// Gauge pressure in MPa.
+    pub pressure: f64,
+    /// Displacement of the terminal in mm: −ε L0/2.
+    pub terminal: f64,
+}
+
+impl State {
+    /// A body at rest with so many unknowns, pressures and tensions.
+    pub fn rest(unknowns: usize, pressures: usize, tensions: usize) -> Self {
+        let zeros = |n: usize| vec![0.0; n];
+        Self { u: zeros(unknowns), p: zeros(pressures), q: zeros(tensions), pressure: 0.0, terminal: 0.0 }
+    }
+
+    fn lists(&mut self) -> [&mut [f64]; 3] {
+        [&mut self.u, &mut self.p, &mut self.q]
+    }
+
+    fn with<'a>(&'a mut self, other: &'a Self) -> [(&'a mut [f64], &'a [f64]); 3] {
+        let [u, p, q] = self.lists();
+        [(u, &other.u), (p, &other.p), (q, &other.q)]
+    }
+
+    /// Takes over another state of the same body without allocating.
+    pub fn copy_from(&mut self, other: &Self) {
+        for (to, from) in self.with(other) {
+            to.copy_from_slice(from);
+        }
+        (self.pressure, self.terminal) = (other.pressure, other.terminal);
+    }
+
+    /// Adds `share` times another state.
+    pub fn add(&mut self, share: f64, other: &Self) {
+        for (to, from) in self.with(other) {
+            for (x, y) in to.iter_mut().zip(from) {
+                *x += share * y;
+            }
+        }
+        self.pressure += share * other.pressure;
+        self.terminal += share * other.terminal;
+    }
+
+    /// Becomes what two states on a path extrapolate: `now` + `ratio` (`now` − `before`).
+    pub fn extrapolate(&mut self, now: &Self, before: &Self, ratio: f64) {
+        for ((to, a), b) in
+            self.lists().into_iter().zip([&now.u, &now.p, &now.q]).zip([&before.u, &before.p, &before.q])
+        {
+            for ((x, a), b) in to.iter_mut().zip(a).zip(b) {
+                *x = a + ratio * (a - b);
+            }
+        }
+        self.pressure = now.pressure + ratio * (now.pressure - before.pressure);
+        self.terminal = now.terminal + ratio * (now.terminal - before.terminal);
+    }
+
+    /// Multiplies everything.
+    pub fn scale(&mut self, factor: f64) {
+        for list in self.lists() {
+            list.iter_mut().for_each(|x| *x *= factor);
+        }
+        self.pressure *= factor;
+        self.terminal *= factor;
+    }
+
+    /// Sets everything to zero: the body at rest.
+    pub fn clear(&mut self) {
+        for list in self.lists() {
+            list.fill(0.0);
+        }
+        (self.pressure, self.terminal) = (0.0, 0.0);
+    }
+}
+
+/// What is held while the rest finds its equilibrium.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// Pressure and the terminal's displacement (mm).
+    Length(f64),
+    /// Pressure and the pull in N.
+    Force(f64),
+    /// The terminal's displacement (mm) and the pull in N; the pressure is sought.
+    Pressure {
+        /// u_z of the terminal in mm.
+        terminal: f64,
+        /// Pull in N.
+        force: f64,
+    },
+}
+
+/// What the elements of a body add up to, for the part of the muscle that is computed: a half in the section, an eighth in bricks.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Totals {
+    /// Elastic energy of the rubber in N·mm.
+    pub rubber: f64,
+    /// Elastic energy of the strands in N·mm.
+    pub braid: f64,
+    /// Volume of the cavity in mm³.
+    pub volume: f64,
+    /// Smallest volume ratio at an integration point.
+    pub smallest_j: f64,
+    /// Largest relative residual (section), largest relative defect of an element's volume (bricks).
+    pub defect: f64,
+    /// Pull of the whole muscle in N.
+    pub pull: f64,
+}
+
+/// How a continuation goes about with a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Settings of Newton's method.
+    pub newton: NewtonOptions,
+    /// Equilibria that are kept.
+    pub kept: usize,
+    /// A kept equilibrium serves where its pressure differs by less than this share …
+    pub near_pressure: f64,
+    /// … and its contraction by less than this.
+    pub near_contraction: f64,
+    /// Share of a leg that is tried first.
+    pub first_step: f64,
+    /// The same of the leg on which the pressure is let down.
+    pub first_step_down: f64,
+    /// Smallest share of a leg that is tried.
+    pub smallest_step: f64,
+    /// Whether an equilibrium from a first guess is taken though it is not stable: a wall of bricks buckles between strands that go
+    /// slack. It is told of.
+    pub take_unstable: bool,
+}
+
+/// A body that a [`super::continuation::Continuation`] leads from equilibrium to equilibrium.
+pub trait Body: NewtonSystem {
+    /// How to go about with it.
+    const SETTINGS: Settings;
+
+    /// How many times the part that is computed makes up the muscle.
+    const COPIES: f64;
+
+    /// The present iterate.
+    fn state(&self) -> &State;
+
+    /// The same, to be changed.
+    fn state_mut(&mut self) -> &mut State;
+
+    /// Says what the next solve holds.
+    fn hold(&mut self, control: Control);
+
+    /// Half the length at rest in mm.
+    fn half_length(&self) -> f64;
+
+    /// Sums of the last assembly.
+    fn totals(&self) -> Totals;
+
+    /// Negative eigenvalues of the last tangent with the terminal held: zero for a stable equilibrium.
+    fn unstable_directions(&self) -> usize;
+
+    /// dF/dw of the last tangent for a displacement of one terminal, in N/mm: twice the stiffness ∂F/∂L.
+    fn terminal_stiffness(&mut self) -> f64;
+
+    /// ∂F/∂P at fixed length in mm², of the last tangent.
+    fn force_per_pressure(&mut self) -> f64;
+
+    /// Smallest step of pressure in MPa in a search for one.
+    fn smallest_pressure(&self) -> f64;
+
+    /// First iterate number `attempt` at a pressure in MPa and a displacement of the terminal in mm; `None` after the last one, and
+    /// `Some(false)` where this one does not apply.
+    fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool>;
+
+    /// The same where the strands are taut.
+    fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool;
+
+    /// Tensions and pressures with which the first step from rest begins.
+    fn guess_loads(&mut self) {}
+
+    /// The pressure in MPa at which the muscle is expected to begin to pull at a contraction.
+    fn pulling_pressure(&self, _contraction: f64) -> Option<f64> {
+        None
+    }
+
+    /// The contraction at which a pull in N is expected at a pressure in MPa.
+    ///
+    /// # Errors
+    /// [`FemError`] where nothing carries that pull.
+    fn guess_contraction(&mut self, _force: f64, _pressure: f64) -> Result<f64, FemError> {
+        Ok(0.0)
+    }
+
+    /// The pressure in MPa at which a pull in N is expected at a contraction.
+    ///
+    /// # Errors
+    /// [`FemError`] where no pressure gives that pull.
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError>;
+
+    /// Factorisations a question may cost.
+    fn budget(&self, pressure: f64, contraction: f64) -> usize;
+
+    /// Forgets what first guesses were made of.
+    fn forget(&mut self) {}
+}

@@ -1,0 +1,170 @@
+//! Tests of a muscle: isometric, isotonic, isobaric. Every point carries its own status: one that has no equilibrium does not end the
+//! others.
+
+use super::body::{Body, Control};
+use super::continuation::Continuation;
+use super::trail::Along;
+use crate::error::FemError;
+use mckibben::progress::Progress;
+
+/// A point of a curve.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct CurvePoint {
+    /// Pressure in MPa: given, or found.
+    pub pressure_mpa: f64,
+    /// Contraction: given, or found (below 0: the pull stretches the muscle).
+    pub contraction: f64,
+    /// Pull in N: given, or found (below 0: the muscle pushes).
+    pub force_n: f64,
+    /// Volume of the cavity in mm³.
+    pub volume_mm3: f64,
+    /// Newton iterations it took.
+    pub iterations: usize,
+    /// Factorisations it took.
+    pub factorisations: usize,
+}
+
+impl CurvePoint {
+    /// Whether the muscle would have to push.
+    pub fn slack(&self) -> bool {
+        self.force_n < 0.0
+    }
+
+    /// The present equilibrium, found with so much.
+    pub(crate) fn here<B: Body>(c: &Continuation<B>, spent: Spent) -> Self {
+        let totals = c.body.totals();
+        Self {
+            // Zeros without a sign.
+            pressure_mpa: c.body.state().pressure + 0.0,
+            contraction: c.contraction(),
+            force_n: totals.pull,
+            volume_mm3: B::COPIES * totals.volume,
+            iterations: spent.iterations,
+            factorisations: spent.factorisations,
+        }
+    }
+}
+
+/// Points of a curve in the order they were asked for.
+pub type Curve = Vec<Result<CurvePoint, FemError>>;
+
+/// What a point cost.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spent {
+    /// Newton iterations.
+    pub iterations: usize,
+    /// Factorisations.
+    pub factorisations: usize,
+}
+
+/// What is held along a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Test {
+    /// A contraction, at given pressures; from the highest pressure down.
+    Isometric(f64),
+    /// A pull in N, at given pressures; from the highest pressure down.
+    Isotonic(f64),
+    /// A pressure in MPa, at given contractions; from the smallest contraction on.
+    Isobaric(f64),
+}
+
+impl Test {
+    fn along(self) -> Along {
+        if matches!(self, Self::Isobaric(_)) { Along::Length } else { Along::Pressure }
+    }
+
+    /// (place on the path, what is held) at a value.
+    fn at<B: Body>(self, c: &Continuation<B>, value: f64) -> (f64, Control) {
+        let half = c.body.half_length();
+        match self {
+            Self::Isometric(contraction) => (value, Control::Length(-contraction * half)),
+            Self::Isotonic(force) => (value, Control::Force(force)),
+            Self::Isobaric(_) => (-value * half, Control::Length(-value * half)),
+        }
+    }
+
+    fn afresh<B: Body>(self, c: &mut Continuation<B>, value: f64) -> Result<(), FemError> {
+        match self {
+            Self::Isometric(contraction) => c.reach(value, contraction),
+            Self::Isotonic(force) => c.reach_force(force, value),
+            Self::Isobaric(pressure) => c.reach(pressure, value),
+        }
+    }
+
+    /// From the last points of the path to the next.
+    fn go_on<B: Body>(self, c: &mut Continuation<B>, value: f64) -> GoneOn {
+        let (place, held) = self.at(c, value);
+        let predicted = c.advance(self.along(), place, held).is_ok();
+        if predicted && c.stable_under(held) {
+            return GoneOn::Predicted;
+        }
+        if predicted && B::SETTINGS.take_unstable {
+            return GoneOn::No;
+        }
+        let pressure = match self {
+            Self::Isometric(_) => value,
+            Self::Isobaric(pressure) => pressure,
+            Self::Isotonic(_) => return GoneOn::No,
+        };
+        match held {
+            Control::Length(w) if c.walk_on(pressure, w) => GoneOn::Walked,
+            _ => GoneOn::No,
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum GoneOn {
+    Predicted,
+    Walked,
+    No,
+}
+
+/// Visits `values` in the order of the test: from what the last points predict where that works, else afresh.
+pub(crate) fn run<B: Body, T: Clone>(
+    c: &mut Continuation<B>,
+    values: &[f64],
+    test: Test,
+    progress: &dyn Progress,
+    here: impl Fn(&mut Continuation<B>, Spent) -> Result<T, FemError>,
+) -> Vec<Result<T, FemError>> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    if test.along() == Along::Pressure {
+        order.reverse();
+    }
+    let mut out: Vec<Result<T, FemError>> = vec![Err(FemError::Cancelled); values.len()];
+    let mut running = false;
+    for (turn, &i) in order.iter().enumerate() {
+        progress.report(turn, values.len());
+        if progress.cancelled() {
+            break;
+        }
+        if turn > 0 && values[i] == values[order[turn - 1]] {
+            out[i] = out[order[turn - 1]].clone();
+            continue;
+        }
+        let before = c.effort;
+        let gone = if running { test.go_on(c, values[i]) } else { GoneOn::No };
+        let point = if gone == GoneOn::No { test.afresh(c, values[i]) } else { Ok(()) };
+        if gone == GoneOn::Predicted {
+            c.trail_here();
+        } else {
+            running = point.is_ok();
+            if running {
+                c.begin_trail();
+            }
+        }
+        let spent = Spent {
+            iterations: c.effort.iterations - before.iterations,
+            factorisations: c.effort.factorisations - before.factorisations,
+        };
+        out[i] = point.and_then(|()| here(c, spent));
+    }
+    progress.report(values.len(), values.len());
+    if running {
+        c.keep();
+    }
+    out
+}

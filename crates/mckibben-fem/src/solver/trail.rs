@@ -1,0 +1,100 @@
+//! The last equilibria along a path, and the one that they predict.
+
+use super::body::State;
+
+/// Along what a path runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Along {
+    /// Pressures at one length or one pull.
+    Pressure,
+    /// Lengths at one pressure.
+    Length,
+}
+
+impl Along {
+    fn place(self, s: &State) -> f64 {
+        match self {
+            Self::Pressure => s.pressure,
+            Self::Length => s.terminal,
+        }
+    }
+}
+
+/// Equilibria through which a polynomial is laid.
+const MOST: usize = 4;
+
+/// The last equilibria along a path, newest last. Memory is taken once.
+#[derive(Debug, Clone, Default)]
+pub struct Trail {
+    states: Vec<State>,
+    used: usize,
+}
+
+impl Trail {
+    /// Forgets every equilibrium.
+    pub fn clear(&mut self) {
+        self.used = 0;
+    }
+
+    /// Adds an equilibrium.
+    pub fn push(&mut self, state: &State) {
+        if self.used == MOST {
+            self.states.rotate_left(1);
+            self.used -= 1;
+        }
+        match self.states.get_mut(self.used) {
+            Some(old) => old.copy_from(state),
+            None => self.states.push(state.clone()),
+        }
+        self.used += 1;
+    }
+
+    /// The newest equilibrium.
+    pub fn last(&self) -> Option<&State> {
+        self.states[..self.used].last()
+    }
+
+    /// Fills `out` with what Lagrange's polynomial through the equilibria predicts at `value`; `false` where two of them stand at one
+    /// place.
+    pub fn predict(&self, along: Along, value: f64, out: &mut State) -> bool {
+        let trail = &self.states[..self.used];
+        let mut weights = [0.0; MOST];
+        for (i, weight) in weights[..trail.len()].iter_mut().enumerate() {
+            *weight = 1.0;
+            for j in (0..trail.len()).filter(|&j| j != i) {
+                let (xi, xj) = (along.place(&trail[i]), along.place(&trail[j]));
+                if xi == xj {
+                    return false;
+                }
+                *weight *= (value - xj) / (xi - xj);
+            }
+        }
+        out.clear();
+        for (weight, s) in weights.iter().zip(trail) {
+            out.add(*weight, s);
+        }
+        out.pressure = match along {
+            Along::Pressure => value,
+            Along::Length => trail.last().map_or(0.0, |s| s.pressure),
+        };
+        true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cubic_is_predicted_exactly() {
+        let at = |p: f64| State { u: vec![p * p * p - 2.0 * p], pressure: p, ..State::default() };
+        let mut trail = Trail::default();
+        for p in [9.0, 0.1, 0.3, 0.4, 0.9] {
+            trail.push(&at(p));
+        }
+        let mut out = at(0.0);
+        assert!(trail.predict(Along::Pressure, 1.5, &mut out));
+        assert!((out.u[0] - at(1.5).u[0]).abs() < 1e-13 && out.pressure == 1.5);
+        assert!(!trail.predict(Along::Length, 1.0, &mut out));
+    }
+}

@@ -1,0 +1,235 @@
+//! A muscle in bricks, ready to be led from equilibrium to equilibrium; its first guesses are axisymmetric equilibria of the same muscle.
+
+use super::body::Body;
+use super::discretisation::Discretisation;
+use super::guess::carry_over;
+use super::mesh::{BrickMesh, BrickSpec};
+use super::plug::Plug;
+use super::problem::Problem;
+use super::results;
+use crate::FemError;
+use crate::axisymmetric::{self, Axisymmetric, Section};
+use crate::results::Solution;
+use crate::simulation::{Discretised, MuscleBody};
+use crate::solver::body::{self, Control, Settings, State, Totals};
+use crate::solver::continuation::Continuation;
+use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
+use mckibben::model::{ForceModel, Response, Workspace};
+use mckibben::muscle::{BraidStiffness, Muscle};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// Factorisations that a question may cost.
+const BUDGET: usize = 400;
+
+/// What of a muscle in bricks does not change.
+#[derive(Debug, Clone)]
+pub struct MuscleMesh {
+    /// The grid.
+    pub mesh: Arc<BrickMesh>,
+    /// The unknowns and what they are made of.
+    pub discretisation: Arc<Discretisation>,
+    axisymmetric: Option<Axisymmetric>,
+    /// Width that one strand of the mesh stands for, in mm.
+    width: f64,
+}
+
+impl MuscleMesh {
+    /// Divides a muscle.
+    ///
+    /// # Errors
+    /// [`FemError`] where the numbers give no valid mesh.
+    pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+        let tube = muscle.tube();
+        let angle = muscle.braid().angle_rad();
+        // How far the plug reaches into the tube is the muscle's to say.
+        let insertion = muscle.terminals().insertion_mm;
+        let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
+        let spec = &BrickSpec { plug, ..*spec };
+        let half = 0.5 * tube.length_mm;
+        let mesh = BrickMesh::new(tube.inner_radius_mm(), tube.outer_radius_mm(), half, angle, spec)?;
+        Ok(Self {
+            axisymmetric: same_muscle(muscle, &mesh),
+            width: PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64,
+            discretisation: Arc::new(Discretisation::new(Problem::of(muscle, &mesh))?),
+            mesh: Arc::new(mesh),
+        })
+    }
+
+    /// The muscle at rest.
+    ///
+    /// # Errors
+    /// [`FemError::TooLarge`] where there is not enough memory.
+    pub fn at_rest(&self) -> Result<MuscleInBricks, FemError> {
+        let section = self.axisymmetric.as_ref().map(|model| {
+            let mut workspace = Workspace::new();
+            let section = model.continuation(&mut workspace).map(|c| c.clone());
+            section.map(|section| (model.muscle().clone(), section))
+        });
+        Ok(MuscleInBricks {
+            bricks: Body::new(self.discretisation.clone())?,
+            mesh: self.mesh.clone(),
+            section: section.transpose()?,
+            width: self.width,
+        })
+    }
+}
+
+/// The axisymmetric model of the same muscle, with the mesh's length and angle and the same strands.
+fn same_muscle(muscle: &Muscle, mesh: &BrickMesh) -> Option<Axisymmetric> {
+    let mut tube = muscle.tube().clone();
+    tube.length_mm = 2.0 * mesh.half_length_mm();
+    let mut braid = muscle.braid().clone();
+    if let Some(k) = muscle.family_stiffness_n_per_mm() {
+        // Strands of the mesh lie closer together where they are steeper.
+        let ratio = braid.angle_rad().cos() / mesh.angle_rad().cos();
+        braid.stiffness = BraidStiffness::NewtonPerMm(k * ratio);
+    }
+    braid.angle_deg = mesh.angle_rad().to_degrees();
+    braid.measured = None;
+    let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
+    Axisymmetric::new(&muscle).ok()
+}
+
+/// A muscle in bricks with its state.
+#[derive(Debug)]
+pub struct MuscleInBricks {
+    /// Its bricks and strands.
+    pub bricks: Body,
+    /// The grid.
+    pub mesh: Arc<BrickMesh>,
+    /// The axisymmetric muscle with the mesh's length and angle.
+    section: Option<(Muscle, Continuation<axisymmetric::Body>)>,
+    width: f64,
+}
+
+impl MuscleInBricks {
+    /// Fills the state with the axisymmetric equilibrium; `false` where there is none.
+    fn from_section(&mut self, pressure: f64, terminal: f64) -> bool {
+        let contraction = -terminal / self.bricks.discretisation.half;
+        let Some((muscle, c)) = &mut self.section else { return false };
+        if c.reach(pressure, contraction).is_err() {
+            return false;
+        }
+        let section = Section::of(&c.body.discretisation, &c.body.state, muscle);
+        let state = &mut self.bricks.state;
+        (state.pressure, state.terminal) = (pressure, terminal);
+        carry_over(&self.bricks.discretisation, &self.mesh, &section, self.width, state);
+        true
+    }
+}
+
+impl NewtonSystem for MuscleInBricks {
+    fn residual(&mut self) -> Result<f64, Stopped> {
+        self.bricks.residual()
+    }
+
+    fn linearise(&mut self) -> Result<f64, Stopped> {
+        self.bricks.linearise()
+    }
+
+    fn correct(&mut self) -> Result<f64, Stopped> {
+        self.bricks.correct()
+    }
+
+    fn retreat(&mut self, keep: f64) {
+        self.bricks.retreat(keep);
+    }
+}
+
+impl body::Body for MuscleInBricks {
+    const SETTINGS: Settings = Settings {
+        newton: NewtonOptions { tolerance: 1e-9, iterations: 14, ..NewtonOptions::DEFAULT },
+        kept: 4,
+        near_pressure: 0.15,
+        near_contraction: 0.01,
+        first_step: 0.25,
+        first_step_down: 0.25,
+        smallest_step: 1.0 / 128.0,
+        take_unstable: true,
+    };
+    const COPIES: f64 = 8.0;
+
+    fn state(&self) -> &State {
+        &self.bricks.state
+    }
+
+    fn state_mut(&mut self) -> &mut State {
+        &mut self.bricks.state
+    }
+
+    fn hold(&mut self, control: Control) {
+        self.bricks.control = control;
+    }
+
+    fn half_length(&self) -> f64 {
+        self.bricks.discretisation.half
+    }
+
+    fn totals(&self) -> Totals {
+        self.bricks.totals
+    }
+
+    fn unstable_directions(&self) -> usize {
+        self.bricks.unstable_directions()
+    }
+
+    fn terminal_stiffness(&mut self) -> f64 {
+        self.bricks.terminal_stiffness()
+    }
+
+    fn force_per_pressure(&mut self) -> f64 {
+        self.bricks.force_per_pressure()
+    }
+
+    fn smallest_pressure(&self) -> f64 {
+        1e-3 * self.bricks.discretisation.shear
+    }
+
+    fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool> {
+        (attempt == 0).then(|| self.from_section(pressure, terminal))
+    }
+
+    fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
+        self.from_section(pressure, terminal)
+    }
+
+    fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
+        body::Body::pulling_pressure(&self.section.as_ref()?.1.body, contraction)
+    }
+
+    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
+        let Some((_, section)) = &mut self.section else { return Ok(0.0) };
+        section.reach_force(force, pressure)?;
+        Ok(section.contraction())
+    }
+
+    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
+        let Some((_, section)) = &mut self.section else {
+            let reason = Stopped::Diverged { correction: 0.0 };
+            return Err(FemError::Force { force_n: force, reason });
+        };
+        section.reach_pressure(force, contraction)?;
+        Ok(section.body.state.pressure)
+    }
+
+    fn budget(&self, _: f64, _: f64) -> usize {
+        BUDGET
+    }
+
+    fn forget(&mut self) {
+        if let Some((_, section)) = &mut self.section {
+            section.forget();
+        }
+    }
+}
+
+impl MuscleBody for MuscleInBricks {
+    fn response(&mut self, muscle: &Muscle) -> Result<Response, FemError> {
+        results::response(&mut self.bricks, &self.mesh, muscle)
+    }
+
+    fn solution(&mut self, muscle: &Muscle) -> Result<Solution, FemError> {
+        results::solution(&mut self.bricks, &self.mesh, muscle)
+    }
+}

@@ -1,0 +1,21 @@
+//! Progress of long work, and the wish to stop it.
+
+/// What long work tells its caller, and asks him: one small trait for every front end.
+///
+/// Work calls [`Progress::report`] now and then and ends early, with an error that says so, once
+/// [`Progress::cancelled`] answers true.
+pub trait Progress: Sync {
+    /// So many of so many steps are done.
+    fn report(&self, _done: usize, _total: usize) {}
+
+    /// Whether the caller wants the work to end.
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// No report, no end before the end.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Silent;
+
+impl Progress for Silent {}
