@@ -16,7 +16,7 @@ const TASKS: [Task; 7] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
     ("schemas", "JSON Schemas of requests and answers in docs/schema; --check compares", schemas),
-    ("checks", "outputs read by foreign programs (python3, ccx, chromium)", checks),
+    ("checks", "outputs read by other programs (python3, ccx, chromium)", checks),
     ("wasm", "numeric crates build for wasm32-unknown-unknown", wasm),
     ("benches", "speed of the closed forms and of the finite elements", benches),
     ("peers", "finite elements side by side with FElupe and CalculiX (python3, ccx)", peers),

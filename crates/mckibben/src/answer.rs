@@ -21,7 +21,7 @@ pub struct Answer {
     /// What the model knows; `force_n` is 0 where the muscle is slack.
     #[serde(flatten)]
     pub response: Response,
-    /// The muscle would have to push and lies slack instead.
+    /// The muscle would have to push and is slack instead.
     pub slack: bool,
     /// The model's own force in N, negative where the muscle would have to push.
     #[serde(skip)]

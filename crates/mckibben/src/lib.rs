@@ -1,26 +1,38 @@
 //! McKibben pneumatic muscles: rubber laws, force models, their inverses, curves, and design.
 //!
-//! Data flows one way: specification → [`muscle`] → [`model`] → response → curve → figure. The hinge is
+//! Data flows one way: specification → [`muscle`] → [`model`] → response → curve → figure. The central trait is
 //! [`model::ForceModel`]: whatever answers F(P, ε) for a muscle can be inverted, plotted, compared and designed with.
 //!
 //! Units: mm, MPa (= N/mm²), N. Angles are in degrees where a name says `_deg`.
 //!
-//! ```
-//! use mckibben::analysis::{Options, free_contraction, pressure_at};
-//! use mckibben::model::{ForceModel, ThickWall, Workspace};
-//! use mckibben::muscle::Muscle;
+//! A first session: build a muscle, ask a model, find a muscle for a job.
 //!
+//! ```
+//! use mckibben::prelude::*;
+//!
+//! // A tube of 40 mm with a wall of 2 mm; length, braid and rubber are those of the paper's prototype.
 //! let muscle = Muscle::prototype().with_section(40.0, 2.0)?;
 //! let model = ThickWall::new(&muscle);
 //! let workspace = &mut Workspace::new();
+//!
+//! // What does it pull at 0.25 MPa, contracted by 10 %, and how far does it bulge?
 //! let pull = model.response(workspace, 0.25, 0.10)?;
 //! assert!(pull.force_n > 900.0 && pull.bulged_diameter_mm > Some(50.0));
-//! // Which pressure gives 500 N at 10 %, and how far does it contract when nothing holds it?
+//! // Which pressure gives 500 N there, and how far does it contract when nothing holds it?
 //! let pressure_mpa = pressure_at(&model, workspace, 500.0, 0.10, Options::default())?;
 //! assert!(pressure_mpa < 0.25);
 //! assert!(free_contraction(&model, workspace, 0.25, Options::default())? < muscle.max_ideal_contraction());
+//!
+//! // The smallest muscle that pulls 700 N at 15 % with at most 0.25 MPa.
+//! let found = design(&Spec::new(vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }], 0.25), &|m| Ok(Box::new(ThickWall::new(m))))?;
+//! let best = found.candidates.first().ok_or("nothing fits")?;
+//! assert!(best.margin >= 0.0 && best.pressure_mpa <= 0.25);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! Finite elements, deformed shapes for ParaView (VTU) and campaigns are in the crates `mckibben-fem` and
+//! `mckibben-campaign`, which has four longer examples: a first muscle, a rubber and a formula of one's own, and constants
+//! from a bench (`crates/mckibben-campaign/examples`).
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
@@ -36,6 +48,7 @@ pub mod measured;
 pub mod model;
 pub mod muscle;
 pub mod nearest;
+pub mod prelude;
 pub mod progress;
 pub mod rubber;
 pub mod status;

@@ -233,7 +233,7 @@ fn thick_wall_tends_to_ideal_as_the_wall_thins() {
     }
 }
 
-/// The formula and the endless muscle with the paper's rubber and braid differ by the ends, not by a factor.
+/// The formula and the infinitely long muscle with the paper's rubber and braid differ by the ends, not by a factor.
 #[test]
 fn paper_and_thick_wall_speak_of_the_same_muscle() {
     for (d0, s) in [(30.0, 1.0), (30.0, 3.0), (50.0, 1.0), (50.0, 5.0)] {

@@ -8,7 +8,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 
-/// SplitMix64 (Steele, Lea & Flood 2014): the same muscles everywhere.
+/// SplitMix64 (Steele, Lea & Flood 2014 \[steele2014\]): the same muscles everywhere.
 #[derive(Debug, Clone)]
 pub struct Random(pub u64);
 
@@ -116,7 +116,7 @@ fn law(kind: usize, mu: f64, random: &mut Random) -> Law {
         }
         3 => Law::Gent(Gent { mu_mpa: mu, jm: random.between(20.0, 80.0) }),
         _ => {
-            // Ogden 1972, Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
+            // Ogden 1972 [ogden1972], Treloar's rubber: μ = ½ Σ μi αi = 0.4143 MPa.
             let scale = mu / 0.414_319;
             let terms = [(0.6178, 1.3), (0.001_177, 5.0), (-0.009_807, -2.0)];
             Law::Ogden(Ogden { terms: terms.iter().map(|&(m, a)| (m * scale, a)).collect() })

@@ -4,7 +4,7 @@
 //!   r = ∂Π/∂u,   c_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K,   G_k = ∂c_k/∂u = ∫ ψ_k J g dV
 //!
 //! with gradients g of the shape functions in the present places. One pressure mode on eight nodes is the mean
-//! dilatation of Nagtegaal, Parks & Rice (1974), also called Q1P0; four on twenty-seven nodes are Q2/P−1. The pressure
+//! dilatation of Nagtegaal, Parks & Rice (1974) \[nagtegaal1974\], also called Q1P0; four on twenty-seven nodes are Q2/P−1. The pressure
 //! is condensed with the part γ of the bulk modulus (all of it where K ≤ γ, so that nothing is left over):
 //!
 //!   K_e = ∂²Π/∂u∂u + (γ/V) Σ G_k G_kᵀ,   r_e = r + (γ/V) Σ c_k G_k

@@ -9,7 +9,7 @@
 //!   ∂φ/∂f = 2φ_s f + φ_D g,     f = (a, b, c, d),  g = ∂D/∂f = (d, −c, −b, a)
 //!   ∂²φ/∂f∂f = 2φ_s 1 + φ_D H + 4φ_ss f⊗f + 2φ_sD (f⊗g + g⊗f) + φ_DD g⊗g,   H = ∂g/∂f.
 //!
-//! Laws act on the isochoric part: Ī1 = J^(−2/3) I1, Ī2 = J^(−4/3) I2 (Flory 1961). The pressure-like multiplier p adds
+//! Laws act on the isochoric part: Ī1 = J^(−2/3) I1, Ī2 = J^(−4/3) I2 (Flory 1961 \[flory1961\]). The pressure-like multiplier p adds
 //! p (J − 1).
 
 use super::stretches::ByStretches;

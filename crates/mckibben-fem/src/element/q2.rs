@@ -1,6 +1,6 @@
 //! The nine-node biquadratic quadrilateral with a discontinuous linear pressure (Q2/P−1), in the section (R, Z).
 //!
-//! Source: Crouzeix & Raviart (1973); Boffi, Brezzi & Fortin (2013), §8.6: stable for incompressible media, error of
+//! Source: Crouzeix & Raviart (1973) \[crouzeix1973\]; Boffi, Brezzi & Fortin (2013) \[boffi2013\], §8.6: stable for incompressible media, error of
 //! the displacement O(h³), of the pressure O(h²).
 //!
 //! Local node order: the three nodes of the middle station, then those of the left and of the right one; within a

@@ -1,6 +1,6 @@
 //! Rubber in any state of deformation: Kirchhoff stress and spatial tangent of the isochoric part.
 //!
-//! With b = F Fᵀ, b̄ = J^(−2/3) b, Ī1 = tr b̄, Ī2 = (Ī1² − tr b̄²)/2 (Simo & Hughes 1998, §9.3; Holzapfel 2000, §6.6):
+//! With b = F Fᵀ, b̄ = J^(−2/3) b, Ī1 = tr b̄, Ī2 = (Ī1² − tr b̄²)/2 (Simo & Hughes 1998 \[simo1998\], §9.3; Holzapfel 2000 \[holzapfel2000\], §6.6):
 //!
 //!   τ̄ = 2 (w1 + Ī1 w2) b̄ − 2 w2 b̄²,   τ = dev τ̄
 //!   c̄ = 4 [(w2 + w11 + 2 Ī1 w12 + Ī1² w22) b̄⊗b̄ − (w12 + Ī1 w22)(b̄⊗b̄² + b̄²⊗b̄) + w22 b̄²⊗b̄² − w2 1_b̄]

@@ -1,6 +1,6 @@
 //! Laws written in the principal stretches, in any state of deformation.
 //!
-//! b = Σ λa² na⊗na, τ = Σ τa na⊗na with τa = ∂w/∂ln λa of the isochoric law, and (Ogden 1984, §6.1; Simo & Taylor 1991)
+//! b = Σ λa² na⊗na, τ = Σ τa na⊗na with τa = ∂w/∂ln λa of the isochoric law, and (Ogden 1984 \[ogden1984\], §6.1; Simo & Taylor 1991 \[simo1991\])
 //!
 //!   c = Σ (∂τa/∂ln λb − 2 τa δab) na⊗na⊗nb⊗nb + Σ_{a<b} gab S⊗S,   S = na⊗nb + nb⊗na
 //!   gab = (τa λb² − τb λa²)/(λa² − λb²)

@@ -9,7 +9,7 @@
 //!
 //! For k → ∞ q is the Lagrange multiplier of λf = 1. Two Gauss points: as many conditions as a quadratic line can
 //! follow without locking. The tangent takes the curvature of λf with q as it was extrapolated by the last step, not
-//! with k c: Newton's method then takes far larger steps with stiff strands (Magisano, Leonetti & Garcea 2017).
+//! with k c: Newton's method then takes far larger steps with stiff strands (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
 
 use super::q2::{GAUSS2, along};
 use std::f64::consts::PI;

@@ -3,7 +3,7 @@
 //! V = ⅓ ∫ x·(∂x/∂ξ × ∂x/∂η) over the faces of the cavity is the volume between them and the origin. Planes of symmetry
 //! through the origin add nothing, the terminal adds ⅓ A z. With polynomials for x it is a cubic form in the places of
 //! the nodes, which Gauss points integrate exactly: forces and tangent are its exact derivatives, and the tangent is
-//! symmetric because the cavity is closed (Schweizerhof & Ramm 1984).
+//! symmetric because the cavity is closed (Schweizerhof & Ramm 1984 \[schweizerhof1984\]).
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]

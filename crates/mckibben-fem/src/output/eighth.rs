@@ -184,7 +184,7 @@ fn around(n: &NodeField) -> [f64; 2] {
     [c * c * xx + s * s * yy + twice, s * s * xx + c * c * yy - twice]
 }
 
-/// √(3/2 s:s), s the deviator (von Mises 1913).
+/// √(3/2 s:s), s the deviator (von Mises 1913 \[mises1913\]).
 fn mises(s: &[f64; 6]) -> f64 {
     let [xx, yy, zz, xy, yz, zx] = *s;
     let normal = (xx - yy).powi(2) + (yy - zz).powi(2) + (zz - xx).powi(2);

@@ -1,4 +1,4 @@
-//! Geometric nested dissection of a structured grid (George 1973).
+//! Geometric nested dissection of a structured grid (George 1973 \[george1973\]).
 //!
 //! A box of grid lines is cut by one line across its longer side; the two halves come first, the line last. Only the two
 //! longer directions of a tube's wall are cut: what lies through the wall stays together.

@@ -1,7 +1,7 @@
 //! Places, stretches and Cauchy stress at the nodes of one eighth, for pictures and files.
 //!
 //! Stretches are those of the bricks' own field at the nodes. Cauchy stress σ = τ/J + p 1 is taken where it is most exact
-//! (Barlow 1976): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
+//! (Barlow 1976 \[barlow1976\]): in the middle of an eight-node brick, at the 2 × 2 × 2 points of one with twenty-seven, from where the
 //! trilinear function carries it to the nodes. Where bricks meet, they are averaged.
 
 use super::mesh::{Brick, BrickMesh};

@@ -5,7 +5,7 @@
 //!   K du + Σ β G dm = b + Σ (γ/V) G d,    G du − (V/k) dm = d
 //!
 //! Where γ = k (β = 0) the multipliers follow from du. The others solve [V/k + β G K⁻¹ Gᵀ] dm = G K⁻¹(…) − d by
-//! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983).
+//! conjugate gradients with V/γ for a preconditioner (augmented Lagrangian: Fortin & Glowinski 1983 \[fortin1983\]).
 
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]

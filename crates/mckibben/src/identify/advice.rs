@@ -1,4 +1,4 @@
-//! Sentences about data and result: what does not fit together, what is not told, where the model does not follow.
+//! Sentences about data and result: what does not fit together, what is not identifiable, where the model does not follow.
 
 use super::error::IdentifyError;
 use super::parameter::Target;
@@ -43,7 +43,7 @@ pub(super) fn before(
     notes.extend(contradictions(points));
     if distinct(points.iter().map(|p| p.at.pressure_mpa)) == 1 {
         notes.push(
-            "all points stand at one pressure: rubber, braid and offset can then hardly be told apart; measure at two more"
+            "all points stand at one pressure: rubber, braid and offset can then hardly be distinguished; measure at two more"
                 .into(),
         );
     } else if distinct(points.iter().map(|p| p.at.contraction)) == 1 {
@@ -231,10 +231,13 @@ fn not_told(found: &Identification) -> Vec<String> {
                 p.name, p.value
             )
         } else if !p.half_width.is_finite() {
-            format!("{} is not told by these data: it acts like another parameter; fix one of them", p.name)
+            format!(
+                "{} is not identifiable from these data: it acts like another parameter; fix one of them",
+                p.name
+            )
         } else {
             format!(
-                "{} is not told by these data: ± {} is more than {} {}; fix it",
+                "{} is not identifiable from these data: ± {} is more than {} {}; fix it",
                 p.name,
                 show(p.half_width),
                 show(p.limit),
@@ -259,7 +262,7 @@ fn correlated(found: &Identification) -> Vec<String> {
                 let (a, b) = (&found.parameters[j].name, &found.parameters[i].name);
                 let way = if rho > 0.0 { "together" } else { "against each other" };
                 out.push(format!(
-                    "{a} and {b} move {way} (correlation {rho:.3}): these data tell a combination of the two better than either"
+                    "{a} and {b} move {way} (correlation {rho:.3}): these data determine a combination of the two better than either"
                 ));
             }
         }

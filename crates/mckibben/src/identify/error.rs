@@ -42,7 +42,7 @@ pub enum IdentifyError {
     },
     /// Not more points than parameters.
     #[error(
-        "{points} points that pull{} do not tell {parameters} parameters: at least {} are needed, and three for each parameter for an error bar worth the name; measure more, or free fewer",
+        "{points} points that pull{} do not determine {parameters} parameters: at least {} are needed, and three for each parameter for a meaningful error bar; measure more, or free fewer",
         left_out(.dropped), .parameters + 1
     )]
     TooFew {
@@ -83,14 +83,14 @@ pub enum IdentifyError {
         error: ModelError,
     },
     /// Starting values that make no muscle.
-    #[error("the starting values make no muscle: {0}")]
+    #[error("the starting values give no valid muscle: {0}")]
     Muscle(#[from] MuscleError),
-    /// The starting values make no model.
-    #[error("the starting values make no model: {0}")]
+    /// The starting values give no valid model.
+    #[error("the starting values give no valid model: {0}")]
     Model(ModelError),
     /// No minimum.
     #[error(
-        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the data cannot tell"
+        "{0}; give better starts (name=START) or bounds (name=START:LOW:HIGH), or fix what the data cannot determine"
     )]
     Estimate(EstimateError),
 }

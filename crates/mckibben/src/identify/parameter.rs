@@ -183,7 +183,7 @@ impl Target {
         }
     }
 
-    /// A half-width of the 95 % interval above this means that the data do not tell it, at a value `v`.
+    /// A half-width of the 95 % interval above this means that the data do not determine it, at a value `v`.
     ///
     /// Constants of the law share half of the shear modulus at rest; stiffness, friction, factors, wall and length are held
     /// against half of themselves; what is measured with a ruler more tightly.

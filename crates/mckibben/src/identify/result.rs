@@ -22,16 +22,16 @@ pub struct Identified {
     pub value: f64,
     /// Its unit; empty for a plain number.
     pub unit: &'static str,
-    /// Standard error; infinite (null in JSON) where the data do not tell it at all, 0 on a bound.
+    /// Standard error; infinite (null in JSON) where the data do not determine it at all, 0 on a bound.
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub standard_error: f64,
     /// Half-width of the 95 % interval; likewise.
     #[serde(rename = "half_width_95")]
     #[cfg_attr(feature = "schema", schemars(with = "Option<f64>"))]
     pub half_width: f64,
-    /// The half-width up to which it counts as told.
+    /// The half-width up to which it counts as identifiable.
     pub limit: f64,
-    /// Whether the data tell it.
+    /// Whether the data determine it.
     pub identifiable: bool,
     /// Whether it lies on a bound.
     pub at_bound: bool,

@@ -241,7 +241,7 @@ fn what_the_data_cannot_tell_is_flagged() {
         noisy(&bench(&m, 0.0), 6.0, 5).into_iter().filter(|p| p.at.contraction == 0.1).collect();
     let f = found(&m, &["c10", "c01"], &isometric, Loss::Squares).unwrap();
     assert!(!f.parameters[1].identifiable, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("tube.material.c01 is not told")), "{:?}", f.notes);
+    assert!(f.notes.iter().any(|n| n.contains("tube.material.c01 is not identifiable")), "{:?}", f.notes);
     // k of strands that do not stretch.
     let stiff = soft();
     let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
@@ -324,7 +324,7 @@ fn too_few_slack_and_contradicting_points_get_a_sentence() {
     let m = soft();
     let points = bench(&m, 0.0);
     let few = found(&m, &["mu", "braid.stiffness"], &points[..2], Loss::Squares).unwrap_err().to_string();
-    assert!(few.contains("2 points that pull do not tell 2 parameters: at least 3"), "{few}");
+    assert!(few.contains("2 points that pull do not determine 2 parameters: at least 3"), "{few}");
     let mut some = points[..4].to_vec();
     some[2].at.force_n = 0.0;
     some[3].at.force_n = -1.0;
@@ -380,7 +380,7 @@ fn starts_bounds_and_doubles_are_checked() {
         two_sided: false,
     };
     assert!(matches!(identify(&request, thick).unwrap_err(), IdentifyError::OutOfBounds { .. }));
-    // A bound that holds the truth away is told.
+    // A bound that holds the truth away is reported.
     let f = found(&m, &["mu=0.4:0.35:1"], &points, Loss::Squares).unwrap();
     assert!(f.parameters[0].at_bound && !f.parameters[0].identifiable, "{:#?}", f.parameters);
     assert!(f.notes.iter().any(|n| n.contains("lies on its bound")), "{:?}", f.notes);

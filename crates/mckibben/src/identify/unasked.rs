@@ -39,7 +39,7 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
     out
 }
 
-/// [`identify_with`] with the [`default_targets`] that are not fixed; a stiffness that the data do not tell is left at the
+/// [`identify_with`] with the [`default_targets`] that are not fixed; a stiffness that the data do not determine is left at the
 /// muscle's own.
 ///
 /// # Errors
@@ -58,16 +58,17 @@ pub fn identify_default<B: Build>(
     };
     let without: Vec<Target> = targets.iter().copied().filter(|t| *t != Target::Stiffness).collect();
     let all = run(&targets);
-    let told = match &all {
+    let identified = match &all {
         Ok(found) => found.parameter(Target::Stiffness).is_none_or(|p| p.identifiable),
         Err(_) => without.len() == targets.len(),
     };
-    if told || without.is_empty() {
+    if identified || without.is_empty() {
         return all;
     }
     let mut found = run(&without)?;
     found.notes.push(
-        "braid.stiffness is not told by these data and was left as it is; free it by name to see".into(),
+        "braid.stiffness is not identifiable from these data and was left as it is; free it by name to see"
+            .into(),
     );
     Ok(found)
 }

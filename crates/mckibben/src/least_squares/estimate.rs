@@ -4,7 +4,7 @@
 //!
 //!   s² = Σ w r²/(n − m),   cov x = s² (JᵀWJ)⁻¹,   correlation ρᵢⱼ = covᵢⱼ/√(covᵢᵢ covⱼⱼ)
 //!
-//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). An unknown is told by the data where
+//! with n points and m unknowns that are not on a bound (Seber & Wild 2003 \[seber2003\], ch. 2). An unknown is identifiable where
 //! the half-width of its 95 % interval, t(n − m) √covᵢᵢ, is below its scale and it does not lie on a bound.
 
 use super::bounds::Unknown;
@@ -47,13 +47,13 @@ pub enum Loss {
 pub struct Estimate {
     /// The unknowns.
     pub x: Vec<f64>,
-    /// Standard errors; infinite where the data do not tell the unknown at all, 0 on a bound.
+    /// Standard errors; infinite where the data do not determine the unknown at all, 0 on a bound.
     pub standard_errors: Vec<f64>,
     /// Half-widths of the 95 % intervals (Student's t); likewise.
     pub half_widths: Vec<f64>,
-    /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not told at all.
+    /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not identifiable at all.
     pub correlation: Vec<Vec<f64>>,
-    /// Whether the data tell this unknown.
+    /// Whether the data determine this unknown.
     pub identifiable: Vec<bool>,
     /// Whether it lies on a bound.
     pub at_bound: Vec<bool>,
@@ -69,14 +69,14 @@ pub struct Estimate {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum EstimateError {
     /// Not more points than unknowns.
-    #[error("{points} points do not tell {unknowns} unknowns: at least {} are needed, and more for an error bar worth the name", .unknowns + 1)]
+    #[error("{points} points do not determine {unknowns} unknowns: at least {} are needed, and more for a meaningful error bar", .unknowns + 1)]
     TooFew {
         /// Points with a weight.
         points: usize,
         /// Unknowns.
         unknowns: usize,
     },
-    /// Bounds or a scale that make no unknown.
+    /// Bounds or a scale that are not valid for an unknown.
     #[error("unknown {index} has no sound start, bounds and scale: {unknown:?}")]
     Unknown {
         /// Counted from zero.

@@ -76,11 +76,11 @@ const TABLE: [(ModelKind, &str, &str); 15] = [
     (ModelKind::KluteHannaford, "klute-hannaford", "ideal muscle and a thin Mooney-Rivlin tube"),
     (ModelKind::ConicalEnds, "conical-ends", "cylinder between two cones (Tondu 2012)"),
     (ModelKind::RoundedEnds, "rounded-ends", "force balance of the middle of a muscle with round ends"),
-    (ModelKind::FestoDmsp10, "festo-dmsp-10", "Festo DMSP-10 by Sarosi's fit; ignores the muscle's make"),
+    (ModelKind::FestoDmsp10, "festo-dmsp-10", "Festo DMSP-10 by Sarosi's fit; ignores the given muscle"),
     (
         ModelKind::FestoDmsp20,
         "festo-dmsp-20-200",
-        "Festo DMSP-20-200N by Sarosi's fit; ignores the muscle's make",
+        "Festo DMSP-20-200N by Sarosi's fit; ignores the given muscle",
     ),
     (
         ModelKind::FestoHunt10,
@@ -171,7 +171,7 @@ fn universal(
     formula: Option<Arc<UniversalFormula>>,
     muscle: &Muscle,
 ) -> Result<Box<dyn ForceModel>, ModelError> {
-    let missing = "its built-in coefficients, which cannot be read; build the program anew";
+    let missing = "its built-in coefficients, which cannot be read; rebuild the program";
     let formula = formula.ok_or(ModelError::Missing { model, missing, key: "" })?;
     Ok(Box::new(Universal::new(formula, muscle)))
 }

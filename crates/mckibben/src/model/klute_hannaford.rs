@@ -5,7 +5,7 @@
 //!   dI1/dλ = 2λ(1−c) − 2λ(1+c−2cλ²)/(λ²+cλ²(1−λ²))²
 //!   dI2/dλ = 2λ(1+c−2cλ²) − 2/λ³ + 2cλ/(1+c(1−λ²))²
 //!
-//! Vb: volume of the rubber. Source: Klute & Hannaford (2000) \[klute2000\], whose text was not at hand; derived here anew from the
+//! Vb: volume of the rubber. Source: Klute & Hannaford (2000) \[klute2000\], whose text was not at hand; derived here from the
 //! energy (the form printed in Tondu's review of 2012 \[tondu2012\] omits 1/L0). It is the thin-wall limit of the thick-wall model.
 
 use super::pantograph::Pantograph;
@@ -79,7 +79,7 @@ impl ForceModel for KluteHannaford {
     }
 
     fn source(&self) -> &str {
-        "Klute & Hannaford 2000 [klute2000], derived anew from the energy"
+        "Klute & Hannaford 2000 [klute2000], derived from the energy"
     }
 
     fn range(&self) -> ModelRange {

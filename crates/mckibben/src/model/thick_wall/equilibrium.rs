@@ -1,4 +1,4 @@
-//! Equilibrium of the endless muscle: one scalar equation in the outer radius.
+//! Equilibrium of the infinitely long muscle: one scalar equation in the outer radius.
 
 use super::ThickWall;
 use crate::model::{ModelError, WallEnergy};
@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 const LARGEST_STRAND_STRETCH: f64 = 1.5;
 const ITERATIONS: usize = 60;
 
-/// One equilibrium of the endless muscle; derivatives in λ and P are along the equilibrium, (∂λ, ∂P).
+/// One equilibrium of the infinitely long muscle; derivatives in λ and P are along the equilibrium, (∂λ, ∂P).
 #[derive(Debug, Clone, Copy)]
 pub(in crate::model) struct State {
     pub(in crate::model) r: f64,

@@ -1,4 +1,4 @@
-//! The endless muscle: a thick rubber wall under a braid whose strands may stretch; exact for a long muscle.
+//! The infinitely long muscle: a thick rubber wall under a braid whose strands may stretch; exact for a long muscle.
 //!
 //! Away from the terminals the muscle is uniform. Per unit of length at rest, with λ = 1 − ε the axial stretch and r the
 //! outer radius now,
@@ -136,7 +136,7 @@ impl ForceModel for ThickWall {
     }
 
     fn source(&self) -> &str {
-        "energy of the endless muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch"
+        "energy of the infinitely long muscle: Liu & Rahn 2003 [liu2003] for rigid strands, extended here to strands that stretch"
     }
 
     fn range(&self) -> ModelRange {

@@ -1,6 +1,6 @@
-//! One formula for muscles of every size: the endless muscle with the shortening of its middle.
+//! One formula for muscles of every size: the infinitely long muscle with the shortening of its middle.
 //!
-//! The pull is the same in every section, and away from the terminals a muscle is as an endless one ([`super::ThickWall`]).
+//! The pull is the same in every section, and away from the terminals a muscle is as an infinitely long one ([`super::ThickWall`]).
 //! So F = F∞(λ; P) with λ the axial stretch of the middle, and the ends only decide what λ is:
 //!
 //!   ε = (1 − λ) − 2δ(λ, P)/L0
@@ -86,7 +86,7 @@ impl Universal {
         };
         let angle = 4.0 * muscle.braid().angle_rad().sin().powi(2);
         let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
-        let source = format!("endless muscle with computed ends; {}", formula.provenance.method);
+        let source = format!("infinitely long muscle with computed ends; {}", formula.provenance.method);
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
         let (length, id, muscle) = (muscle.length_mm(), ModelId::new(), muscle.clone());
         Self { zone, deficit, angle, length, wall_modulus, id, source, muscle, formula }
@@ -97,7 +97,7 @@ impl Universal {
         &self.formula
     }
 
-    /// What a point of known pull says about δ, for fits of the terms; `None` where the endless muscle does not reach that pull.
+    /// What a point of known pull says about δ, for fits of the terms; `None` where the infinitely long muscle does not reach that pull.
     pub fn end_point(
         &self,
         pressure_mpa: f64,

@@ -1,4 +1,4 @@
-//! The nested search: λ by Newton's method inside of a bracket, with the endless muscle and the sections of the membrane solved
+//! The nested search: λ by Newton's method inside of a bracket, with the infinitely long muscle and the sections of the membrane solved
 //! at each step. Slower than [`super::coupled`], and without its conditions.
 
 use super::Universal;
@@ -72,7 +72,7 @@ impl Universal {
         for _ in 0..ITERATIONS {
             let m = match self.tried(p, l, near) {
                 Ok(m) => m,
-                // Outside of where the endless muscle has a state: back towards where it has one.
+                // Outside of where the infinitely long muscle has a state: back towards where it has one.
                 Err(error) => {
                     let back = good.unwrap_or(1.0 - contraction);
                     if (back - l).abs() < 1e-9 {

@@ -1,0 +1,56 @@
+//! First muscle: build one, ask several models, search for one that does a job, write its deformed shape for ParaView.
+//!
+//! `cargo run --release -p mckibben-campaign --example 1_first_muscle`
+
+use mckibben::prelude::*;
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::output::VtuSeries;
+use std::error::Error;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    blocked_force_of_an_ideal_muscle().map(drop)
+}
+
+/// Returns what the ideal formula says of the prototype's blocked force at 0.25 MPa, in N.
+fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
+    // A tube of 30 mm with a wall of 3 mm in a braid at 28°, 285 mm between the terminals.
+    let muscle = Muscle::prototype();
+    let workspace = &mut Workspace::new();
+
+    // One question, three models: how much does it pull at 0.25 MPa, held at its rest length?
+    let fe = Axisymmetric::new(&muscle)?;
+    let (thick_wall, ideal) = (ThickWall::new(&muscle), Ideal::new(&muscle));
+    let models: [&dyn ForceModel; 3] = [&fe, &thick_wall, &ideal];
+    for model in models {
+        let pull = model.response(workspace, 0.25, 0.0)?;
+        println!("{:<12} {:7.1} N   source: {}", model.name(), pull.force_n, model.source());
+    }
+
+    // Which muscle pulls 700 N at a contraction of 15 % with 0.25 MPa? The smallest comes first.
+    let spec = Spec::new(700.0, 0.15, 0.25);
+    let found = design(&spec, &|m| Ok(Box::new(ThickWall::new(m))))?;
+    let best = found.candidates.first().ok_or("no muscle fits")?;
+    println!(
+        "D0 {:.1} mm, s {:.2} mm at {:.3} MPa",
+        best.muscle.outer_diameter_mm(),
+        best.muscle.wall_mm(),
+        best.pressure_mpa
+    );
+
+    // Its shape under load, for ParaView.
+    let folder = std::env::temp_dir().join("mckibben-first-muscle");
+    let fe = Axisymmetric::new(&best.muscle)?;
+    let pull = fe.response(workspace, 0.25, 0.15)?;
+    let mut series = VtuSeries::new(&folder, "the muscle that was found")?;
+    series.add(&fe.section_at(workspace, 0.25, 0.15)?, &pull)?;
+    series.finish()?;
+    println!("by finite elements {:.0} N; shape in {}", pull.force_n, folder.display());
+    Ok(ideal.response(workspace, 0.25, 0.0)?.force_n)
+}
+
+#[test]
+fn the_ideal_pull_is_that_of_the_textbook() {
+    // F = π D0² P (3 cos²θ0 − 1)/(4 sin²θ0), by hand: 1073.411 N
+    let force_n = blocked_force_of_an_ideal_muscle().unwrap();
+    assert!((force_n - 1073.411).abs() < 1e-3, "{force_n}");
+}

@@ -1,0 +1,74 @@
+//! Own formula: a campaign of finite-element tests, a formula fitted to it, and the formula used as a model.
+//!
+//! `cargo run --release -p mckibben-campaign --example 3_own_formula`
+
+use mckibben::formula::FormulaModel;
+use mckibben::prelude::*;
+use mckibben_campaign::campaign::{Plan, RunOptions, read, run};
+use mckibben_campaign::fit::{Method, Request, data, made_for, make};
+use mckibben_fem::axisymmetric::Axisymmetric;
+use std::error::Error;
+use std::sync::Arc;
+
+/// Muscles of one length, angle, rubber and braid; diameter and wall vary. `plans/` has larger ones.
+const PLAN: &str = r#"
+[tube]
+length = "200 mm"
+rubber = "dragon-skin-30"
+
+[braid]
+angle = "25 deg"
+stiffness = "600 N/mm"
+
+[sampling]
+method = "factorial"
+
+[vary]
+tube.outer_diameter = "20,24,28,32 mm"
+tube.wall_thickness = "1..3:0.5 mm"
+
+[test]
+contractions = "0..0.20:0.05"
+pressures = "0.05..0.25:0.05 MPa"
+"#;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    error_between_the_points().map(drop)
+}
+
+/// Returns the formula's error on a muscle that is not in the campaign, as a share of its blocked force.
+fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
+    let plan = Plan::parse(PLAN)?;
+    let folder = tempfile::tempdir()?;
+    let table = folder.path().join("campaign.parquet");
+    run(&plan, &table, &RunOptions::default(), &mut |_| {})?;
+    let rows = read(&table)?;
+    println!("{} points of {} muscles", rows.len(), plan.muscles());
+
+    let fitted = make(&Request {
+        points: &data::points(&rows),
+        made_for: made_for(&rows)?,
+        method: Method::GLOBAL,
+        hold_out: &[],
+        name: "own".into(),
+        table: None,
+        plan_hash: Some(plan.hash()),
+        seed: None,
+    })?;
+    println!("{}", fitted.formula.equation());
+
+    // The formula is a model like any other. `fitted.formula.to_json()` is a file for `--model`.
+    let muscle = plan.base().with_section(26.0, 1.75)?;
+    let formula = FormulaModel::new(Arc::new(fitted.formula), &muscle);
+    let fe = Axisymmetric::new(&muscle)?;
+    let workspace = &mut Workspace::new();
+    let (ours, theirs) = (formula.force_n(workspace, 0.18, 0.12)?, fe.force_n(workspace, 0.18, 0.12)?);
+    println!("D0 26, s 1.75 at 0.18 MPa and 12 %: formula {ours:.1} N, finite elements {theirs:.1} N");
+    Ok((ours - theirs).abs() / fe.force_n(workspace, 0.25, 0.0)?)
+}
+
+#[test]
+fn between_its_points_the_formula_is_within_one_per_cent() {
+    let error = error_between_the_points().unwrap();
+    assert!(error < 0.01, "{error}");
+}

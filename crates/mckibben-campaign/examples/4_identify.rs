@@ -1,0 +1,53 @@
+//! Identify: the rubber and braid constants of a muscle on a bench, from ten measured points.
+//!
+//! `cargo run --release -p mckibben-campaign --example 4_identify`
+
+use mckibben::identify::{Request, Target, identify_default, read_data};
+use mckibben::least_squares::Loss;
+use mckibben::muscle::file::parse_muscle;
+use mckibben::prelude::*;
+use mckibben_fem::axisymmetric::Axisymmetric;
+use std::error::Error;
+
+/// What a ruler tells, and guesses for the rest.
+const MUSCLE: &str = include_str!("../../../examples/bench.toml");
+/// Pressure, contraction and force as read from the bench.
+const POINTS: &str = include_str!("../../../examples/bench.csv");
+
+fn main() -> Result<(), Box<dyn Error>> {
+    modulus_with_half_width().map(drop)
+}
+
+/// Returns the shear modulus that was found and the half-width of its 95 % interval, in MPa.
+fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
+    let muscle = parse_muscle(MUSCLE)?;
+    let points = read_data(POINTS.as_bytes())?;
+    // Nothing is named as free: then it is the modulus of the rubber and the stiffness of the braid.
+    let request = Request {
+        muscle: &muscle,
+        free: &[],
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    let found = identify_default(&request, |m: &Muscle| match Axisymmetric::new(m) {
+        Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
+        Err(error) => Err(error.into()),
+    })?;
+    for p in &found.parameters {
+        println!("{:<18} {:8.3} ± {:.3} {}", p.name, p.value, p.half_width, p.unit);
+    }
+    for note in &found.notes {
+        println!("mind: {note}");
+    }
+    println!("rms {:.1} N on {} points", found.rms_n, points.len());
+    let modulus = found.parameter(Target::Law(0)).ok_or("the modulus was not free")?;
+    Ok((modulus.value, modulus.half_width))
+}
+
+#[test]
+fn the_interval_holds_the_modulus_with_which_the_points_were_made() {
+    let (mu_mpa, half_width) = modulus_with_half_width().unwrap();
+    assert!((mu_mpa - 0.4).abs() < half_width && half_width < 0.03, "{mu_mpa} ± {half_width}");
+}
