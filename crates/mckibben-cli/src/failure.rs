@@ -274,7 +274,10 @@ impl From<VtuError> for Failure {
 impl From<CampaignError> for Failure {
     fn from(error: CampaignError) -> Self {
         let kind = match error {
-            CampaignError::OtherPlan { .. } | CampaignError::OtherVersion { .. } => "other_plan",
+            CampaignError::OtherPlan { .. }
+            | CampaignError::OtherVersion { .. }
+            | CampaignError::OtherColumns { .. } => "other_plan",
+            CampaignError::Stopped => "stopped",
             CampaignError::Locked { .. } => "locked",
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => "damaged",
             CampaignError::Incomplete { .. } => "incomplete",

@@ -2,8 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use mckibben::formula::Coefficients;
 use mckibben::model::{
-    ChouHannaford, Coefficients, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall,
+    ChouHannaford, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall,
     smallest_pressure_mpa,
 };
 use mckibben::muscle::{

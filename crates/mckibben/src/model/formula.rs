@@ -1,12 +1,12 @@
 //! A formula as a force model.
 
-use super::terms::GlobalSection;
-use super::{Body, Formula};
-use crate::model::{
-    Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response, Section,
-};
+use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response};
+use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
 use std::sync::Arc;
+
+/// Constants and stiffnesses within this, relative, are the same.
+const TOLERANCE: f64 = 1e-6;
 
 #[derive(Debug, Clone)]
 enum Bound {
@@ -65,7 +65,7 @@ impl ForceModel for FormulaModel {
 
     fn range(&self) -> ModelRange {
         let (r, m) = (&self.formula.range, &self.muscle);
-        let (differing, make) = self.formula.made_for.differences(m);
+        let (differing, make) = differences(&self.formula.made_for, m);
         let mut muscle = vec![];
         for (quantity, value, (low, high)) in [
             ("outer_diameter", m.outer_diameter_mm(), r.outer_diameter_mm),
@@ -116,4 +116,36 @@ impl ForceModel for FormulaModel {
             Bound::Global(_) => None,
         }
     }
+}
+
+/// What of a muscle differs from those of a formula: measures, and parts in words.
+fn differences(made: &Made, muscle: &Muscle) -> (Vec<RangeViolation>, Vec<String>) {
+    let mut measures = vec![];
+    for (quantity, value, only, unit) in [
+        ("length", muscle.length_mm(), made.length_mm, "mm"),
+        ("braid_angle", muscle.braid().angle_deg, made.angle_deg, "deg"),
+    ] {
+        if (value - only).abs() > 1e-9 * only {
+            measures.push(RangeViolation { quantity, value, low: only, high: only, unit });
+        }
+    }
+    let theirs = Made::of(muscle);
+    let mut parts = vec![];
+    if !made.rubber.is_like(&theirs.rubber, TOLERANCE) {
+        let (ours, theirs) = (made.rubber.text(), theirs.rubber.text());
+        parts.push(format!("the rubber is {theirs}, the formula is for {ours}"));
+    }
+    let (ours, theirs) =
+        (made.stiffness_n_per_mm(muscle.outer_diameter_mm()), muscle.family_stiffness_n_per_mm());
+    let same = match (ours, theirs) {
+        (None, None) => true,
+        (Some(a), Some(b)) => (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()),
+        _ => false,
+    };
+    if !same {
+        let text = |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
+        let (ours, theirs) = (text(ours), text(theirs));
+        parts.push(format!("the braid's stiffness is {theirs}, the formula is for {ours}"));
+    }
+    (measures, parts)
 }
