@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example universal_errors -- 500 7` takes the number of muscles and a seed.
 
-use mckibben::model::{ForceModel, ModelKind};
+use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::rubber::RubberLaw;
 use mckibben_campaign::fit::universal::{HeldOutRow, Sample, held_out, held_out_samples, rubber_laws};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -27,7 +27,10 @@ fn main() {
         for s in &samples {
             let Ok(model) = kind.build(&s.muscle) else { continue };
             for p in &s.points {
-                let volume = model.response(p.pressure_mpa, p.contraction).ok().and_then(|r| r.volume_mm3);
+                let volume = model
+                    .response(&mut Workspace::new(), p.pressure_mpa, p.contraction)
+                    .ok()
+                    .and_then(|r| r.volume_mm3);
                 list.extend(p.volume_mm3.zip(volume).map(|(fe, v)| (v / fe - 1.0).abs()));
             }
         }
@@ -56,12 +59,18 @@ fn small_pressures(samples: &[Sample]) {
                 continue;
             };
             let p = ratio * mu;
-            let (Ok(blocked), Ok(usual)) = (fe.force_n(p, 0.0), model.force_n(mu, 0.0)) else { continue };
+            let (Ok(blocked), Ok(usual)) =
+                (fe.force_n(&mut Workspace::new(), p, 0.0), model.force_n(&mut Workspace::new(), mu, 0.0))
+            else {
+                continue;
+            };
             let farthest = zero(model.as_ref(), p, s.muscle.max_ideal_contraction());
             for i in 0..10 {
                 let contraction = farthest * f64::from(i) / 10.0;
-                let (Ok(exact), Ok(force)) = (fe.force_n(p, contraction), model.force_n(p, contraction))
-                else {
+                let (Ok(exact), Ok(force)) = (
+                    fe.force_n(&mut Workspace::new(), p, contraction),
+                    model.force_n(&mut Workspace::new(), p, contraction),
+                ) else {
                     continue;
                 };
                 let off = (force - exact).abs();
@@ -89,7 +98,11 @@ fn zero(model: &dyn ForceModel, p: f64, largest: f64) -> f64 {
     let (mut low, mut high) = (0.0, largest);
     for _ in 0..30 {
         let mid = 0.5 * (low + high);
-        if model.force_n(p, mid).is_ok_and(|f| f > 0.0) { low = mid } else { high = mid }
+        if model.force_n(&mut Workspace::new(), p, mid).is_ok_and(|f| f > 0.0) {
+            low = mid
+        } else {
+            high = mid
+        }
     }
     low
 }

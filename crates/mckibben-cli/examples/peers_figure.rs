@@ -2,7 +2,7 @@
 //! other programs (`data/peers`). `cargo run --release -p mckibben-cli --example peers_figure -- FILE.svg`, from the root of the repository.
 
 use mckibben::compare::read_measured;
-use mckibben::model::{ForceModel, Ideal};
+use mckibben::model::{ForceModel, Ideal, Workspace};
 use mckibben::muscle::file::read_muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::three_dimensional::{BrickSpec, Match, ThreeDimensional};
@@ -33,13 +33,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut pull = Panel::new(Axis::new("pressure P [MPa]").from_zero(), Axis::new("pull F [N]").from_zero());
     let mut off = Panel::new(Axis::new("pressure P [MPa]").from_zero(), Axis::new("F less that of fe3d [N]"));
     for (turn, contraction) in [0.0, 0.1].into_iter().enumerate() {
-        let reference = |p: f64| bricks.force_n(p, contraction);
+        let reference = |p: f64| bricks.force_n(&mut Workspace::new(), p, contraction);
         for (number, (name, model, style)) in models.iter().enumerate() {
             let mut line = vec![];
             for i in 1..=25 {
                 let p = 0.01 * f64::from(i);
                 // Below P' a muscle does not pull.
-                if let Ok(force) = model.force_n(p, contraction)
+                if let Ok(force) = model.force_n(&mut Workspace::new(), p, contraction)
                     && force >= 0.0
                 {
                     line.push((p, force));

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p mckibben-cli --example universal_figure -- docs/figures/universal.svg 150` takes the file and the number of muscles.
 
-use mckibben::model::ModelKind;
+use mckibben::model::{ModelKind, Workspace};
 use mckibben_campaign::fit::universal::held_out_samples;
 use mckibben_report::{Axis, Figure, Panel, Series};
 use std::error::Error;
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for s in &samples {
             let model = kind.build(&s.muscle)?;
             for p in &s.points {
-                let force = model.force_n(p.pressure_mpa, p.contraction)?;
+                let force = model.force_n(&mut Workspace::new(), p.pressure_mpa, p.contraction)?;
                 errors.push((100.0 * (force - p.force_n) / p.blocked_n).abs().max(1e-9));
             }
         }

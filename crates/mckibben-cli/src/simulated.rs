@@ -1,6 +1,6 @@
 //! One point of a finite-element test: what was asked, and what it means.
 
-use mckibben::model::{ForceModel, ThickWall};
+use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::{FemError, Solution};
 use mckibben_fem::simulation::Simulation;
@@ -39,17 +39,19 @@ pub type Question = (f64, Result<f64, f64>);
 
 /// A point with what it means: slack, collapsed, or an answer.
 pub fn judged(
-    model: &dyn Simulation,
+    (model, w): (&dyn Simulation, &mut Workspace),
     muscle: &Muscle,
     (p, second): Question,
     solution: Result<Solution, FemError>,
     two_sided: bool,
 ) -> Point {
     let slack = second.is_ok() && !two_sided && solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
-    let free_contraction = if slack { model.free_contraction(p).ok() } else { None };
+    let free_contraction = if slack { model.free_contraction(w, p).ok() } else { None };
     // Without an equilibrium where the endless muscle would push, the tube has collapsed.
     let collapsed = solution.is_err()
-        && second.is_ok_and(|e| ThickWall::new(muscle).force_n(p, e).map_or(true, |force| force <= 0.0));
+        && second.is_ok_and(|e| {
+            ThickWall::new(muscle).force_n(&mut Workspace::new(), p, e).map_or(true, |force| force <= 0.0)
+        });
     Point {
         pressure_mpa: p,
         contraction: second.ok(),

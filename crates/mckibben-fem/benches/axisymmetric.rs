@@ -6,7 +6,7 @@
 #![allow(missing_docs, clippy::unwrap_used)]
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::discrete::{Discrete, Make};
 use mckibben_fem::axisymmetric::mesh::Mesh;
@@ -30,8 +30,9 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
     let mut sum = 0.0;
     for muscle in muscles {
         let model = Axisymmetric::new(muscle).unwrap();
+        let w = &mut Workspace::new();
         for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
-            sum += model.isometric(e, &pressures).iter().flatten().map(|p| p.force_n).sum::<f64>();
+            sum += model.isometric(w, e, &pressures).iter().flatten().map(|p| p.force_n).sum::<f64>();
         }
     }
     sum
@@ -41,8 +42,9 @@ fn run_campaign(muscles: &[Muscle]) -> f64 {
 fn report() {
     for e in [0.0, 0.05, 0.10, 0.15, 0.20] {
         let model = Axisymmetric::new(&Muscle::prototype()).unwrap();
-        let curve = model.isometric(e, &pressures());
-        let effort = model.effort();
+        let w = &mut Workspace::new();
+        let curve = model.isometric(w, e, &pressures());
+        let effort = model.effort(w);
         println!(
             "isometric ε {e}, 26 points: {:.2} iterations, {:.2} factorisations, {:.2} residuals per point; {} without answer",
             effort.iterations as f64 / 26.0,
@@ -73,32 +75,43 @@ fn bench(c: &mut Criterion) {
     let mut group = c.benchmark_group("isometric, 26 pressures, cold");
     for e in [0.0, 0.10, 0.20] {
         group.bench_function(format!("contraction {e}"), |b| {
-            b.iter(|| Axisymmetric::new(&muscle).unwrap().isometric(black_box(e), &pressures));
+            b.iter(|| {
+                Axisymmetric::new(&muscle).unwrap().isometric(&mut Workspace::new(), black_box(e), &pressures)
+            });
         });
     }
     for along in [12, 24] {
         let spec = MeshSpec { along: Some(along), ..MeshSpec::default() };
         group.bench_function(format!("contraction 0.1, {along} elements along"), |b| {
-            b.iter(|| Axisymmetric::with_mesh(&muscle, &spec).unwrap().isometric(black_box(0.1), &pressures));
+            b.iter(|| {
+                Axisymmetric::with_mesh(&muscle, &spec).unwrap().isometric(
+                    &mut Workspace::new(),
+                    black_box(0.1),
+                    &pressures,
+                )
+            });
         });
     }
     group.finish();
 
     let mut group = c.benchmark_group("one answer");
     let model = Axisymmetric::new(&muscle).unwrap();
+    let w = &mut Workspace::new();
     let mut i = 0_u32;
     group.bench_function("warm neighbour", |b| {
         b.iter(|| {
             i = (i + 1) % 100;
             let t = f64::from(i.min(100 - i));
-            model.force_n(0.15 + 1e-3 * t, 0.08 + 4e-4 * t).unwrap()
+            model.force_n(w, 0.15 + 1e-3 * t, 0.08 + 4e-4 * t).unwrap()
         });
     });
     group.bench_function("cold", |b| {
-        b.iter(|| Axisymmetric::new(&muscle).unwrap().force_n(black_box(0.2), 0.1).unwrap());
+        b.iter(|| {
+            Axisymmetric::new(&muscle).unwrap().force_n(&mut Workspace::new(), black_box(0.2), 0.1).unwrap()
+        });
     });
     group.bench_function("with all results and sensitivities", |b| {
-        b.iter(|| model.solve(black_box(0.2), 0.1).unwrap());
+        b.iter(|| model.solve(w, black_box(0.2), 0.1).unwrap());
     });
     group.finish();
 

@@ -1,5 +1,6 @@
 //! Cost against the number of elements along the muscle: `cargo run --release -p mckibben-fem --example linear`.
 
+use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 
@@ -13,9 +14,10 @@ fn main() {
         let (mut best, mut count) = (f64::INFINITY, 0);
         for _ in 0..20 {
             let Ok(model) = Axisymmetric::with_mesh(&Muscle::prototype(), &spec) else { return };
+            let w = &mut Workspace::new();
             let start = std::time::Instant::now();
-            let _ = model.isometric(0.1, &pressures);
-            count = model.effort().factorisations;
+            let _ = model.isometric(w, 0.1, &pressures);
+            count = model.effort(w).factorisations;
             best = start.elapsed().as_secs_f64().min(best);
         }
         println!("{along:>5}   {count:>14}   {:>8.2}", 1e6 * best / count as f64);

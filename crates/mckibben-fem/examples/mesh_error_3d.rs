@@ -1,7 +1,7 @@
 //! What the program's own three-dimensional mesh errs by: pull against the axisymmetric limit over the blocked force, on random muscles
 //! and questions. `cargo run --release -p mckibben-fem --example mesh_error_3d 2000`
 
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::three_dimensional::ThreeDimensional;
@@ -26,9 +26,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         braid.angle_deg = angle_deg;
         let muscle = Muscle::prototype().with_tube(tube)?.with_braid(braid)?;
         let (solid, section) = (ThreeDimensional::new(&muscle)?, Axisymmetric::new(&muscle)?);
-        let (Ok(a), Ok(b), Ok(blocked)) =
-            (solid.force_n(p, e), section.force_n(p, e), section.force_n(p, 0.0))
-        else {
+        let (Ok(a), Ok(b), Ok(blocked)) = (
+            solid.force_n(&mut Workspace::new(), p, e),
+            section.force_n(&mut Workspace::new(), p, e),
+            section.force_n(&mut Workspace::new(), p, 0.0),
+        ) else {
             failed += 1;
             continue;
         };

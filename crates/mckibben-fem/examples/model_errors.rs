@@ -5,7 +5,7 @@
 //! largest, and the same share divided by D0/L0. Muscles: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°,
 //! neo-Hookean, P/μ 0.1–5, strand strain up to 6 %, contractions where the finite elements pull.
 
-use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
+use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -45,7 +45,7 @@ fn main() {
     let mut errors: Vec<Vec<(f64, f64)>> = vec![vec![]; names.len()];
     for (muscle, p) in (0..count).filter_map(|_| random(&mut r)) {
         let Ok(fe) = Axisymmetric::new(&muscle) else { continue };
-        let Ok(blocked) = fe.force_n(p, 0.0) else { continue };
+        let Ok(blocked) = fe.force_n(&mut Workspace::new(), p, 0.0) else { continue };
         let rigid = Braid { stiffness: BraidStiffness::Inextensible, ..muscle.braid().clone() };
         let Ok(stiff) = muscle.with_braid(rigid) else { continue };
         let mut models: Vec<Box<dyn ForceModel>> = vec![
@@ -60,7 +60,7 @@ fn main() {
         let share = muscle.outer_diameter_mm() / muscle.length_mm();
         for step in 0..8 {
             let e = muscle.max_ideal_contraction() * f64::from(step) / 8.0;
-            let Ok(force) = fe.force_n(p, e) else { continue };
+            let Ok(force) = fe.force_n(&mut Workspace::new(), p, e) else { continue };
             if force <= 0.0 {
                 continue;
             }
@@ -69,10 +69,14 @@ fn main() {
                 let (mut force, mut blocked) = (force, blocked);
                 if i == RIGID {
                     let Ok(fe) = &stiff_fe else { continue };
-                    let (Ok(f), Ok(b)) = (fe.force_n(p, e), fe.force_n(p, 0.0)) else { continue };
+                    let (Ok(f), Ok(b)) =
+                        (fe.force_n(&mut Workspace::new(), p, e), fe.force_n(&mut Workspace::new(), p, 0.0))
+                    else {
+                        continue;
+                    };
                     (force, blocked) = (f, b);
                 }
-                if let Ok(f) = model.force_n(p, e)
+                if let Ok(f) = model.force_n(&mut Workspace::new(), p, e)
                     && force > 0.0
                 {
                     list.push(((f - force) / blocked, share));
@@ -94,10 +98,14 @@ fn paper() -> Vec<(f64, f64)> {
         let (Ok(fe), Ok(formula)) = (Axisymmetric::new(&muscle), ModelKind::Paper.build(&muscle)) else {
             continue;
         };
-        let Ok(blocked) = fe.force_n(0.25, 0.0) else { continue };
+        let Ok(blocked) = fe.force_n(&mut Workspace::new(), 0.25, 0.0) else { continue };
         for (p, e) in (1..=5).flat_map(|i| (0..=8).map(move |j| (0.05 * f64::from(i), 0.025 * f64::from(j))))
         {
-            let (Ok(force), Ok(f)) = (fe.force_n(p, e), formula.force_n(p, e)) else { continue };
+            let (Ok(force), Ok(f)) =
+                (fe.force_n(&mut Workspace::new(), p, e), formula.force_n(&mut Workspace::new(), p, e))
+            else {
+                continue;
+            };
             if force > 0.0 {
                 list.push(((f - force) / blocked, d0 / 285.0));
             }

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p mckibben-fem --example terminal_3d [mesh] [part of a case's name]`
 
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_fem::three_dimensional::{BrickSpec, Plug, PlugMaterial, ThreeDimensional};
 use std::error::Error;
@@ -31,10 +31,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (name, plug) in cases.into_iter().filter(|c| c.1.is_none() || c.0.contains(&only)) {
             let start = Instant::now();
             let model = ThreeDimensional::with_mesh(&muscle, &BrickSpec { plug, ..spec })?;
+            let w = &mut Workspace::new();
             print!("{name:<28}");
             let mut found = vec![];
             for (e, p) in [(0.0, 0.05), (0.0, 0.25), (0.1, 0.05), (0.1, 0.25), (0.2, 0.05), (0.2, 0.25)] {
-                match model.response(p, e) {
+                match model.response(w, p, e) {
                     Ok(r) => found.push((r.force_n, r.volume_mm3.unwrap_or(f64::NAN))),
                     Err(error) => {
                         println!("{error}");
@@ -50,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                     print!(" {:+9.4}% {:+7.3}%", 100.0 * (f / f0 - 1.0), 100.0 * (v / v0 - 1.0));
                 }
             }
-            let (unknowns, unstable) = model.engine(|e| (e.body.discrete.free, e.unstable().len()));
+            let (unknowns, unstable) = (model.discrete().free, model.engine(w)?.unstable().len());
             println!("  {unknowns} unknowns, {unstable} unstable, {:.2} s", start.elapsed().as_secs_f64());
         }
     }

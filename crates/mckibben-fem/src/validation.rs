@@ -8,7 +8,7 @@
 use crate::axisymmetric::Axisymmetric;
 use crate::verification::{Kind, Row};
 use mckibben::compare::{FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured};
-use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall};
+use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 
@@ -47,7 +47,7 @@ fn row(name: &str, build: Build, parameters: &[FitParameter], points: &[Measured
     let largest = points.iter().map(|p| p.force_n).fold(0.0, f64::max);
     let rms = muscle().and_then(|m| {
         let m = if parameters.is_empty() { m } else { fit(&m, parameters, points, build).ok()?.muscle };
-        compare(build(&m).ok()?.as_ref(), points, false).ok().map(|c| c.rms_n)
+        compare(build(&m).ok()?.as_ref(), &mut Workspace::new(), points, false).ok().map(|c| c.rms_n)
     });
     let error = rms.map(|rms| rms / largest);
     Row {

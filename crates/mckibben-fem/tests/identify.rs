@@ -4,7 +4,7 @@
 use mckibben::compare::{Branch, MeasuredPoint};
 use mckibben::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};
 use mckibben::least_squares::Loss;
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -28,8 +28,8 @@ impl ForceModel for Bare {
     fn accuracy(&self) -> Accuracy {
         Accuracy::UNKNOWN
     }
-    fn response(&self, p: f64, e: f64) -> Result<Response, ModelError> {
-        self.0.response(p, e)
+    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        self.0.response(w, p, e)
     }
 }
 
@@ -60,7 +60,7 @@ fn points() -> Vec<DataPoint> {
             for contraction in [0.0, 0.06, 0.12, 0.18] {
                 let i = out.len();
                 let (branch, sign) = [(Branch::Contraction, -1.0), (Branch::Elongation, 1.0)][i % 2];
-                let force = model.force_n(pressure_mpa, contraction).unwrap();
+                let force = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
                 let force_n = force + sign * 30.0 * pressure_mpa.powf(0.7);
                 let measured =
                     [Quantity::Force, Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 4];
@@ -94,7 +94,7 @@ fn derivatives_of_the_elements_are_those_of_differences() {
         "braid.angle",
     ];
     let names = names.map(str::to_owned);
-    let by = model.force_by(0.2, 0.1, &names).unwrap().unwrap();
+    let by = model.force_by(&mut Workspace::new(), 0.2, 0.1, &names).unwrap().unwrap();
     let changed = |i: usize, h: f64| {
         let (mut tube, mut braid) = (m.tube().clone(), m.braid().clone());
         match i {
@@ -106,13 +106,13 @@ fn derivatives_of_the_elements_are_those_of_differences() {
             _ => braid.angle_deg += h,
         }
         let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
-        Axisymmetric::new(&m).unwrap().force_n(0.2, 0.1).unwrap()
+        Axisymmetric::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.1).unwrap()
     };
     for (i, h) in [1e-4, 1e-4, 0.4, 3e-3, 2e-3, 0.05, 3e-3].into_iter().enumerate() {
         let difference = (changed(i, h) - changed(i, -h)) / (2.0 * h);
         assert!((by[i] / difference - 1.0).abs() < 2e-4, "{}: {} {difference}", names[i], by[i]);
     }
-    assert!(model.force_by(0.2, 0.1, &["friction.coefficient".into()]).is_none());
+    assert!(model.force_by(&mut Workspace::new(), 0.2, 0.1, &["friction.coefficient".into()]).is_none());
 }
 
 #[test]

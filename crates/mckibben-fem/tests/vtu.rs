@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use base64::Engine as _;
-use mckibben::model::{ForceModel as _, Response};
+use mckibben::model::{ForceModel as _, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::output::{VtuError, VtuSeries};
@@ -100,7 +100,9 @@ fn read(folder: &Path, file: &str) -> String {
 fn written(fe: &Axisymmetric, response: &Response) -> (String, String) {
     let folder = tempfile::tempdir().unwrap();
     let mut series = VtuSeries::new(folder.path(), "a test").unwrap();
-    series.add(&fe.section(), response).unwrap();
+    let r = response;
+    let section = fe.section_at(&mut Workspace::new(), r.pressure_mpa, r.contraction).unwrap();
+    series.add(&section, response).unwrap();
     series.finish().unwrap();
     (read(folder.path(), "tube_0000.vtu"), read(folder.path(), "braid_0000.vtu"))
 }
@@ -108,7 +110,7 @@ fn written(fe: &Axisymmetric, response: &Response) -> (String, String) {
 fn contracted() -> (Muscle, Axisymmetric, Response) {
     let muscle = Muscle::prototype();
     let fe = Axisymmetric::new(&muscle).unwrap();
-    let response = fe.response(0.2, 0.1).unwrap();
+    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     (muscle, fe, response)
 }
 
@@ -170,7 +172,7 @@ fn strands_at_rest_have_the_length_of_a_helix() {
 fn strands_under_pressure_are_as_long_as_their_stretch_says() {
     let (muscle, fe, response) = contracted();
     let (_, braid) = written(&fe, &response);
-    let solution = fe.solve(0.2, 0.1).unwrap();
+    let solution = fe.solve(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let stretches: Vec<f64> = solution.strands.iter().map(|s| s.stretch).collect();
     let (low, high) =
         (stretches.iter().copied().fold(f64::MAX, f64::min), stretches.iter().copied().fold(0.0, f64::max));
@@ -191,7 +193,7 @@ fn strands_are_counted_where_their_number_is_known() {
         ..Muscle::prototype().braid().clone()
     };
     let fe = Axisymmetric::new(&Muscle::prototype().with_braid(braid).unwrap()).unwrap();
-    let response = fe.response(0.2, 0.1).unwrap();
+    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let (_, braid) = written(&fe, &response);
     assert_eq!(lines(&braid).len(), 60);
     assert!(!braid.contains("for display"));
@@ -204,7 +206,7 @@ fn both_halves_are_mirror_images() {
     let (_, fe, response) = contracted();
     let (tube, _) = written(&fe, &response);
     let rings: Vec<Vec<[f64; 3]>> = points(&tube, "Points").chunks(48).map(<[_]>::to_vec).collect();
-    let across = 2 * fe.section().elements().0 + 1;
+    let across = 2 * fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap().elements().0 + 1;
     let stations = rings.len() / across;
     for (k, ring) in rings.iter().enumerate() {
         let (j, i) = (k / across, k % across);
@@ -221,8 +223,8 @@ fn stress_in_the_middle_is_in_equilibrium() {
     let muscle = Muscle::prototype();
     let mesh = MeshSpec { through: Some(6), along: Some(24), grading: None };
     let fe = Axisymmetric::with_mesh(&muscle, &mesh).unwrap();
-    let response = fe.response(0.2, 0.1).unwrap();
-    let section = fe.section();
+    let response = fe.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let section = fe.section_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let middle: Vec<_> = (0..=12).map(|i| section.nodes()[section.index(i, 0)]).collect();
     let (bore, outside) = (middle[0], middle[12]);
     assert!((bore.stress_mpa[0] + 0.2).abs() < 1e-3, "{bore:?}");
@@ -252,9 +254,10 @@ fn the_same_muscle_gives_the_same_bytes_in_well_formed_xml() {
     for folder in &folders {
         let (_, fe, _) = contracted();
         let mut series = VtuSeries::new(&folder.path().join("new/folder"), "a < b -- & --- c-").unwrap();
+        let w = &mut Workspace::new();
         for p in [0.15, 0.2] {
-            let response = fe.response(p, 0.1).unwrap();
-            series.add(&fe.section(), &response).unwrap();
+            let response = fe.response(w, p, 0.1).unwrap();
+            series.add(&fe.section_at(w, p, 0.1).unwrap(), &response).unwrap();
         }
         let list = series.finish().unwrap();
         assert_eq!(list, folder.path().join("new/folder/muscle.pvd"));
@@ -303,15 +306,16 @@ fn what_cannot_be_written_is_said_and_nothing_is_left_half_done() {
 
     let fe = Axisymmetric::new(&Muscle::prototype()).unwrap();
     let mut series = VtuSeries::new(&folder.path().join("series"), "").unwrap();
+    let section = fe.section_at(&mut Workspace::new(), 0.0, 0.0).unwrap();
     let bad = Response { force_n: f64::NAN, ..Response::default() };
-    let error = series.add(&fe.section(), &bad).unwrap_err();
+    let error = series.add(&section, &bad).unwrap_err();
     assert!(matches!(error, VtuError::NotFinite { name: "force_n", .. }), "{error}");
     assert_eq!(std::fs::read_dir(folder.path().join("series")).unwrap().count(), 0);
 
     // A folder stands where a file should go.
     std::fs::create_dir(folder.path().join("series/tube_0000.vtu")).unwrap();
     std::fs::write(folder.path().join("series/tube_0000.vtu/inside"), "").unwrap();
-    let error = series.add(&fe.section(), &Response::default()).unwrap_err();
+    let error = series.add(&section, &Response::default()).unwrap_err();
     assert!(matches!(&error, VtuError::Write { path, .. } if path.ends_with("tube_0000.vtu")), "{error}");
     assert_eq!(std::fs::read_dir(folder.path().join("series")).unwrap().count(), 1);
 }

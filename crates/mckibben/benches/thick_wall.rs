@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use mckibben::design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, design};
-use mckibben::model::{ForceModel, ModelKind, ThickWall};
+use mckibben::model::{ForceModel, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Values;
 use std::hint::black_box;
@@ -10,12 +10,13 @@ use std::hint::black_box;
 fn points(c: &mut Criterion) {
     let muscle = Muscle::prototype();
     let model = ThickWall::new(&muscle);
+    let w = &mut Workspace::new();
     let mut group = c.benchmark_group("thick_wall");
     group.bench_function("build", |b| b.iter(|| ThickWall::new(black_box(&muscle))));
-    group.bench_function("force", |b| b.iter(|| model.force_n(black_box(0.25), black_box(0.1))));
-    group.bench_function("response", |b| b.iter(|| model.response(black_box(0.25), black_box(0.1))));
+    group.bench_function("force", |b| b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1))));
+    group.bench_function("response", |b| b.iter(|| model.response(w, black_box(0.25), black_box(0.1))));
     group.bench_function("pressure", |b| {
-        b.iter(|| model.pressure_in_closed_form(black_box(400.0), black_box(0.1)));
+        b.iter(|| model.pressure_in_closed_form(w, black_box(400.0), black_box(0.1)));
     });
     group.finish();
 }

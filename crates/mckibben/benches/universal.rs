@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use mckibben::formula::UniversalFormula;
-use mckibben::model::{ForceModel, ModelKind, Universal};
+use mckibben::model::{ForceModel, ModelKind, Universal, Workspace};
 use mckibben::muscle::Muscle;
 use std::hint::black_box;
 
@@ -11,15 +11,16 @@ fn points(c: &mut Criterion) {
     let muscle = Muscle::prototype();
     for kind in [ModelKind::Universal, ModelKind::UniversalSmall] {
         let Ok(model) = kind.build(&muscle) else { continue };
+        let w = &mut Workspace::new();
         let mut group = c.benchmark_group(kind.name());
         group.bench_function("build", |b| b.iter(|| kind.build(black_box(&muscle)).is_ok()));
-        group.bench_function("force", |b| b.iter(|| model.force_n(black_box(0.25), black_box(0.1))));
-        group.bench_function("response", |b| b.iter(|| model.response(black_box(0.25), black_box(0.1))));
+        group.bench_function("force", |b| b.iter(|| model.force_n(w, black_box(0.25), black_box(0.1))));
+        group.bench_function("response", |b| b.iter(|| model.response(w, black_box(0.25), black_box(0.1))));
         let grid: Vec<(f64, f64)> =
             (1..=10).flat_map(|i| (0..10).map(move |j| (0.05 * f64::from(i), 0.03 * f64::from(j)))).collect();
         group.throughput(Throughput::Elements(grid.len() as u64));
         group.bench_function("force_over_a_grid", |b| {
-            b.iter(|| grid.iter().filter_map(|&(p, e)| model.force_n(black_box(p), e).ok()).sum::<f64>());
+            b.iter(|| grid.iter().filter_map(|&(p, e)| model.force_n(w, black_box(p), e).ok()).sum::<f64>());
         });
         group.finish();
     }
@@ -31,12 +32,17 @@ fn lists(c: &mut Criterion) {
     let (pressures, contractions): (Vec<f64>, Vec<f64>) = (0..100)
         .flat_map(|i| (0..100).map(move |j| (0.02 + 0.0048 * f64::from(i), 0.002 * f64::from(j))))
         .unzip();
+    let w = &mut Workspace::new();
     let mut out = vec![0.0; pressures.len()];
     let mut group = c.benchmark_group("universal-list");
     group.throughput(Throughput::Elements(pressures.len() as u64));
     group.bench_function("single", |b| {
         b.iter(|| {
-            pressures.iter().zip(&contractions).filter_map(|(&p, &e)| model.force_n(p, e).ok()).sum::<f64>()
+            pressures
+                .iter()
+                .zip(&contractions)
+                .filter_map(|(&p, &e)| model.force_n(w, p, e).ok())
+                .sum::<f64>()
         });
     });
     group.bench_function("forces", |b| {

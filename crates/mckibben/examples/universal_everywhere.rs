@@ -7,7 +7,7 @@
 //! as single ones are.
 
 use mckibben::formula::UniversalFormula;
-use mckibben::model::{ForceModel, Universal};
+use mckibben::model::{ForceModel, Universal, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use std::sync::Arc;
@@ -92,7 +92,7 @@ fn look(
             (p, if r.unit() < 0.1 { 0.0 } else { farthest * r.unit() })
         })
         .collect();
-    let answers: Vec<_> = points.iter().map(|&(p, e)| model.force_n(p, e)).collect();
+    let answers: Vec<_> = points.iter().map(|&(p, e)| model.force_n(&mut Workspace::new(), p, e)).collect();
     let again = Universal::new(formula.clone(), muscle);
     for (&(p, e), answer) in points.iter().zip(&answers).rev() {
         found.asked += 1;
@@ -103,13 +103,18 @@ fn look(
             }
             continue;
         };
-        found.other_bits += u64::from(again.force_n(p, e).ok().map(f64::to_bits) != Some(force.to_bits()));
+        found.other_bits += u64::from(
+            again.force_n(&mut Workspace::new(), p, e).ok().map(f64::to_bits) != Some(force.to_bits()),
+        );
         if *force <= 0.0 {
             found.pushing += 1;
             continue;
         }
-        let blocked = again.force_n(p, 0.0).unwrap_or(f64::NAN);
-        let (next, more) = (again.force_n(p, e + 1e-4), again.force_n(1.001 * p, e));
+        let blocked = again.force_n(&mut Workspace::new(), p, 0.0).unwrap_or(f64::NAN);
+        let (next, more) = (
+            again.force_n(&mut Workspace::new(), p, e + 1e-4),
+            again.force_n(&mut Workspace::new(), 1.001 * p, e),
+        );
         if !next.is_ok_and(|f| f < *force) {
             found.not_falling += 1;
             if found.not_falling < 6 {
@@ -130,7 +135,9 @@ fn look(
     if model.forces(&p, &es, &mut out).is_ok() {
         let blocked = out[0].abs();
         for (&e, f) in es.iter().zip(&out) {
-            let off = again.force_n(p[0], e).map_or(f64::INFINITY, |g| (g - f).abs() / blocked);
+            let off = again
+                .force_n(&mut Workspace::new(), p[0], e)
+                .map_or(f64::INFINITY, |g| (g - f).abs() / blocked);
             if off > found.list {
                 found.list = off;
                 if off > 1e-9 {

@@ -1,7 +1,7 @@
 //! An answer as a user gets it: range, slack, dead pressure, ± and warnings around a model's bare response.
 
 use crate::analysis::{AnalysisError, contraction_at, free_contraction, pressure_at, start_pressure_mpa};
-use crate::model::{BlockedAt, ForceModel, ModelError, Response};
+use crate::model::{BlockedAt, ForceModel, ModelError, Response, Workspace};
 
 /// How questions are answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -56,14 +56,15 @@ pub fn check_range<M: ForceModel + ?Sized>(
 /// [`ModelError`] outside of the model's range (unless extrapolating) or where it has no answer.
 pub fn force<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
 ) -> Result<Answer, ModelError> {
-    let mut answer = point(model, pressure_mpa, contraction, options)?;
-    answer.start_pressure_mpa = start_pressure_mpa(model, contraction, options.extrapolate).ok();
+    let mut answer = point(model, workspace, pressure_mpa, contraction, options)?;
+    answer.start_pressure_mpa = start_pressure_mpa(model, workspace, contraction, options.extrapolate).ok();
     if answer.slack {
-        answer.free_contraction = free_contraction(model, pressure_mpa, options.extrapolate).ok();
+        answer.free_contraction = free_contraction(model, workspace, pressure_mpa, options.extrapolate).ok();
     }
     Ok(answer)
 }
@@ -74,13 +75,14 @@ pub fn force<M: ForceModel + ?Sized>(
 /// As [`force`].
 pub fn point<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
 ) -> Result<Answer, ModelError> {
     let mut warnings = check_range(model, pressure_mpa, contraction, options)?;
-    warnings.extend(model.notes());
-    let mut response = model.response(pressure_mpa, contraction)?;
+    warnings.extend(model.notes(workspace));
+    let mut response = model.response(workspace, pressure_mpa, contraction)?;
     let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
     if numbers.iter().flatten().any(|v| !v.is_finite()) {
         return Err(ModelError::NotFinite { model: model.name().into(), pressure_mpa, contraction });
@@ -94,7 +96,7 @@ pub fn point<M: ForceModel + ?Sized>(
     warnings.extend(stretch_warning(model, &response));
     Ok(Answer {
         model: model.name().into(),
-        uncertainty_n: uncertainty_n(model, pressure_mpa),
+        uncertainty_n: uncertainty_n(model, workspace, pressure_mpa),
         response,
         slack,
         two_sided_force_n,
@@ -110,13 +112,14 @@ pub fn point<M: ForceModel + ?Sized>(
 /// [`AnalysisError::NoPressure`] with the nearest reachable pull, or the model's.
 pub fn pressure<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     force_n: f64,
     contraction: f64,
     options: Options,
 ) -> Result<Answer, AnalysisError> {
     check_range(model, model.range().pressure_mpa.0, contraction, options)?;
-    let pressure_mpa = pressure_at(model, force_n, contraction, options.extrapolate)?;
-    Ok(exactly(force(model, pressure_mpa, contraction, options)?, force_n))
+    let pressure_mpa = pressure_at(model, workspace, force_n, contraction, options.extrapolate)?;
+    Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
 }
 
 /// The point at which the pull is `force_n` at a pressure: ε(F, P).
@@ -125,13 +128,14 @@ pub fn pressure<M: ForceModel + ?Sized>(
 /// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
 pub fn contraction<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
     options: Options,
 ) -> Result<Answer, AnalysisError> {
     check_range(model, pressure_mpa, model.range().contraction.0.max(0.0), options)?;
-    let contraction = contraction_at(model, force_n, pressure_mpa, options.extrapolate)?;
-    Ok(exactly(force(model, pressure_mpa, contraction, options)?, force_n))
+    let contraction = contraction_at(model, workspace, force_n, pressure_mpa, options.extrapolate)?;
+    Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
 }
 
 /// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).
@@ -144,13 +148,17 @@ fn exactly(mut answer: Answer, force_n: f64) -> Answer {
 }
 
 /// 95 % half-width of the force in N at a pressure.
-pub fn uncertainty_n<M: ForceModel + ?Sized>(model: &M, pressure_mpa: f64) -> Option<f64> {
+pub fn uncertainty_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+) -> Option<f64> {
     let accuracy = model.accuracy();
     let at = match accuracy.blocked_at {
         BlockedAt::SamePressure => pressure_mpa,
         BlockedAt::Pressure(p) => p,
     };
-    let blocked = model.force_n(at, 0.0).ok()?;
+    let blocked = model.force_n(workspace, at, 0.0).ok()?;
     accuracy.share_of_blocked.map(|share| share * blocked.abs())
 }
 

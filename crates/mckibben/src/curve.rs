@@ -6,7 +6,7 @@
 
 use crate::analysis::AnalysisError;
 use crate::answer::{self, Answer, Options};
-use crate::model::ForceModel;
+use crate::model::{ForceModel, Workspace};
 
 /// Which test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,6 +57,7 @@ pub struct Curve {
 /// Points without an answer carry their reason; the others stand.
 pub fn curves<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     test: Test,
     fixed: &[f64],
     along: &[f64],
@@ -64,22 +65,29 @@ pub fn curves<M: ForceModel + ?Sized>(
 ) -> Vec<Curve> {
     let curve = |&fixed: &f64| Curve {
         fixed,
-        points: along.iter().map(|&x| point(model, test, fixed, x, options)).collect(),
+        points: along.iter().map(|&x| point(model, workspace, test, fixed, x, options)).collect(),
     };
     fixed.iter().map(curve).collect()
 }
 
-fn point<M: ForceModel + ?Sized>(model: &M, test: Test, fixed: f64, x: f64, options: Options) -> CurvePoint {
+fn point<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    test: Test,
+    fixed: f64,
+    x: f64,
+    options: Options,
+) -> CurvePoint {
     match test {
         Test::Isotonic => CurvePoint {
             pressure_mpa: x,
             contraction: None,
             force_n: Some(fixed),
-            answer: answer::contraction(model, fixed, x, options),
+            answer: answer::contraction(model, workspace, fixed, x, options),
         },
         Test::Isometric | Test::Isobaric => {
             let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
-            let answer = answer::point(model, p, e, options).map_err(AnalysisError::from);
+            let answer = answer::point(model, workspace, p, e, options).map_err(AnalysisError::from);
             CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
         }
     }
@@ -129,12 +137,13 @@ mod tests {
     fn a_line_starts_on_zero_at_the_dead_pressure() {
         let model = ThickWall::new(&Muscle::prototype());
         let pressures: Vec<f64> = (0..=250).map(|i| f64::from(i) / 1000.0).collect();
-        let family = curves(&model, Test::Isometric, &[0.15], &pressures, Options::default());
+        let family =
+            curves(&model, &mut Workspace::new(), Test::Isometric, &[0.15], &pressures, Options::default());
         let line = family[0].line(Test::Isometric);
         let start = line.iter().find(|p| p.1 == 0.0).unwrap().0;
-        let dead = crate::analysis::start_pressure_mpa(&model, 0.15, false).unwrap();
+        let dead = crate::analysis::start_pressure_mpa(&model, &mut Workspace::new(), 0.15, false).unwrap();
         assert!((start - dead).abs() < 1e-5, "{start} {dead}");
-        assert!(model.force_n(start, 0.15).unwrap().abs() < 0.05);
+        assert!(model.force_n(&mut Workspace::new(), start, 0.15).unwrap().abs() < 0.05);
         assert!(line.iter().all(|p| p.1.is_nan() || p.1 >= 0.0));
     }
 }

@@ -7,7 +7,7 @@
 use crate::analysis::{AnalysisError, contraction_at, start_pressure_mpa};
 use crate::answer::Options;
 use crate::curve::{Curve, Test, curves};
-use crate::model::{ForceModel, Ideal, ModelError};
+use crate::model::{ForceModel, Ideal, ModelError, Workspace};
 use crate::muscle::{Muscle, MuscleError, Tube};
 use thiserror::Error;
 
@@ -95,6 +95,7 @@ where
     };
     let models: Vec<Box<dyn ForceModel>> =
         WALLS_MM.iter().map(|&s| Ok(build(&with(30.0, s)?)?)).collect::<Result<_, StudyError>>()?;
+    let mut workspaces: Vec<Workspace> = models.iter().map(|_| Workspace::new()).collect();
     let ideals = [24.0, 30.0].map(|d0| with(d0, 1.0).map(|m| (d0, Ideal::new(&m))));
     let ideals: Vec<(f64, Ideal)> = ideals.into_iter().collect::<Result<_, _>>()?;
     let pressures: Vec<f64> = (0..=25).map(|i| f64::from(i) / 100.0).collect();
@@ -104,14 +105,14 @@ where
     for (test, fixed) in tests {
         let value = if test == Test::Isometric { fixed / 285.0 } else { fixed };
         let mut list = vec![];
-        for (model, wall) in models.iter().zip(WALLS_MM) {
-            for curve in curves(model.as_ref(), test, &[value], &pressures, options) {
+        for ((model, workspace), wall) in models.iter().zip(&mut workspaces).zip(WALLS_MM) {
+            for curve in curves(model.as_ref(), workspace, test, &[value], &pressures, options) {
                 list.push(StudyCurve { label: format!("s = {wall} mm"), wall_mm: Some(wall), curve });
             }
         }
         let equation = if test == Test::Isometric { "(1)" } else { "(4)" };
         for (d0, ideal) in &ideals {
-            for curve in curves(ideal, test, &[value], &pressures, options) {
+            for curve in curves(ideal, &mut Workspace::new(), test, &[value], &pressures, options) {
                 list.push(StudyCurve {
                     label: format!("{equation} with D0 = {d0} mm"),
                     wall_mm: None,
@@ -121,25 +122,38 @@ where
         }
         panels.push(StudyPanel { test, fixed, curves: list });
     }
-    let findings = findings(&models, &ideals)?;
+    let findings = findings(&models, &mut workspaces, &ideals)?;
     Ok(Study { model: models[0].name().into(), panels, findings })
 }
 
-fn findings(models: &[Box<dyn ForceModel>], ideals: &[(f64, Ideal)]) -> Result<Vec<Finding>, StudyError> {
+/// Every model with its workspace.
+fn each<'a>(
+    models: &'a [Box<dyn ForceModel>],
+    workspaces: &'a mut [Workspace],
+) -> impl Iterator<Item = (&'a dyn ForceModel, &'a mut Workspace)> {
+    models.iter().map(AsRef::as_ref).zip(workspaces)
+}
+
+fn findings(
+    models: &[Box<dyn ForceModel>],
+    workspaces: &mut [Workspace],
+    ideals: &[(f64, Ideal)],
+) -> Result<Vec<Finding>, StudyError> {
     let contractions = SHORTENINGS_MM.map(|x| x / 285.0);
-    let pull = |model: &dyn ForceModel, e: f64| model.force_n(HIGHEST_MPA, e).map(|f| f.max(0.0));
+    let pull = |model: &dyn ForceModel, workspace: &mut Workspace, e: f64| {
+        model.force_n(workspace, HIGHEST_MPA, e).map(|f| f.max(0.0))
+    };
     let mut forces = vec![];
     for &e in &contractions {
-        forces.push(models.iter().map(|m| pull(m.as_ref(), e)).collect::<Result<Vec<f64>, _>>()?);
+        forces.push(each(models, workspaces).map(|(m, w)| pull(m, w, e)).collect::<Result<Vec<f64>, _>>()?);
     }
     let loss: Vec<f64> = forces.iter().map(|f| f[0] - f[4]).collect();
     let largest = loss.iter().copied().fold(0.0, f64::max);
     let falling = forces.iter().all(|f| f.windows(2).all(|w| w[0] >= w[1]));
     let mut starts = vec![];
     for &e in &contractions[1..] {
-        let list = models
-            .iter()
-            .map(|m| start_pressure_mpa(m.as_ref(), e, true))
+        let list = each(models, workspaces)
+            .map(|(m, w)| start_pressure_mpa(m, w, e, true))
             .collect::<Result<Vec<f64>, _>>()?;
         starts.push(list);
     }
@@ -149,13 +163,13 @@ fn findings(models: &[Box<dyn ForceModel>], ideals: &[(f64, Ideal)]) -> Result<V
     let at = |i: usize| contractions.map(|e| format!("{:.0}", ideal(i, e))).join(" / ");
     let thinnest = forces.iter().map(|f| format!("{:.0}", f[0])).collect::<Vec<_>>().join(" / ");
     let steepest = |i: usize| (0..3).all(|j| ideal(i, contractions[j]) >= forces[j][0]);
-    let short = |m: &dyn ForceModel, f: f64| contraction_at(m, f, HIGHEST_MPA, true);
+    let short = |m: &dyn ForceModel, w: &mut Workspace, f: f64| contraction_at(m, w, f, HIGHEST_MPA, true);
     let mut isotonic_falls = true;
     let mut shorter = true;
     for &f in &PULLS_N {
-        let list = models.iter().map(|m| short(m.as_ref(), f)).collect::<Result<Vec<f64>, _>>()?;
+        let list = each(models, workspaces).map(|(m, w)| short(m, w, f)).collect::<Result<Vec<f64>, _>>()?;
         isotonic_falls &= list.windows(2).all(|w| w[0] >= w[1]);
-        shorter &= short(&ideals[0].1, f)? >= list[0];
+        shorter &= short(&ideals[0].1, &mut Workspace::new(), f)? >= list[0];
     }
     Ok(vec![
         Finding {

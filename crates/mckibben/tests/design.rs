@@ -5,7 +5,7 @@ use mckibben::design::{
     BraidChoice, Build, Limits, Objective, OperatingPoint, Reason, Relaxation, Spec, Tolerances, design,
     spread,
 };
-use mckibben::model::{ForceModel, ThickWall};
+use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
 use mckibben::units::Values;
 
@@ -39,7 +39,7 @@ fn the_smallest_diameter_just_reaches_the_force_at_the_maximum_pressure() {
     assert_eq!(best.muscle.wall_mm(), 1.0);
     let pull = |d0: f64| {
         let muscle = best.muscle.with_section(d0, best.muscle.wall_mm()).unwrap();
-        ThickWall::new(&muscle).force_n(0.25, 0.15).unwrap()
+        ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.25, 0.15).unwrap()
     };
     assert!(pull(d0) >= 700.0 && pull(d0 - 0.011) < 700.0, "{d0}: {}", pull(d0));
     assert!(best.pressure_mpa <= 0.25 && best.margin >= 0.0);
@@ -64,17 +64,21 @@ fn lists_of_stock_sizes_agree_with_brute_force() {
         for &d0 in &diameters {
             for &s in &walls {
                 let model = ThickWall::new(&spec.base.with_section(d0, s).unwrap());
-                if model.force_n(0.25, 0.1).unwrap() < 300.0 {
+                if model.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap() < 300.0 {
                     continue;
                 }
                 fitting += 1;
-                let p = mckibben::analysis::pressure_at(&model, 300.0, 0.1, false).unwrap();
+                let p = mckibben::analysis::pressure_at(&model, &mut Workspace::new(), 300.0, 0.1, false)
+                    .unwrap();
                 let (ours, other) = match objective {
                     Objective::Diameter => (best.muscle.outer_diameter_mm(), d0),
                     Objective::Pressure => (best.pressure_mpa, p),
-                    Objective::Margin => (-best.margin, 1.0 - model.force_n(0.25, 0.1).unwrap() / 300.0),
+                    Objective::Margin => {
+                        (-best.margin, 1.0 - model.force_n(&mut Workspace::new(), 0.25, 0.1).unwrap() / 300.0)
+                    }
                     Objective::Air => {
-                        let air = mckibben::analysis::air_per_stroke(&model, p, 0.1).unwrap();
+                        let air = mckibben::analysis::air_per_stroke(&model, &mut Workspace::new(), p, 0.1)
+                            .unwrap();
                         (best.air_normal_litres().unwrap(), air.normal_litres)
                     }
                 };
@@ -120,18 +124,27 @@ fn relaxations_keep_their_word() {
     for relaxation in &closest.relaxations {
         match relaxation {
             Relaxation::Pressure { pressure_mpa, .. } => {
-                assert!((model.force_n(*pressure_mpa, 0.2).unwrap() - 1200.0).abs() < 1e-6);
+                assert!(
+                    (model.force_n(&mut Workspace::new(), *pressure_mpa, 0.2).unwrap() - 1200.0).abs() < 1e-6
+                );
             }
             Relaxation::Force(points) => {
-                assert!((model.force_n(0.25, 0.2).unwrap() - points[0].force_n).abs() < 1e-9);
+                assert!(
+                    (model.force_n(&mut Workspace::new(), 0.25, 0.2).unwrap() - points[0].force_n).abs()
+                        < 1e-9
+                );
             }
             Relaxation::Contraction(points) => {
-                assert!((model.force_n(0.25, points[0].contraction).unwrap() - 1200.0).abs() < 1e-6);
+                assert!(
+                    (model.force_n(&mut Workspace::new(), 0.25, points[0].contraction).unwrap() - 1200.0)
+                        .abs()
+                        < 1e-6
+                );
             }
             Relaxation::OuterDiameter { outer_diameter_mm, .. } => {
                 let wider =
                     closest.muscle.with_section(*outer_diameter_mm, closest.muscle.wall_mm()).unwrap();
-                assert!(ThickWall::new(&wider).force_n(0.25, 0.2).unwrap() >= 1200.0);
+                assert!(ThickWall::new(&wider).force_n(&mut Workspace::new(), 0.25, 0.2).unwrap() >= 1200.0);
             }
             other => panic!("{other:?}"),
         }
@@ -150,7 +163,11 @@ fn relaxations_of_two_limits_at_once_are_not_promised() {
     let model = ThickWall::new(&closest.muscle);
     for relaxation in &closest.relaxations {
         if let Relaxation::Pressure { pressure_mpa, .. } = relaxation {
-            let bulge = model.response(*pressure_mpa, 0.15).unwrap().bulged_diameter_mm.unwrap();
+            let bulge = model
+                .response(&mut Workspace::new(), *pressure_mpa, 0.15)
+                .unwrap()
+                .bulged_diameter_mm
+                .unwrap();
             assert!(bulge <= 50.0, "{bulge}");
         }
     }
@@ -217,12 +234,16 @@ fn burst_margin_needs_and_uses_the_strands() {
 fn tolerances_spread_the_force_around_its_nominal_value() {
     let muscle = Muscle::prototype();
     let point = OperatingPoint { force_n: 300.0, contraction: 0.1 };
-    let nominal = ThickWall::new(&muscle).force_n(0.2, 0.1).unwrap();
+    let nominal = ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.2, 0.1).unwrap();
     let none = spread(&muscle, BUILD, point, 0.2, Tolerances::default()).unwrap();
     assert_eq!((none.low_n, none.high_n, none.likely_n), (nominal, nominal, 0.0));
     let pressure = Tolerances { pressure_mpa: 0.01, ..Tolerances::default() };
     let some = spread(&muscle, BUILD, point, 0.2, pressure).unwrap();
-    let slope = ThickWall::new(&muscle).response(0.2, 0.1).unwrap().force_per_pressure_mm2.unwrap();
+    let slope = ThickWall::new(&muscle)
+        .response(&mut Workspace::new(), 0.2, 0.1)
+        .unwrap()
+        .force_per_pressure_mm2
+        .unwrap();
     assert!((some.likely_n / (0.01 * slope) - 1.0).abs() < 1e-2);
     assert!((some.high_n - some.low_n) / (0.02 * slope) - 1.0 < 1e-2);
 }

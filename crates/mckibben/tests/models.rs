@@ -4,7 +4,7 @@
 
 use mckibben::formula::Coefficients;
 use mckibben::model::{
-    ChouHannaford, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall,
+    ChouHannaford, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall, Workspace,
     smallest_pressure_mpa,
 };
 use mckibben::muscle::{
@@ -43,11 +43,11 @@ fn grid(model: &dyn ForceModel) -> Vec<(f64, f64)> {
 fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
     for model in every_model() {
         for (p, e) in grid(&*model) {
-            match model.response(p, e) {
+            match model.response(&mut Workspace::new(), p, e) {
                 Ok(r) => {
                     assert!(r.force_n.is_finite(), "{} {p} {e}", model.name());
                     assert_eq!((r.pressure_mpa, r.contraction), (p, e));
-                    let force = model.force_n(p, e).unwrap();
+                    let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
                     assert!((force - r.force_n).abs() <= 1e-9 * (1.0 + r.force_n.abs()));
                     for v in [r.volume_mm3, r.bulged_diameter_mm, r.max_stretch].into_iter().flatten() {
                         assert!(v.is_finite() && v > 0.0, "{} {p} {e}: {v}", model.name());
@@ -57,10 +57,10 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
             }
         }
         if model.name() != "thick-wall" {
-            assert!(model.response(f64::NAN, 0.1).is_err(), "{}", model.name());
+            assert!(model.response(&mut Workspace::new(), f64::NAN, 0.1).is_err(), "{}", model.name());
         }
         for (p, e) in [(0.2, f64::NAN), (0.2, 0.999), (0.2, 1.0), (0.2, -0.5), (0.2, 5.0), (1e3, 0.1)] {
-            if let Ok(force) = model.force_n(p, e) {
+            if let Ok(force) = model.force_n(&mut Workspace::new(), p, e) {
                 assert!(force.is_finite(), "{} {p} {e}: {force}", model.name());
             }
         }
@@ -75,8 +75,8 @@ fn stiffness_and_slope_in_pressure_are_those_of_finite_differences() {
             let h = 1e-6;
             // Away from the ends of the box, and from where a tube leaves its braid.
             let (p, e) = (p.max(0.05).min(model.range().pressure_mpa.1 - 0.01), e.max(1e-3));
-            let r = model.response(p, e).unwrap();
-            let f = |p: f64, e: f64| model.force_n(p, e).unwrap();
+            let r = model.response(&mut Workspace::new(), p, e).unwrap();
+            let f = |p: f64, e: f64| model.force_n(&mut Workspace::new(), p, e).unwrap();
             let scale = 1.0 + r.force_n.abs() + f(p, 0.0).abs();
             if let Some(k) = r.stiffness_n_per_mm {
                 let fd = -(f(p, e + h) - f(p, e - h)) / (2.0 * h * length);
@@ -95,12 +95,18 @@ fn closed_inverses_come_back() {
     for model in every_model() {
         let name = model.name().to_owned();
         for (p, e) in grid(&*model).into_iter().filter(|(p, _)| *p > 0.0) {
-            let force = model.force_n(p, e).unwrap();
-            if let Some(back) = model.pressure_in_closed_form(force, e) {
+            let force = model.force_n(&mut Workspace::new(), p, e).unwrap();
+            if let Some(back) = model.pressure_in_closed_form(&mut Workspace::new(), force, e) {
                 assert!((back.unwrap() - p).abs() < 1e-9, "{name} {p} {e}");
             }
-            let falls = model.response(p, e).unwrap().stiffness_n_per_mm.is_some_and(|k| k > 0.0);
-            if let Some(back) = model.contraction_in_closed_form(force, p).filter(|_| falls) {
+            let falls = model
+                .response(&mut Workspace::new(), p, e)
+                .unwrap()
+                .stiffness_n_per_mm
+                .is_some_and(|k| k > 0.0);
+            if let Some(back) =
+                model.contraction_in_closed_form(&mut Workspace::new(), force, p).filter(|_| falls)
+            {
                 assert!((back.unwrap() - e).abs() < 1e-9, "{name} {p} {e}");
             }
         }
@@ -121,9 +127,10 @@ fn maxwell_holds_where_the_force_is_the_slope_of_an_energy() {
         let model = kind.build(&m).unwrap();
         let (p, h) = (0.3, 1e-5);
         for e in [0.01, 0.1, 0.2] {
-            let v = |e: f64| model.response(p, e).unwrap().volume_mm3.unwrap();
+            let v = |e: f64| model.response(&mut Workspace::new(), p, e).unwrap().volume_mm3.unwrap();
             let by_length = -(v(e + h) - v(e - h)) / (2.0 * h * m.length_mm());
-            let by_pressure = model.response(p, e).unwrap().force_per_pressure_mm2.unwrap();
+            let by_pressure =
+                model.response(&mut Workspace::new(), p, e).unwrap().force_per_pressure_mm2.unwrap();
             assert!(
                 (by_length + by_pressure).abs() < 1e-6 * by_pressure.abs(),
                 "{kind} {e}: {by_length} {by_pressure}"
@@ -137,7 +144,7 @@ fn presets_say_what_they_ignore() {
     for model in every_model() {
         // The muscle has an end factor, which the universal formulas replace by their ends.
         let ignores = ["festo", "universal"].iter().any(|word| model.name().starts_with(word));
-        assert_eq!(model.notes().is_empty(), !ignores, "{}", model.name());
+        assert_eq!(model.notes(&mut Workspace::new()).is_empty(), !ignores, "{}", model.name());
     }
 }
 
@@ -164,11 +171,12 @@ fn soft() -> Law {
 fn ideal_figures_of_the_literature() {
     for (angle, relative, e_max) in [(20.0, 14.097, 0.38560), (30.0, 5.000, 0.33333)] {
         let m = rigid(14.0, angle, 300.0, 0.5, soft());
-        let f = Ideal::new(&m).force_n(0.3, 0.0).unwrap() / (PI * 49.0 * 0.3);
+        let f = Ideal::new(&m).force_n(&mut Workspace::new(), 0.3, 0.0).unwrap() / (PI * 49.0 * 0.3);
         assert!((f - relative).abs() < 5e-4, "{angle}°: {f}");
         assert!((m.max_ideal_contraction() - e_max).abs() < 5e-6);
         // Free contraction ends where the strands stand at 54.7356°.
-        let free = Ideal::new(&m).contraction_in_closed_form(0.0, 0.3).unwrap().unwrap();
+        let free =
+            Ideal::new(&m).contraction_in_closed_form(&mut Workspace::new(), 0.0, 0.3).unwrap().unwrap();
         let theta = ((1.0 - free) * angle.to_radians().cos()).acos().to_degrees();
         assert!((theta - NEUTRAL_ANGLE_DEG).abs() < 1e-10, "{theta}");
     }
@@ -178,9 +186,9 @@ fn ideal_figures_of_the_literature() {
 #[test]
 fn thick_walled_miniature_at_rest() {
     let m = rigid(9.6, 21.0, 100.0, 2.1, soft());
-    let chou = ChouHannaford::new(&m).force_n(0.414, 0.0).unwrap();
-    let balance = ForceBalance::new(&m).force_n(0.414, 0.0).unwrap();
-    let thick = ThickWall::new(&m).force_n(0.414, 0.0).unwrap();
+    let chou = ChouHannaford::new(&m).force_n(&mut Workspace::new(), 0.414, 0.0).unwrap();
+    let balance = ForceBalance::new(&m).force_n(&mut Workspace::new(), 0.414, 0.0).unwrap();
+    let thick = ThickWall::new(&m).force_n(&mut Workspace::new(), 0.414, 0.0).unwrap();
     assert!((chou - 219.3).abs() < 0.05, "{chou}");
     assert!((balance - 219.3).abs() < 0.05, "{balance}");
     assert!((thick - 376.8).abs() < 0.05, "{thick}");
@@ -202,7 +210,8 @@ fn thick_wall_tends_to_ideal_as_the_rubber_softens() {
     for e in [0.05, 0.2, 0.3] {
         let share = |factor: f64| {
             let m = rigid(19.0, 25.0, 200.0, 1.5, law.scaled(factor));
-            ThickWall::new(&m).force_n(0.3, e).unwrap() - Ideal::new(&m).force_n(0.3, e).unwrap()
+            ThickWall::new(&m).force_n(&mut Workspace::new(), 0.3, e).unwrap()
+                - Ideal::new(&m).force_n(&mut Workspace::new(), 0.3, e).unwrap()
         };
         let whole = share(1.0);
         assert!(whole < 0.0);
@@ -217,7 +226,8 @@ fn thick_wall_tends_to_ideal_as_the_rubber_softens() {
 fn thick_wall_tends_to_ideal_as_the_wall_thins() {
     let share = |s: f64, e: f64| {
         let m = rigid(19.0, 25.0, 200.0, s, soft());
-        ThickWall::new(&m).force_n(0.3, e).unwrap() - Ideal::new(&m).force_n(0.3, e).unwrap()
+        ThickWall::new(&m).force_n(&mut Workspace::new(), 0.3, e).unwrap()
+            - Ideal::new(&m).force_n(&mut Workspace::new(), 0.3, e).unwrap()
     };
     for e in [0.05, 0.2, 0.3] {
         for s in [1e-2, 1e-3] {
@@ -233,8 +243,8 @@ fn paper_and_thick_wall_speak_of_the_same_muscle() {
     for (d0, s) in [(30.0, 1.0), (30.0, 3.0), (50.0, 1.0), (50.0, 5.0)] {
         let m = Muscle::prototype().with_section(d0, s).unwrap();
         let (paper, thick) = (Paper::new(&m), ThickWall::new(&m));
-        let blocked = paper.force_n(0.25, 0.0).unwrap();
-        let off = thick.force_n(0.25, 0.0).unwrap() / blocked - 1.0;
+        let blocked = paper.force_n(&mut Workspace::new(), 0.25, 0.0).unwrap();
+        let off = thick.force_n(&mut Workspace::new(), 0.25, 0.0).unwrap() / blocked - 1.0;
         assert!(off.abs() < 0.10, "D0 {d0}, s {s}: {off}");
     }
 }
@@ -266,7 +276,7 @@ fn festo_presets_against_measured_maps() {
             let number = |i: usize| row[i].parse::<f64>().unwrap();
             let (p, e) = (1e-6 * number(0), number(2));
             if &row[5] == "0" && model.range().violations(p, e).is_empty() {
-                sum += (model.force_n(p, e).unwrap() - number(4)).powi(2);
+                sum += (model.force_n(&mut Workspace::new(), p, e).unwrap() - number(4)).powi(2);
                 n += 1;
             }
         }
@@ -306,7 +316,10 @@ fn tondu_lopez_on_the_muscle_of_tondu_2012() {
         let terminals = Terminals { end_factor: Some(EndFactor::Constant(k)), ..Terminals::default() };
         let m = rigid(14.0, 20.0, 300.0, 0.49, soft()).with_terminals(terminals).unwrap();
         let model = ModelKind::TonduLopez.build(&m).unwrap();
-        let sum: f64 = points.iter().map(|&(p, e, f)| (model.force_n(p, e).unwrap() - f).powi(2)).sum();
+        let sum: f64 = points
+            .iter()
+            .map(|&(p, e, f)| (model.force_n(&mut Workspace::new(), p, e).unwrap() - f).powi(2))
+            .sum();
         (sum / points.len() as f64).sqrt()
     };
     let steps = (1000..1600).map(|k| 0.001 * f64::from(k));
@@ -335,7 +348,7 @@ proptest! {
         let h = 1e-5;
         let by_volume = p * (ideal.volume(e + h) - ideal.volume(e - h)) / (2.0 * h * length);
         prop_assert!((by_volume - force).abs() < 1e-6 * scale, "{} {}", by_volume, force);
-        let back = ideal.contraction_in_closed_form(force, p).unwrap().unwrap();
+        let back = ideal.contraction_in_closed_form(&mut Workspace::new(), force, p).unwrap().unwrap();
         prop_assert!((back - e).abs() < 1e-12, "{} {}", back, e);
     }
 
@@ -375,10 +388,10 @@ proptest! {
         let m = m.with_braid(braid).and_then(|m| m.with_terminals(terminals)).unwrap();
         for kind in ModelKind::ALL {
             let Ok(model) = kind.build(&m) else { continue };
-            if let Ok(r) = model.response(p, e) {
+            if let Ok(r) = model.response(&mut Workspace::new(), p, e) {
                 prop_assert!(r.force_n.is_finite(), "{}", kind);
             }
-            let inverses = [model.pressure_in_closed_form(10.0, e), model.contraction_in_closed_form(10.0, p)];
+            let inverses = [model.pressure_in_closed_form(&mut Workspace::new(), 10.0, e), model.contraction_in_closed_form(&mut Workspace::new(), 10.0, p)];
             for x in inverses.into_iter().flatten().flatten() {
                 prop_assert!(x.is_finite(), "{}", kind);
             }

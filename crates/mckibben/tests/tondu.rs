@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use mckibben::compare::{FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured};
-use mckibben::model::{ForceModel, Ideal, ThickWall};
+use mckibben::model::{ForceModel, Ideal, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 
@@ -22,7 +22,7 @@ fn muscle() -> Muscle {
 /// The documented finding: the ideal formula misses the mean of the branches by about 92–95 N rms.
 #[test]
 fn the_ideal_formula_misses_by_92_to_95_n_rms() {
-    let error = compare(&Ideal::new(&muscle()), &points(), false).unwrap();
+    let error = compare(&Ideal::new(&muscle()), &mut Workspace::new(), &points(), false).unwrap();
     println!("{error:?}");
     assert!((91.5..95.5).contains(&error.rms_n), "{error:?}");
 }

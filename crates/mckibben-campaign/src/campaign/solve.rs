@@ -3,7 +3,7 @@
 use super::CampaignError;
 use super::plan::{Inputs, Plan, constants, rounded};
 use crate::Row;
-use mckibben::model::{ForceModel, ThickWall};
+use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::rubber::RubberLaw;
@@ -38,6 +38,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
         let model = testing.elements.build(&muscle).map_err(|e| e.to_string())?;
         Ok((model, muscle))
     });
+    let workspace = &mut Workspace::new();
     let mut out = Vec::with_capacity(plan.points_per_muscle());
     for &e in &testing.contractions {
         let contraction = if testing.of_ideal { rounded(e * largest(&inputs)) } else { e };
@@ -49,8 +50,12 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
                 ..blank(p)
             })),
             Ok((model, muscle)) => {
-                let curve =
-                    model.isometric_with_tangents(contraction, &testing.pressures_mpa, testing.sensitivities);
+                let curve = model.isometric_with_tangents(
+                    workspace,
+                    contraction,
+                    &testing.pressures_mpa,
+                    testing.sensitivities,
+                );
                 out.extend(
                     testing
                         .pressures_mpa
@@ -112,7 +117,8 @@ fn filled(row: Row, point: Result<TangentPoint, FemError>, muscle: &Muscle) -> R
         }
         Ok(_) => Row { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
         Err(error) => {
-            let push = ThickWall::new(muscle).force_n(row.pressure_mpa, row.contraction);
+            let push =
+                ThickWall::new(muscle).force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction);
             let status = if push.map_or(true, |force| force <= 0.0) {
                 Status::Collapsed
             } else {

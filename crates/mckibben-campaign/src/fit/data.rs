@@ -1,6 +1,7 @@
 //! The points that formulas are fitted to: of a campaign's table, or computed here.
 
 use crate::Row;
+use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use rayon::prelude::*;
@@ -108,8 +109,9 @@ fn of_muscle(muscle: &Muscle, contractions: &[f64], pressures: &[f64]) -> Vec<Fi
     let Ok(model) = Axisymmetric::new(muscle) else { return vec![] };
     let mut out = vec![];
     for &contraction in contractions {
-        model.forget();
-        for (&pressure_mpa, point) in pressures.iter().zip(model.isometric(contraction, pressures)) {
+        for (&pressure_mpa, point) in
+            pressures.iter().zip(model.isometric(&mut Workspace::new(), contraction, pressures))
+        {
             out.extend(point.ok().map(|p| FitPoint {
                 outer_diameter_mm: muscle.outer_diameter_mm(),
                 wall_mm: muscle.wall_mm(),

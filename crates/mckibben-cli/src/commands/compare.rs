@@ -12,7 +12,7 @@ use mckibben::answer::Options;
 use mckibben::compare::{
     Branch, Comparison, Fit, FitParameter, MeasuredPoint, compare, fit, mean_of_branches, read_measured,
 };
-use mckibben::model::{ForceModel, ModelKind};
+use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::{Motion, Muscle};
 use mckibben::units::Dimension;
 use serde_json::{Value, json};
@@ -164,7 +164,7 @@ fn against_points(
             fitted = Some(fit(muscle, &parameters, points, |m| resolve::build(kind, m, motion))?);
         }
         let model = resolve::build(kind, fitted.as_ref().map_or(muscle, |f| &f.muscle), motion)?;
-        let comparison = compare(model.as_ref(), points, options.extrapolate)?;
+        let comparison = compare(model.as_ref(), &mut Workspace::new(), points, options.extrapolate)?;
         Ok(Row { model, comparison, fit: fitted })
     };
     let (mut rows, mut skipped) = (vec![], vec![]);
@@ -233,7 +233,7 @@ fn against_first(
             } else {
                 points.clone()
             };
-            let comparison = compare(model.as_ref(), &reference, options.extrapolate)?;
+            let comparison = compare(model.as_ref(), &mut Workspace::new(), &reference, options.extrapolate)?;
             Ok((Row { model, comparison, fit: None }, reference))
         };
         match one() {
@@ -254,11 +254,12 @@ fn answers(
     contractions: &[f64],
     options: Options,
 ) -> Result<Vec<MeasuredPoint>, Failure> {
+    let w = &mut Workspace::new();
     let mut points = vec![];
     for &pressure_mpa in pressures {
         for &contraction in contractions {
             let force_n =
-                mckibben::answer::point(model, pressure_mpa, contraction, options)?.response.force_n;
+                mckibben::answer::point(model, w, pressure_mpa, contraction, options)?.response.force_n;
             points.push(MeasuredPoint { pressure_mpa, contraction, force_n, branch: None });
         }
     }

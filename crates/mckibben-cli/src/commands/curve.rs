@@ -8,6 +8,7 @@ use crate::output::text::{Pressures, muscle_line, number, percent, table};
 use crate::output::{csv, emit, json, warn};
 use crate::resolve;
 use mckibben::curve::{Curve, Test, curves};
+use mckibben::model::Workspace;
 use mckibben::units::Dimension;
 
 /// Runs the command.
@@ -37,7 +38,14 @@ pub fn run(args: &CurveArgs) -> Result<u8, Failure> {
         let message = format!("{points} points are more than {}", mckibben::units::MAX_POINTS);
         return Err(Failure::input("range", message, "take larger steps"));
     }
-    let list = curves(model.as_ref(), test, fixed, along, resolve::options(&args.model.asking));
+    let list = curves(
+        model.as_ref(),
+        &mut Workspace::new(),
+        test,
+        fixed,
+        along,
+        resolve::options(&args.model.asking),
+    );
     let failed = all_failed(&list);
     let typed = PressureUnit::typed(args.pressure.as_deref());
     let pressures = Pressures(args.output.units.or(typed).unwrap_or(PressureUnit::Mpa));

@@ -14,7 +14,7 @@ use mckibben::design::{
     BraidChoice, Candidate, Limits, Objective, OperatingPoint, Outcome, Spec, Spread, Tolerances, design,
     spread,
 };
-use mckibben::model::{ForceModel, ModelKind};
+use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::{Motion, Muscle, Tube, file};
 use mckibben::units::{Dimension, Values, parse_quantity};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -96,10 +96,11 @@ fn verified(spec: &Spec, winner: &Candidate) -> Vec<Checked> {
         Ok(fe) => fe,
         Err(_) => return vec![],
     };
+    let w = &mut Workspace::new();
     let one = |&wanted: &OperatingPoint| Checked {
         wanted,
-        available_n: fe.force_n(spec.max_pressure_mpa, wanted.contraction).map_err(|e| e.to_string()),
-        pressure_mpa: pressure_at(&fe, wanted.force_n, wanted.contraction, true).ok(),
+        available_n: fe.force_n(w, spec.max_pressure_mpa, wanted.contraction).map_err(|e| e.to_string()),
+        pressure_mpa: pressure_at(&fe, w, wanted.force_n, wanted.contraction, true).ok(),
     };
     spec.points.iter().map(one).collect()
 }

@@ -10,6 +10,7 @@ use mckibben::analysis::{
     Air, air_per_stroke, blocked_force_n, burst_pressure_mpa, free_contraction, work_per_stroke_j,
 };
 use mckibben::answer::check_range;
+use mckibben::model::Workspace;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::{RubberLaw, library};
 use mckibben::units::Dimension;
@@ -63,18 +64,19 @@ fn characteristics(
 ) -> Result<Characteristics, Failure> {
     let model = resolve::model(&args.model, muscle, (pressure_mpa, pressure_mpa))?;
     let model = model.as_ref();
+    let w = &mut Workspace::new();
     let extrapolate = args.model.asking.extrapolate;
     check_range(model, pressure_mpa, 0.0, resolve::options(&args.model.asking))?;
-    let blocked_force_n = blocked_force_n(model, pressure_mpa)?;
-    let free = free_contraction(model, pressure_mpa, extrapolate).ok();
+    let blocked_force_n = blocked_force_n(model, w, pressure_mpa)?;
+    let free = free_contraction(model, w, pressure_mpa, extrapolate).ok();
     Ok(Characteristics {
         model: model.name().into(),
         pressure_mpa,
         blocked_force_n,
         free_contraction: free,
-        work_j: free.and_then(|e| work_per_stroke_j(model, pressure_mpa, 0.0, e).ok()),
-        air: free.and_then(|e| air_per_stroke(model, pressure_mpa, e).ok()),
-        burst_pressure_mpa: burst_pressure_mpa(model, 0.0).ok().flatten(),
+        work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e).ok()),
+        air: free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok()),
+        burst_pressure_mpa: burst_pressure_mpa(model, w, 0.0).ok().flatten(),
     })
 }
 

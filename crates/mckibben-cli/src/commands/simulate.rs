@@ -10,6 +10,7 @@ use crate::output::{csv, emit, json};
 use crate::resolve;
 use crate::simulated::{Point, Question, judged};
 use mckibben::curve::Test;
+use mckibben::model::{Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
 use mckibben_fem::axisymmetric::Solution;
@@ -44,7 +45,8 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
         TestWord::Isotonic => Test::Isotonic,
         TestWord::Isobaric => Test::Isobaric,
     };
-    let points = questions(args, model, test)?;
+    let w = &mut Workspace::new();
+    let points = questions(args, model, w, test)?;
     if let Some(path) = &args.export_inp {
         export(path, &elements, test, &points)?;
     }
@@ -57,29 +59,40 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     let mut last = None;
     for question in points {
         let solution = match question.1 {
-            Ok(e) => model.solve(question.0, e),
-            Err(f) => model.at_force(f, question.0),
+            Ok(e) => model.solve(w, question.0, e),
+            Err(f) => model.at_force(w, f, question.0),
         };
         if let Ok(solution) = &solution {
             match (&mut series, &elements) {
                 (Some(series), Meshed::Axisymmetric(model)) => {
-                    series.add(&model.section(), &solution.response)?;
+                    series.add(
+                        &model
+                            .section_at(w, solution.response.pressure_mpa, solution.response.contraction)
+                            .map_err(|e| Failure::from(e.into_model(0.0, 0.0)))?,
+                        &solution.response,
+                    )?;
                 }
                 (Some(series), Meshed::ThreeDimensional(model)) => {
-                    let shape = Shape::of_field(&field(model)?, extent);
+                    let shape = Shape::of_field(&field(model, w, &solution.response)?, extent);
                     series.add_shape(shape, &solution.response, "", vec![])?;
                 }
                 (None, _) => {}
             }
             if args.picture.is_some() {
                 let shape = match &elements {
-                    Meshed::Axisymmetric(model) => Shape::of_section(&model.section()),
-                    Meshed::ThreeDimensional(model) => Shape::of_field(&field(model)?, Extent::Whole),
+                    Meshed::Axisymmetric(model) => Shape::of_section(
+                        &model
+                            .section_at(w, solution.response.pressure_mpa, solution.response.contraction)
+                            .map_err(|e| Failure::from(e.into_model(0.0, 0.0)))?,
+                    ),
+                    Meshed::ThreeDimensional(model) => {
+                        Shape::of_field(&field(model, w, &solution.response)?, Extent::Whole)
+                    }
                 };
                 last = Some((shape, solution.response));
             }
         }
-        answered.push(judged(model, &muscle, question, solution, args.two_sided));
+        answered.push(judged((model, w), &muscle, question, solution, args.two_sided));
     }
     let points = answered;
     let written = series.map(VtuSeries::finish).transpose()?;
@@ -96,12 +109,12 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     let list: Vec<Value> = points.iter().map(point_json).collect();
     let text = match args.output.format {
         Format::Json => json::print(
-            &json!({ "model": model.name(), "test": test.name(), "muscle": json::muscle(&muscle), "points": list, "notes": model.notes() }),
+            &json!({ "model": model.name(), "test": test.name(), "muscle": json::muscle(&muscle), "points": list, "notes": model.notes(w) }),
         ),
         Format::Csv => csv::rows(&list)?,
         Format::Text => {
             let opened = written.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
-            as_text(model, &muscle, test, &points, p) + &opened.unwrap_or_default()
+            as_text(model, w, &muscle, test, &points, p) + &opened.unwrap_or_default()
         }
     };
     if failed && args.output.format == Format::Text {
@@ -112,8 +125,8 @@ pub fn run(args: &SimulateArgs) -> Result<u8, Failure> {
     Ok(if failed { NOT_CONVERGED } else { 0 })
 }
 
-fn field(model: &ThreeDimensional) -> Result<Field, Failure> {
-    model.field().map_err(|e| Failure::from(e.into_model(0.0, 0.0)))
+fn field(model: &ThreeDimensional, w: &mut Workspace, at: &Response) -> Result<Field, Failure> {
+    model.field_at(w, at.pressure_mpa, at.contraction).map_err(|e| Failure::from(e.into_model(0.0, 0.0)))
 }
 
 /// Writes the input deck of an isometric test with three-dimensional elements.
@@ -141,7 +154,12 @@ fn export(
     emit(&text, Some(path))
 }
 
-fn questions(args: &SimulateArgs, model: &dyn Simulation, test: Test) -> Result<Vec<Question>, Failure> {
+fn questions(
+    args: &SimulateArgs,
+    model: &dyn Simulation,
+    w: &mut Workspace,
+    test: Test,
+) -> Result<Vec<Question>, Failure> {
     let p =
         resolve::points("--pressure", args.pressure.as_deref(), Dimension::Pressure, "0.05..0.25:0.05", 5)?;
     let mut e = resolve::contractions(args.contraction.as_deref(), "0..0.2:0.1")?;
@@ -149,7 +167,7 @@ fn questions(args: &SimulateArgs, model: &dyn Simulation, test: Test) -> Result<
     if args.of_largest {
         let highest = p.iter().copied().fold(0.0, f64::max);
         let largest =
-            model.free_contraction(highest).map_err(|e| Failure::from(e.into_model(highest, 0.0)))?;
+            model.free_contraction(w, highest).map_err(|e| Failure::from(e.into_model(highest, 0.0)))?;
         e.iter_mut().for_each(|e| *e *= largest);
     }
     let second: Vec<Result<f64, f64>> = if test == Test::Isotonic {
@@ -224,7 +242,14 @@ fn point_json(q: &Point) -> Value {
     Value::Object(map)
 }
 
-fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: Pressures) -> String {
+fn as_text(
+    model: &dyn Simulation,
+    w: &Workspace,
+    m: &Muscle,
+    test: Test,
+    points: &[Point],
+    p: Pressures,
+) -> String {
     let unit = format!("P [{}]", p.unit());
     let strands = m.braid().strands.is_some();
     let tension = if strands { "strand [N]" } else { "braid [N]" };
@@ -276,7 +301,7 @@ fn as_text(model: &dyn Simulation, m: &Muscle, test: Test, points: &[Point], p: 
         head.into_iter().chain(tail).collect()
     });
     let mut out = format!("{} test, model {}\n{}\n", test.name(), model.name(), muscle_line(m));
-    model.notes().iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
+    model.notes(w).iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
     out.push('\n');
     out.push_str(&table(&header, rows.collect()));
     if let Some(s) = points.iter().rev().find_map(|q| q.solution.as_ref().ok()) {

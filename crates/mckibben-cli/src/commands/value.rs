@@ -7,7 +7,7 @@ use crate::output::text::{Pressures, muscle_line, number, pairs, percent, plus_m
 use crate::output::{csv, emit, json, warn};
 use crate::resolve;
 use mckibben::answer::{self, Answer};
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::units::Dimension;
 
 /// F(P, ε).
@@ -16,7 +16,8 @@ pub fn force(args: &ForceArgs) -> Result<u8, Failure> {
     let p = resolve::required("--pressure", args.pressure.as_deref(), Dimension::Pressure)?;
     let e = resolve::contraction("--contraction", args.contraction.as_deref())?.unwrap_or(0.0);
     let model = resolve::model(&args.model, &muscle, (p, p))?;
-    let answer = answer::force(model.as_ref(), p, e, resolve::options(&args.model.asking))?;
+    let answer =
+        answer::force(model.as_ref(), &mut Workspace::new(), p, e, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, args.pressure.as_deref())
 }
 
@@ -27,7 +28,8 @@ pub fn pressure(args: &PressureArgs) -> Result<u8, Failure> {
     resolve::pull("--force", f, &args.model.asking)?;
     let e = resolve::contraction("--contraction", args.contraction.as_deref())?.unwrap_or(0.0);
     let model = resolve::model(&args.model, &muscle, (0.0, 0.0))?;
-    let answer = answer::pressure(model.as_ref(), f, e, resolve::options(&args.model.asking))?;
+    let answer =
+        answer::pressure(model.as_ref(), &mut Workspace::new(), f, e, resolve::options(&args.model.asking))?;
     print(model.as_ref(), &answer, &args.output, None)
 }
 
@@ -38,7 +40,13 @@ pub fn contraction(args: &ContractionArgs) -> Result<u8, Failure> {
     let f = resolve::quantity("--force", args.force.as_deref(), Dimension::Force)?.unwrap_or(0.0);
     resolve::pull("--force", f, &args.model.asking)?;
     let model = resolve::model(&args.model, &muscle, (p, p))?;
-    let answer = answer::contraction(model.as_ref(), f, p, resolve::options(&args.model.asking))?;
+    let answer = answer::contraction(
+        model.as_ref(),
+        &mut Workspace::new(),
+        f,
+        p,
+        resolve::options(&args.model.asking),
+    )?;
     print(model.as_ref(), &answer, &args.output, args.pressure.as_deref())
 }
 

@@ -6,7 +6,7 @@ use crate::output::text::Pressures;
 use mckibben::answer::Options;
 use mckibben::compare::MeasuredPoint;
 use mckibben::curve::{Test, curves};
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Isobaric curves of every model (one colour a model) at each pressure, with the measured points.
@@ -22,7 +22,10 @@ pub fn compare(
     let mut panel =
         Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
     for (number, model) in models.iter().enumerate() {
-        for (i, curve) in curves(*model, Test::Isobaric, pressures, contractions, options).iter().enumerate()
+        for (i, curve) in
+            curves(*model, &mut Workspace::new(), Test::Isobaric, pressures, contractions, options)
+                .iter()
+                .enumerate()
         {
             let label = if i == 0 { model.name() } else { "" };
             let style = [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][number % 4];

@@ -6,7 +6,7 @@ use crate::output::text::{Pressures, number, percent};
 use mckibben::answer::Options;
 use mckibben::curve::{Test, curves};
 use mckibben::design::{Candidate, OperatingPoint};
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben_report::{Axis, Figure, Mark, Panel, Series, Style};
 
 /// One colour a candidate: solid at the maximum pressure, dashed at the pressure it needs.
@@ -26,11 +26,12 @@ pub fn design(
         let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.range().contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
         let needed = candidate.pressure_mpa;
+        let w = &mut Workspace::new();
         for (pressure, style) in [(max_pressure_mpa, Style::Line), (needed, Style::Dashed)] {
             if pressure == needed && needed > 0.995 * max_pressure_mpa {
                 continue;
             }
-            for curve in curves(model.as_ref(), Test::Isobaric, &[pressure], &along, options) {
+            for curve in curves(model.as_ref(), w, Test::Isobaric, &[pressure], &along, options) {
                 let label = format!("{name} at {}", p.show(pressure));
                 let points = line(&curve, Test::Isobaric, p);
                 panel = panel.series(Series::new(label, points).colour(i).style(style));

@@ -4,7 +4,7 @@ use super::caption;
 use crate::output::text::{Pressures, number, percent};
 use mckibben::compare::Branch;
 use mckibben::identify::{Fitted, Identification};
-use mckibben::model::{ForceModel, ModelError};
+use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Motion, Muscle};
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
@@ -160,5 +160,5 @@ fn pulled(m: &dyn ForceModel, found: &Identification, p: f64, e: f64, branch: Op
         Some(Branch::Elongation) => Motion::Lengthening,
     };
     let friction = m.muscle().friction().map_or(0.0, |f| f.force_n(p, motion));
-    Some(m.force_n(p, e + found.candidate.contraction_offset).ok()? + friction)
+    Some(m.force_n(&mut Workspace::new(), p, e + found.candidate.contraction_offset).ok()? + friction)
 }

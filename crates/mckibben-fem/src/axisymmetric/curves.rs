@@ -8,7 +8,7 @@ use super::error::FemError;
 use super::model::Axisymmetric;
 use super::results::Solution;
 use super::sensitivity::{self, Sensitivity};
-use mckibben::model::{ForceModel, Response};
+use mckibben::model::{ForceModel, Response, Workspace};
 
 /// A point of a curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -121,19 +121,20 @@ fn run<T: Clone>(
 
 impl Axisymmetric {
     /// Isometric test: F at one contraction and the given pressures (MPa). Runs from the highest pressure down.
-    pub fn isometric(&self, contraction: f64, pressures_mpa: &[f64]) -> Curve {
-        self.isometric_with(contraction, pressures_mpa, CurvePoint::here)
+    pub fn isometric(&self, workspace: &mut Workspace, contraction: f64, pressures_mpa: &[f64]) -> Curve {
+        self.isometric_with(workspace, contraction, pressures_mpa, CurvePoint::here)
     }
 
     /// [`Axisymmetric::isometric`] with what the tangents tell, and ∂F/∂(constants and measures) if they are asked for.
     pub fn isometric_with_tangents(
         &self,
+        workspace: &mut Workspace,
         contraction: f64,
         pressures_mpa: &[f64],
         sensitivities: bool,
     ) -> Vec<Result<TangentPoint, FemError>> {
         let muscle = self.muscle();
-        self.isometric_with(contraction, pressures_mpa, |e, spent| {
+        self.isometric_with(workspace, contraction, pressures_mpa, |e, spent| {
             let iterations = e.walker.effort.iterations - spent.0;
             let body = &mut e.walker.body;
             let response = Solution::response(body, muscle)?;
@@ -144,44 +145,41 @@ impl Axisymmetric {
 
     fn isometric_with<T: Clone>(
         &self,
+        workspace: &mut Workspace,
         contraction: f64,
         pressures_mpa: &[f64],
         here: impl Fn(&mut Engine, (usize, usize)) -> Result<T, FemError>,
     ) -> Vec<Result<T, FemError>> {
         let held = |e: &Engine, _: f64| Control::Length(-contraction * e.half_length());
         let afresh = |e: &mut Engine, p: f64| e.reach(p, contraction);
-        self.engine(|e| run(e, pressures_mpa, Along::Pressure, true, held, afresh, here))
+        run(self.engine(workspace), pressures_mpa, Along::Pressure, true, held, afresh, here)
     }
 
     /// Isobaric test: F at one pressure (MPa) and the given contractions. Runs from the smallest contraction on.
-    pub fn isobaric(&self, pressure_mpa: f64, contractions: &[f64]) -> Curve {
-        self.engine(|e| {
-            run(
-                e,
-                contractions,
-                Along::Length,
-                false,
-                |e, c| Control::Length(-c * e.half_length()),
-                |e, c| e.reach(pressure_mpa, c),
-                CurvePoint::here,
-            )
-        })
+    pub fn isobaric(&self, workspace: &mut Workspace, pressure_mpa: f64, contractions: &[f64]) -> Curve {
+        run(
+            self.engine(workspace),
+            contractions,
+            Along::Length,
+            false,
+            |e, c| Control::Length(-c * e.half_length()),
+            |e, c| e.reach(pressure_mpa, c),
+            CurvePoint::here,
+        )
     }
 
     /// Isotonic test: ε under one pull (N) at the given pressures (MPa). Where the pull is above the blocked force the
     /// contraction is below zero. Runs from the highest pressure down.
-    pub fn isotonic(&self, force_n: f64, pressures_mpa: &[f64]) -> Curve {
-        self.engine(|e| {
-            run(
-                e,
-                pressures_mpa,
-                Along::Pressure,
-                true,
-                |_, _| Control::Force(force_n),
-                |e, p| self.reach_force(e, force_n, p),
-                CurvePoint::here,
-            )
-        })
+    pub fn isotonic(&self, workspace: &mut Workspace, force_n: f64, pressures_mpa: &[f64]) -> Curve {
+        run(
+            self.engine(workspace),
+            pressures_mpa,
+            Along::Pressure,
+            true,
+            |_, _| Control::Force(force_n),
+            |e, p| self.reach_force(e, force_n, p),
+            CurvePoint::here,
+        )
     }
 
     /// Isometric tests at 0, 45 % and 90 % of the largest contraction, as the paper validates its model; the largest is
@@ -189,11 +187,15 @@ impl Axisymmetric {
     ///
     /// # Errors
     /// [`FemError`] where no free contraction is found.
-    pub fn validation_set(&self, pressures_mpa: &[f64]) -> Result<Vec<(f64, Curve)>, FemError> {
+    pub fn validation_set(
+        &self,
+        workspace: &mut Workspace,
+        pressures_mpa: &[f64],
+    ) -> Result<Vec<(f64, Curve)>, FemError> {
         let highest = pressures_mpa.iter().copied().fold(0.0, f64::max);
-        let largest = self.free_contraction(highest)?;
+        let largest = self.free_contraction(workspace, highest)?;
         Ok([0.0, 0.45, 0.90]
-            .map(|share| (share * largest, self.isometric(share * largest, pressures_mpa)))
+            .map(|share| (share * largest, self.isometric(workspace, share * largest, pressures_mpa)))
             .into())
     }
 
@@ -201,25 +203,31 @@ impl Axisymmetric {
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn blocked_force_n(&self, pressure_mpa: f64) -> Result<f64, FemError> {
-        self.engine(|e| e.reach(pressure_mpa, 0.0).map(|()| e.walker.body.totals.pull))
+    pub fn blocked_force_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
+        let e = self.engine(workspace);
+        e.reach(pressure_mpa, 0.0)?;
+        Ok(e.walker.body.totals.pull)
     }
 
     /// Free contraction: ε without a pull.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn free_contraction(&self, pressure_mpa: f64) -> Result<f64, FemError> {
-        self.engine(|e| {
-            self.reach_force(e, 0.0, pressure_mpa).map(|()| -e.walker.body.state.terminal / e.half_length())
-        })
+    pub fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
+        let e = self.engine(workspace);
+        self.reach_force(e, 0.0, pressure_mpa)?;
+        Ok(-e.walker.body.state.terminal / e.half_length())
     }
 
     /// P′ in MPa: the pressure at which the muscle begins to pull at a contraction.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn starting_pressure_mpa(&self, contraction: f64) -> Result<f64, FemError> {
-        self.at_pressure_for(0.0, contraction).map(|s| s.response.pressure_mpa)
+    pub fn starting_pressure_mpa(
+        &self,
+        workspace: &mut Workspace,
+        contraction: f64,
+    ) -> Result<f64, FemError> {
+        self.at_pressure_for(workspace, 0.0, contraction).map(|s| s.response.pressure_mpa)
     }
 }

@@ -1,13 +1,12 @@
 //! Equilibria of one muscle, found from the nearest one known.
 
-use super::discrete::{BraidSpec, Discrete, Make, State};
+use super::discrete::{BraidSpec, Discrete, State};
 use super::equilibrium::Control;
 use super::error::FemError;
-use super::mesh::{Mesh, MeshSpec};
 use super::path::{Guess, Halt, Walker};
 use crate::solver::newton::Stopped;
-use mckibben::model::{ForceModel, ThickWall};
-use mckibben::muscle::Muscle;
+use mckibben::model::{ForceModel, ThickWall, Workspace};
+use std::sync::Arc;
 
 /// Equilibria that are kept.
 const KEPT: usize = 8;
@@ -22,7 +21,7 @@ const NEAR: f64 = 0.08;
 pub struct Engine {
     /// The body and its way of walking.
     pub walker: Walker,
-    thick_wall: ThickWall,
+    thick_wall: Arc<ThickWall>,
     half: f64,
     kept: Vec<State>,
     oldest: usize,
@@ -52,26 +51,19 @@ pub enum Along {
 }
 
 impl Engine {
-    /// The elements of a muscle.
-    ///
-    /// # Errors
-    /// [`FemError`] where the mesh is none.
-    pub fn new(muscle: &Muscle, spec: &MeshSpec) -> Result<Self, FemError> {
-        let tube = muscle.tube();
-        let half = 0.5 * tube.length_mm;
-        let division = spec.resolve(tube.outer_radius_mm(), tube.wall_mm, half)?;
-        let mesh = Mesh::tube(tube.inner_radius_mm(), tube.outer_radius_mm(), half, division);
-        let discrete = Discrete::new(mesh, Make::of(muscle))?;
+    /// The elements of a muscle at rest, and the endless muscle of the same make.
+    pub fn new(discrete: Arc<Discrete>, thick_wall: Arc<ThickWall>) -> Self {
         let rest = State::rest(&discrete);
-        Ok(Self {
+        let half = 0.5 * thick_wall.muscle().length_mm();
+        Self {
             walker: Walker::new(discrete),
-            thick_wall: ThickWall::new(muscle),
+            thick_wall,
             half,
             kept: Vec::with_capacity(KEPT),
             oldest: 0,
             trail: vec![rest; TRAIL],
             trailed: 0,
-        })
+        }
     }
 
     /// Half the length at rest in mm.
@@ -90,10 +82,9 @@ impl Engine {
         }
     }
 
-    /// Forgets every equilibrium.
-    pub fn forget(&mut self) {
-        self.kept.clear();
-        (self.oldest, self.trailed) = (0, 0);
+    /// The kept equilibrium at exactly this pressure in MPa and contraction, as a response tells them.
+    pub fn kept_at(&self, pressure: f64, contraction: f64) -> Option<&State> {
+        self.kept.iter().find(|s| s.pressure == pressure && 0.0 - s.terminal / self.half == contraction)
     }
 
     /// Whether the last tangent was that of a stable equilibrium.
@@ -146,7 +137,9 @@ impl Engine {
     /// Factorisations a question may cost: many where there must be an answer, ten ordinary ones' where the endless
     /// muscle does not pull or its strands stretch too far.
     fn budget(&self, pressure: f64, contraction: f64) -> usize {
-        let Ok(endless) = self.thick_wall.response(pressure, contraction) else { return BUDGET };
+        let Ok(endless) = self.thick_wall.response(&mut Workspace::new(), pressure, contraction) else {
+            return BUDGET;
+        };
         let d = &self.walker.body.discrete;
         let strain = match (d.make.braid, endless.braid_tension_n) {
             (Some(BraidSpec { stiffness: Some(k), angle_rad, .. }), Some(tension)) => {
@@ -159,10 +152,13 @@ impl Engine {
 
     /// One step from rest to the answer.
     fn leap(&mut self, pressure: f64, terminal: f64) -> bool {
-        let slack = self.thick_wall.response(pressure, -terminal / self.half).ok().and_then(|r| {
-            let radius = 0.5 * r.bulged_diameter_mm?;
-            (r.braid_tension_n? <= 0.0).then_some(Guess::Slack { radius })
-        });
+        let slack =
+            self.thick_wall.response(&mut Workspace::new(), pressure, -terminal / self.half).ok().and_then(
+                |r| {
+                    let radius = 0.5 * r.bulged_diameter_mm?;
+                    (r.braid_tension_n? <= 0.0).then_some(Guess::Slack { radius })
+                },
+            );
         [slack, Some(Guess::Taut), Some(Guess::Loads)]
             .into_iter()
             .flatten()
@@ -232,15 +228,15 @@ impl Engine {
     /// The pressure in MPa at which the endless muscle begins to pull at a contraction.
     pub fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
         let high = self.walker.body.discrete.shear;
-        let push = self.thick_wall.force_n(0.0, contraction).ok()?;
-        let pull = self.thick_wall.force_n(high, contraction).ok()?;
+        let push = self.thick_wall.force_n(&mut Workspace::new(), 0.0, contraction).ok()?;
+        let pull = self.thick_wall.force_n(&mut Workspace::new(), high, contraction).ok()?;
         let slope = (pull - push) / high;
         (slope > 0.0).then(|| (-push / slope).max(0.0))
     }
 
     /// The contraction at which the endless muscle pulls with `force` N, between `low` and the ideal maximum.
     pub fn guessed_contraction(&self, force: f64, pressure: f64, highest: f64) -> Option<f64> {
-        let pull = |e: f64| self.thick_wall.force_n(pressure, e).ok();
+        let pull = |e: f64| self.thick_wall.force_n(&mut Workspace::new(), pressure, e).ok();
         let (mut low, mut high) = (-0.05, highest);
         pull(low)?;
         for _ in 0..40 {

@@ -16,6 +16,7 @@ use crate::element::strand::STRAND_POINTS;
 use crate::solver::Singular;
 use crate::solver::dense;
 use crate::solver::newton::{NewtonSystem, Stopped};
+use std::sync::Arc;
 
 /// What is held while the rest finds its equilibrium.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -111,7 +112,7 @@ impl EndSystem {
 #[derive(Debug, Clone)]
 pub struct Body {
     /// What does not change.
-    pub discrete: Discrete,
+    pub discrete: Arc<Discrete>,
     /// The present iterate.
     pub state: State,
     /// What is held.
@@ -130,7 +131,8 @@ pub struct Body {
 
 impl Body {
     /// A body at rest.
-    pub fn new(discrete: Discrete) -> Self {
+    pub fn new(discrete: impl Into<Arc<Discrete>>) -> Self {
+        let discrete = discrete.into();
         let state = State::rest(&discrete);
         Self {
             work: Work::new(&discrete),

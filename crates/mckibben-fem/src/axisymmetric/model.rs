@@ -1,24 +1,29 @@
 //! The axisymmetric muscle as a force model.
 
+use super::discrete::{Discrete, Make};
 use super::engine::Engine;
 use super::equilibrium::Control;
 use super::error::FemError;
-use super::mesh::MeshSpec;
+use super::mesh::{Mesh, MeshSpec};
 use super::results::Solution;
 use super::sensitivity;
 use crate::solver::newton::{Effort, Stopped};
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use mckibben::model::{
+    Accuracy, ForceModel, ModelError, ModelId, ModelRange, Response, ThickWall, Workspace,
+};
 use mckibben::muscle::Muscle;
-use std::cell::RefCell;
+use std::sync::Arc;
 
 /// Axisymmetric finite elements (`--model fe`): Q2/P−1 rubber of any law, two strand families bonded to the outer
 /// surface, rigid terminals, pressure as −P·V.
 ///
-/// Keeps the last equilibria, so that neighbouring questions are cheap; may be sent to another thread, not shared.
+/// The last equilibria are kept in the workspace, so that neighbouring questions are cheap.
 #[derive(Debug, Clone)]
 pub struct Axisymmetric {
+    id: ModelId,
     muscle: Muscle,
-    engine: RefCell<Engine>,
+    discrete: Arc<Discrete>,
+    thick_wall: Arc<ThickWall>,
 }
 
 impl Axisymmetric {
@@ -34,46 +39,57 @@ impl Axisymmetric {
     ///
     /// # Errors
     /// [`FemError`] where the mesh is none.
-    pub fn with_mesh(muscle: &Muscle, mesh: &MeshSpec) -> Result<Self, FemError> {
-        let engine = RefCell::new(Engine::new(muscle, mesh)?);
-        Ok(Self { muscle: muscle.clone(), engine })
+    pub fn with_mesh(muscle: &Muscle, spec: &MeshSpec) -> Result<Self, FemError> {
+        let tube = muscle.tube();
+        let half = 0.5 * tube.length_mm;
+        let division = spec.resolve(tube.outer_radius_mm(), tube.wall_mm, half)?;
+        let mesh = Mesh::tube(tube.inner_radius_mm(), tube.outer_radius_mm(), half, division);
+        Ok(Self {
+            id: ModelId::new(),
+            discrete: Arc::new(Discrete::new(mesh, Make::of(muscle))?),
+            thick_wall: Arc::new(ThickWall::new(muscle)),
+            muscle: muscle.clone(),
+        })
     }
 
-    /// Runs something with the elements.
-    pub(crate) fn engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
-        work(&mut self.engine.borrow_mut())
+    /// The states and memory of this model in a workspace.
+    pub(crate) fn engine<'w>(&self, workspace: &'w mut Workspace) -> &'w mut Engine {
+        workspace.of(&self.id, || Engine::new(self.discrete.clone(), self.thick_wall.clone()))
     }
 
-    /// Newton iterations, factorisations and residuals since it was made.
-    pub fn effort(&self) -> Effort {
-        self.engine(|e| e.walker.effort)
-    }
-
-    /// Forgets every equilibrium: the next question starts from rest.
-    pub fn forget(&self) {
-        self.engine(Engine::forget);
+    /// Newton iterations, factorisations and residuals spent with a workspace.
+    pub fn effort(&self, workspace: &Workspace) -> Effort {
+        workspace.get::<Engine>(&self.id).map(|e| e.walker.effort).unwrap_or_default()
     }
 
     /// Everything known at a pressure in MPa and a contraction.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn solve(&self, pressure_mpa: f64, contraction: f64) -> Result<Solution, FemError> {
-        self.engine(|e| {
-            e.reach(pressure_mpa, contraction)?;
-            Solution::of(&mut e.walker.body, &self.muscle)
-        })
+    pub fn solve(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Solution, FemError> {
+        let e = self.engine(workspace);
+        e.reach(pressure_mpa, contraction)?;
+        Solution::of(&mut e.walker.body, &self.muscle)
     }
 
     /// The equilibrium with a given pull in N at a pressure in MPa; its contraction is sought.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn at_force(&self, force_n: f64, pressure_mpa: f64) -> Result<Solution, FemError> {
-        self.engine(|e| {
-            self.reach_force(e, force_n, pressure_mpa)?;
-            Solution::of(&mut e.walker.body, &self.muscle)
-        })
+    pub fn at_force(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Result<Solution, FemError> {
+        let e = self.engine(workspace);
+        self.reach_force(e, force_n, pressure_mpa)?;
+        Solution::of(&mut e.walker.body, &self.muscle)
     }
 
     /// Goes to the equilibrium with a given pull and pressure.
@@ -97,11 +113,15 @@ impl Axisymmetric {
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn at_pressure_for(&self, force_n: f64, contraction: f64) -> Result<Solution, FemError> {
-        self.engine(|e| {
-            self.reach_pressure(e, force_n, contraction)?;
-            Solution::of(&mut e.walker.body, &self.muscle)
-        })
+    pub fn at_pressure_for(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Result<Solution, FemError> {
+        let e = self.engine(workspace);
+        self.reach_pressure(e, force_n, contraction)?;
+        Solution::of(&mut e.walker.body, &self.muscle)
     }
 
     fn reach_pressure(&self, e: &mut Engine, force: f64, contraction: f64) -> Result<(), FemError> {
@@ -167,31 +187,44 @@ impl ForceModel for Axisymmetric {
         )
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
-        self.engine(|e| {
-            e.reach(pressure_mpa, contraction)?;
-            Solution::response(&mut e.walker.body, &self.muscle)
-        })
-        .map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let e = self.engine(workspace);
+        e.reach(pressure_mpa, contraction)
+            .and_then(|()| Solution::response(&mut e.walker.body, &self.muscle))
+            .map_err(|e| e.into_model(pressure_mpa, contraction))
     }
 
-    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
-        self.engine(|e| e.reach(pressure_mpa, contraction).map(|()| e.walker.body.totals.pull))
-            .map_err(|e| e.into_model(pressure_mpa, contraction))
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        let e = self.engine(workspace);
+        e.reach(pressure_mpa, contraction).map_err(|e| e.into_model(pressure_mpa, contraction))?;
+        Ok(e.walker.body.totals.pull)
     }
 
     fn force_by(
         &self,
+        workspace: &mut Workspace,
         pressure_mpa: f64,
         contraction: f64,
         names: &[String],
     ) -> Option<Result<Vec<f64>, ModelError>> {
-        let known = self.engine(|e| {
-            e.reach(pressure_mpa, contraction)?;
+        let e = self.engine(workspace);
+        let known = e
+            .reach(pressure_mpa, contraction)
             // The tangent of this very state, factorised.
-            e.tangent_stiffness()?;
-            sensitivity::of(&mut e.walker.body, &self.muscle, |name| names.iter().any(|n| n == name))
-        });
+            .and_then(|()| e.tangent_stiffness())
+            .and_then(|_| {
+                sensitivity::of(&mut e.walker.body, &self.muscle, |name| names.iter().any(|n| n == name))
+            });
         let known = match known {
             Ok(known) => known,
             Err(error) => return Some(Err(error.into_model(pressure_mpa, contraction))),
@@ -200,20 +233,25 @@ impl ForceModel for Axisymmetric {
         names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
-        self.engine(|e| self.reach_pressure(e, force_n, contraction).map(|()| e.walker.body.state.pressure))
-            .ok()
-            .filter(|p| *p >= 0.0)
-            .map(Ok)
+    fn pressure_in_closed_form(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
+        let e = self.engine(workspace);
+        self.reach_pressure(e, force_n, contraction).ok()?;
+        Some(e.walker.body.state.pressure).filter(|p| *p >= 0.0).map(Ok)
     }
 
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
-        self.engine(|e| {
-            self.reach_force(e, force_n, pressure_mpa)
-                .map(|()| -e.walker.body.state.terminal / e.half_length())
-        })
-        .ok()
-        .filter(|e| *e >= 0.0)
-        .map(Ok)
+    fn contraction_in_closed_form(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
+        let e = self.engine(workspace);
+        self.reach_force(e, force_n, pressure_mpa).ok()?;
+        Some(-e.walker.body.state.terminal / e.half_length()).filter(|e| *e >= 0.0).map(Ok)
     }
 }

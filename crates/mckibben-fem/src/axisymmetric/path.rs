@@ -8,6 +8,7 @@ use super::equilibrium::{Body, Control};
 use super::error::LastConverged;
 use super::guess;
 use crate::solver::newton::{self, Effort, NewtonOptions, Stopped};
+use std::sync::Arc;
 
 /// Settings of a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,7 +60,8 @@ pub type Halt = (Stopped, LastConverged);
 
 impl Walker {
     /// A body at rest.
-    pub fn new(discrete: Discrete) -> Self {
+    pub fn new(discrete: impl Into<Arc<Discrete>>) -> Self {
+        let discrete = discrete.into();
         let rest = State::rest(&discrete);
         Self {
             body: Body::new(discrete),

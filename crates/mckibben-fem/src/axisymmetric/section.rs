@@ -11,6 +11,7 @@ use super::results::{StrandState, strands};
 use crate::element::plane::{self, Gradient, PlaneLaw, PlaneVisitor};
 use crate::element::q2::{GAUSS2, GAUSS3, Geometry, MODES, NODES, Point, point, quadratic};
 use crate::element::solid::{Unknowns, gradient};
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 
 /// A node of the section.
@@ -107,23 +108,24 @@ impl Section {
 }
 
 impl Axisymmetric {
-    /// The section of the last equilibrium that was found; of the muscle at rest before the first question. After a
-    /// question without an answer it is the state at which the search ended: use [`Self::section_at`] to be sure.
-    pub fn section(&self) -> Section {
-        self.engine(|e| Section::of(&e.walker.body.discrete, &e.walker.body.state, self.muscle_ref()))
-    }
-
-    /// The section at a pressure in MPa and a contraction. Cheap where that was the last question.
+    /// The section at a pressure in MPa and a contraction: of the very equilibrium that was answered with, where the
+    /// workspace still has it.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn section_at(&self, pressure_mpa: f64, contraction: f64) -> Result<Section, FemError> {
-        self.engine(|e| e.reach(pressure_mpa, contraction))?;
-        Ok(self.section())
-    }
-
-    fn muscle_ref(&self) -> &Muscle {
-        mckibben::model::ForceModel::muscle(self)
+    pub fn section_at(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Section, FemError> {
+        let e = self.engine(workspace);
+        if e.kept_at(pressure_mpa, contraction).is_none() {
+            e.reach(pressure_mpa, contraction)?;
+        }
+        let body = &e.walker.body;
+        let state = e.kept_at(pressure_mpa, contraction).unwrap_or(&body.state);
+        Ok(Section::of(&body.discrete, state, self.muscle()))
     }
 }
 

@@ -3,6 +3,7 @@
 use super::error::FemError;
 use super::mesh::MeshSpec;
 use super::model::Axisymmetric;
+use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 
 /// A mesh and its largest error.
@@ -38,9 +39,10 @@ pub fn mesh_study(meshes: &[(usize, usize, f64)]) -> Result<Vec<StudyRow>, FemEr
             let Ok(muscle) = Muscle::prototype().with_section(d0, s) else { continue };
             let pulls = |spec: &MeshSpec| -> Result<Vec<f64>, FemError> {
                 let model = Axisymmetric::with_mesh(&muscle, spec)?;
-                let pull = |&(p, e): &(f64, f64)| {
-                    model.engine(|x| x.reach(p, e).map(|()| x.walker.body.totals.pull))
-                };
+                let workspace = &mut Workspace::new();
+                let elements = model.engine(workspace);
+                let pull =
+                    |&(p, e): &(f64, f64)| elements.reach(p, e).map(|()| elements.walker.body.totals.pull);
                 POINTS.iter().map(pull).collect()
             };
             let exact = pulls(&FINE)?;

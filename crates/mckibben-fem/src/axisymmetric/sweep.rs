@@ -1,7 +1,7 @@
 //! A seeded sweep of random muscles: what share of the questions that have an answer is answered.
 
 use super::model::Axisymmetric;
-use mckibben::model::{ForceModel, ThickWall};
+use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 
@@ -157,7 +157,9 @@ pub fn question(seed: u64, index: usize) -> Option<SweepRow> {
 }
 
 fn ask(case: SweepCase) -> SweepRow {
-    let endless = ThickWall::new(&case.muscle).response(case.pressure_mpa, case.contraction).ok();
+    let endless = ThickWall::new(&case.muscle)
+        .response(&mut Workspace::new(), case.pressure_mpa, case.contraction)
+        .ok();
     let strain = endless.and_then(|r| {
         let k = case.muscle.family_stiffness_n_per_mm();
         let width = 2.0
@@ -171,10 +173,11 @@ fn ask(case: SweepCase) -> SweepRow {
     let (answer, stable, factorisations) = match Axisymmetric::new(&case.muscle) {
         Err(e) => (Err(e.to_string()), false, 0),
         Ok(model) => {
-            let answer = model
-                .engine(|e| e.reach(case.pressure_mpa, case.contraction).map(|()| e.walker.body.totals.pull))
-                .map_err(|e| e.to_string());
-            (answer, model.engine(|e| e.stable()), model.effort().factorisations)
+            let workspace = &mut Workspace::new();
+            let e = model.engine(workspace);
+            let answer = e.reach(case.pressure_mpa, case.contraction).map_err(|e| e.to_string());
+            let body = &e.walker.body;
+            (answer.map(|()| body.totals.pull), e.stable(), e.walker.effort.factorisations)
         }
     };
     let seconds = start.elapsed().as_secs_f64();

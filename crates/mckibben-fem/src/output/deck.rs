@@ -188,7 +188,7 @@ fn steps(contraction: f64, pressures: &[f64]) -> Result<Vec<Step>, DeckError> {
 }
 
 fn strands(out: &mut String, model: &ThreeDimensional, before: usize) -> Result<(), DeckError> {
-    let ties = model.engine(|e| e.body.discrete.parts.ties.clone());
+    let ties = &model.discrete().parts.ties;
     // One set for each length, in the order in which they appear.
     let mut groups: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
     for (i, (_, tie)) in ties.iter().enumerate() {

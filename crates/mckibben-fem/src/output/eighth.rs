@@ -237,13 +237,13 @@ fn piece(field: &Field, nodes: [usize; 2], quads: usize) -> Option<usize> {
 mod tests {
     use super::*;
     use crate::three_dimensional::{BrickSpec, ThreeDimensional};
+    use mckibben::model::Workspace;
     use mckibben::muscle::Muscle;
 
     fn solved() -> (ThreeDimensional, Field) {
         let model =
             ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x6").unwrap()).unwrap();
-        model.solve(0.2, 0.1).unwrap();
-        let field = model.field().unwrap();
+        let field = model.field_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
         (model, field)
     }
 
@@ -296,8 +296,7 @@ mod tests {
             let plug = Some(Plug { material, insertion_mm: Some(insertion), nose_mm: Some(nose) });
             let spec = BrickSpec { plug, ..BrickSpec::parse(mesh).unwrap() };
             let model = ThreeDimensional::with_mesh(&Muscle::prototype(), &spec).unwrap();
-            model.solve(0.2, 0.1).unwrap();
-            let field = model.field().unwrap();
+            let field = model.field_at(&mut Workspace::new(), 0.2, 0.1).unwrap();
             assert!(field.nodes.iter().all(|n| n.max_stretch > 0.999 && n.now_mm[0].is_finite()));
             let volume = |extent| {
                 let shape = Shape::of_field(&field, extent);

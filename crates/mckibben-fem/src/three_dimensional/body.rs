@@ -12,6 +12,7 @@ use crate::axisymmetric::FemError;
 use crate::axisymmetric::equilibrium::Control;
 use crate::solver::newton::{NewtonSystem, Stopped};
 use crate::solver::sparse::SparseCholesky;
+use std::sync::Arc;
 
 /// Tolerances of conjugate gradients: inside of Newton's method, and for derivatives.
 const LOOSE: f64 = 1e-4;
@@ -24,7 +25,7 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Debug)]
 pub struct Body {
     /// What does not change.
-    pub discrete: Discrete,
+    pub discrete: Arc<Discrete>,
     /// The present iterate.
     pub state: State,
     /// What the last assembly filled.
@@ -57,7 +58,8 @@ impl Body {
     ///
     /// # Errors
     /// [`FemError::TooLarge`] where there is not enough memory.
-    pub fn new(discrete: Discrete) -> Result<Self, FemError> {
+    pub fn new(discrete: impl Into<Arc<Discrete>>) -> Result<Self, FemError> {
+        let discrete = discrete.into();
         let cholesky = SparseCholesky::new(discrete.pattern.clone())
             .map_err(|e| FemError::TooLarge { unknowns: e.dimension })?;
         let state = State::rest(&discrete);

@@ -5,7 +5,7 @@ use super::model::ThreeDimensional;
 use super::results;
 use crate::axisymmetric::equilibrium::Control;
 use crate::axisymmetric::{Curve, CurvePoint, FemError, TangentPoint};
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 
 fn here(e: &Engine, (iterations, factorisations): (usize, usize)) -> CurvePoint {
     CurvePoint {
@@ -78,34 +78,46 @@ fn run<T: Clone>(
 }
 
 impl ThreeDimensional {
+    fn run<T: Clone>(
+        &self,
+        workspace: &mut Workspace,
+        places: &[f64],
+        held: Held,
+        tell: impl FnMut(&mut Engine, (usize, usize)) -> Result<T, FemError>,
+    ) -> Vec<Result<T, FemError>> {
+        match self.engine(workspace) {
+            Ok(e) => run(e, places, held, tell),
+            Err(error) => vec![Err(error); places.len()],
+        }
+    }
+
     /// Isometric test: F at one contraction and the given pressures (MPa). Runs from the highest pressure down.
-    pub fn isometric(&self, contraction: f64, pressures_mpa: &[f64]) -> Curve {
-        self.engine(|e| run(e, pressures_mpa, Held::Contraction(contraction), |e, b| Ok(here(e, b))))
+    pub fn isometric(&self, workspace: &mut Workspace, contraction: f64, pressures_mpa: &[f64]) -> Curve {
+        self.run(workspace, pressures_mpa, Held::Contraction(contraction), |e, b| Ok(here(e, b)))
     }
 
     /// [`ThreeDimensional::isometric`] with what the tangents tell; it has no sensitivities.
     pub fn isometric_with_tangents(
         &self,
+        workspace: &mut Workspace,
         contraction: f64,
         pressures_mpa: &[f64],
     ) -> Vec<Result<TangentPoint, FemError>> {
         let muscle = self.muscle();
-        self.engine(|e| {
-            run(e, pressures_mpa, Held::Contraction(contraction), |e, before| {
-                let iterations = e.effort.iterations - before.0;
-                let response = results::response(&mut e.body, &e.mesh, muscle)?;
-                Ok(TangentPoint { response, sensitivities: vec![], iterations })
-            })
+        self.run(workspace, pressures_mpa, Held::Contraction(contraction), |e, before| {
+            let iterations = e.effort.iterations - before.0;
+            let response = results::response(&mut e.body, &e.mesh, muscle)?;
+            Ok(TangentPoint { response, sensitivities: vec![], iterations })
         })
     }
 
     /// Isobaric test: F at one pressure (MPa) and the given contractions.
-    pub fn isobaric(&self, pressure_mpa: f64, contractions: &[f64]) -> Curve {
-        self.engine(|e| run(e, contractions, Held::Pressure(pressure_mpa), |e, b| Ok(here(e, b))))
+    pub fn isobaric(&self, workspace: &mut Workspace, pressure_mpa: f64, contractions: &[f64]) -> Curve {
+        self.run(workspace, contractions, Held::Pressure(pressure_mpa), |e, b| Ok(here(e, b)))
     }
 
     /// Isotonic test: ε under one pull (N) at the given pressures (MPa). Runs from the highest pressure down.
-    pub fn isotonic(&self, force_n: f64, pressures_mpa: &[f64]) -> Curve {
-        self.engine(|e| run(e, pressures_mpa, Held::Force(force_n), |e, b| Ok(here(e, b))))
+    pub fn isotonic(&self, workspace: &mut Workspace, force_n: f64, pressures_mpa: &[f64]) -> Curve {
+        self.run(workspace, pressures_mpa, Held::Force(force_n), |e, b| Ok(here(e, b)))
     }
 }

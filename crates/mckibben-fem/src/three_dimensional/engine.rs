@@ -10,8 +10,10 @@ use super::state::State;
 use crate::axisymmetric::equilibrium::Control;
 use crate::axisymmetric::{Axisymmetric, FemError, LastConverged};
 use crate::solver::newton::{self, Effort, NewtonOptions, Stopped};
+use mckibben::model::Workspace;
 use mckibben::muscle::{BraidStiffness, Muscle};
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Equilibria that are kept.
 const KEPT: usize = 4;
@@ -35,16 +37,61 @@ pub struct Engine {
     /// The body; its state is an equilibrium whenever a method has returned `Ok`.
     pub body: Body,
     /// The grid.
-    pub mesh: BrickMesh,
+    pub mesh: Arc<BrickMesh>,
     /// Settings of Newton's method.
     pub newton: NewtonOptions,
     /// Cost so far.
     pub effort: Effort,
     axisymmetric: Option<Axisymmetric>,
+    /// Memory of the axisymmetric model.
+    guide: Workspace,
     width: f64,
     kept: Vec<State>,
     trail: Vec<(f64, State)>,
     unstable: Vec<Unstable>,
+}
+
+/// What of a muscle's elements does not change.
+#[derive(Debug, Clone)]
+pub struct Fixed {
+    /// The grid.
+    pub mesh: Arc<BrickMesh>,
+    discrete: Arc<Discrete>,
+    axisymmetric: Option<Axisymmetric>,
+    width: f64,
+}
+
+impl Fixed {
+    /// Divides a muscle.
+    ///
+    /// # Errors
+    /// [`FemError`] where the mesh is none.
+    pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+        let tube = muscle.tube();
+        let angle = muscle.braid().angle_rad();
+        // How far the plug reaches into the tube is the muscle's to say.
+        let insertion = muscle.terminals().insertion_mm;
+        let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
+        let spec = &BrickSpec { plug, ..*spec };
+        let mesh = BrickMesh::new(
+            tube.inner_radius_mm(),
+            tube.outer_radius_mm(),
+            0.5 * tube.length_mm,
+            angle,
+            spec,
+        )?;
+        Ok(Self {
+            axisymmetric: axisymmetric(muscle, &mesh),
+            width: PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64,
+            discrete: Arc::new(Discrete::new(Parts::of(muscle, &mesh))?),
+            mesh: Arc::new(mesh),
+        })
+    }
+
+    /// Pieces of strands and where they lie.
+    pub fn discrete(&self) -> &Discrete {
+        &self.discrete
+    }
 }
 
 /// An equilibrium that is not stable and that was met.
@@ -66,29 +113,22 @@ impl Engine {
     /// # Errors
     /// [`FemError`] where the mesh is none or too large.
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
-        let tube = muscle.tube();
-        let angle = muscle.braid().angle_rad();
-        // How far the plug reaches into the tube is the muscle's to say.
-        let insertion = muscle.terminals().insertion_mm;
-        let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
-        let spec = &BrickSpec { plug, ..*spec };
-        let mesh = BrickMesh::new(
-            tube.inner_radius_mm(),
-            tube.outer_radius_mm(),
-            0.5 * tube.length_mm,
-            angle,
-            spec,
-        )?;
-        let body = Body::new(Discrete::new(Parts::of(muscle, &mesh))?)?;
-        let width = PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64;
-        let newton = NewtonOptions { tolerance: 1e-9, iterations: 14, ..NewtonOptions::default() };
+        Self::of(&Fixed::new(muscle, spec)?)
+    }
+
+    /// The same of what is divided already.
+    ///
+    /// # Errors
+    /// [`FemError::TooLarge`] where there is not enough memory.
+    pub fn of(fixed: &Fixed) -> Result<Self, FemError> {
         Ok(Self {
-            axisymmetric: axisymmetric(muscle, &mesh),
-            body,
-            mesh,
-            newton,
+            body: Body::new(fixed.discrete.clone())?,
+            mesh: fixed.mesh.clone(),
+            newton: NewtonOptions { tolerance: 1e-9, iterations: 14, ..NewtonOptions::default() },
             effort: Effort::default(),
-            width,
+            axisymmetric: fixed.axisymmetric.clone(),
+            guide: Workspace::new(),
+            width: fixed.width,
             kept: vec![],
             trail: vec![],
             unstable: vec![],
@@ -105,9 +145,9 @@ impl Engine {
         0.0 - self.body.state.terminal / self.half_length()
     }
 
-    /// The axisymmetric model of the same muscle, with the mesh's length and angle.
-    pub fn axisymmetric(&self) -> Option<&Axisymmetric> {
-        self.axisymmetric.as_ref()
+    /// The axisymmetric model of the same muscle, with the mesh's length and angle, and its memory.
+    pub fn axisymmetric(&mut self) -> Option<(&Axisymmetric, &mut Workspace)> {
+        Some((self.axisymmetric.as_ref()?, &mut self.guide))
     }
 
     /// Forgets every equilibrium.
@@ -115,9 +155,7 @@ impl Engine {
         self.kept.clear();
         self.trail.clear();
         self.unstable.clear();
-        if let Some(model) = &self.axisymmetric {
-            model.forget();
-        }
+        self.guide = Workspace::new();
     }
 
     /// One Newton solve from the present iterate.
@@ -155,6 +193,15 @@ impl Engine {
             self.kept.remove(0);
         }
         self.kept.push(self.body.state.clone());
+    }
+
+    /// Makes the kept equilibrium at exactly this pressure in MPa and contraction, as a response tells them, the present one.
+    pub(super) fn back_to(&mut self, pressure: f64, contraction: f64) -> bool {
+        let half = self.half_length();
+        let same = |s: &&State| s.pressure == pressure && 0.0 - s.terminal / half == contraction;
+        let Some(state) = self.kept.iter().find(same) else { return false };
+        self.body.state.copy_from(state);
+        true
     }
 
     /// Finds the equilibrium at a pressure in MPa and a contraction.
@@ -212,8 +259,8 @@ impl Engine {
     /// Newton's method from the axisymmetric equilibrium.
     fn guessed(&mut self, pressure: f64, contraction: f64) -> bool {
         let terminal = -contraction * self.half_length();
-        let Some(section) = self.axisymmetric.as_ref().and_then(|m| m.section_at(pressure, contraction).ok())
-        else {
+        let found = self.axisymmetric().map(|(m, w)| m.section_at(w, pressure, contraction));
+        let Some(Ok(section)) = found else {
             return false;
         };
         let state = &mut self.body.state;
@@ -225,9 +272,9 @@ impl Engine {
     /// Pressurised at rest length to where the strands are taut, contracted, and let down.
     fn long_way(&mut self, pressure: f64, terminal: f64) -> Result<(), (Stopped, LastConverged)> {
         let pulling = self
-            .axisymmetric
-            .as_ref()
-            .and_then(|m| m.engine(|e| e.pulling_pressure(-terminal / e.half_length())))
+            .axisymmetric()
+            .map(|(m, w)| m.engine(w))
+            .and_then(|e| e.pulling_pressure(-terminal / e.half_length()))
             .unwrap_or(0.0);
         let taut = pressure.max(TAUT * pulling);
         self.body.state = State::rest(&self.body.discrete);
@@ -300,7 +347,7 @@ impl Engine {
     /// # Errors
     /// [`FemError`].
     pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<(), FemError> {
-        let found = self.axisymmetric.as_ref().map(|m| m.at_force(force, pressure));
+        let found = self.axisymmetric().map(|(m, w)| m.at_force(w, force, pressure));
         let mut contraction = match found {
             Some(Ok(s)) => s.response.contraction,
             Some(Err(e)) => return Err(e),
@@ -337,11 +384,11 @@ impl Engine {
     /// [`FemError`].
     pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<(), FemError> {
         let terminal = -contraction * self.half_length();
-        let Some(model) = &self.axisymmetric else {
+        let Some((model, guide)) = self.axisymmetric() else {
             let reason = Stopped::Diverged { correction: 0.0 };
             return Err(FemError::Force { force_n: force, reason });
         };
-        let pressure = model.at_pressure_for(force, contraction)?.response.pressure_mpa;
+        let pressure = model.at_pressure_for(guide, force, contraction)?.response.pressure_mpa;
         self.reach(pressure, contraction)?;
         self.solve(Control::Pressure { terminal, force })
             .map_err(|reason| FemError::Force { force_n: force, reason })?;

@@ -15,6 +15,7 @@ use crate::element::hexahedron::{at8, at27};
 use crate::element::q2::GAUSS2;
 use crate::element::spatial::{PAIRS, SpatialLaw, SpatialVisitor, visit};
 use crate::element::spatial_stretches::principal_axes;
+use mckibben::model::Workspace;
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -71,12 +72,22 @@ pub struct PlugField {
 }
 
 impl ThreeDimensional {
-    /// The field of the last equilibrium that was found; of the muscle at rest before the first question.
+    /// The field at a pressure in MPa and a contraction: of the very equilibrium that was answered with, where the workspace
+    /// still has it.
     ///
     /// # Errors
-    /// [`FemError::Force`] where the state has no stress.
-    pub fn field(&self) -> Result<Field, FemError> {
-        self.engine(field)
+    /// [`FemError`]; [`FemError::Force`] where the state has no stress.
+    pub fn field_at(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Field, FemError> {
+        let e = self.engine(workspace)?;
+        if !e.back_to(pressure_mpa, contraction) {
+            e.reach(pressure_mpa, contraction)?;
+        }
+        field(e)
     }
 }
 
@@ -86,7 +97,7 @@ fn field(e: &mut Engine) -> Result<Field, FemError> {
     let body = &e.body;
     let mut nodes = visit(&body.discrete.parts.law, Nodes { body });
     nodes.truncate(e.mesh.grid().iter().product());
-    Ok(Field { nodes, pieces: pieces(body), plug: plug(body, &e.mesh), mesh: e.mesh.clone() })
+    Ok(Field { nodes, pieces: pieces(body), plug: plug(body, &e.mesh), mesh: BrickMesh::clone(&e.mesh) })
 }
 
 fn pieces(body: &Body) -> Vec<PieceField> {

@@ -1,14 +1,13 @@
 //! The three-dimensional muscle as a force model.
 
-use super::engine::Engine;
+use super::Discrete;
+use super::engine::{Engine, Fixed};
 use super::mesh::{BrickMesh, BrickSpec};
 use super::results;
-use super::state::State;
 use crate::axisymmetric::{FemError, Solution};
 use crate::solver::newton::Effort;
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelId, ModelRange, Response, Workspace};
 use mckibben::muscle::Muscle;
-use std::cell::RefCell;
 
 /// Error of the program's own mesh over the blocked force, 95 % of questions.
 const MESH_ERROR: f64 = 0.004;
@@ -18,11 +17,12 @@ const MESH_ERROR_BASIS: &str = "the mesh alone, against the axisymmetric limit o
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
 ///
 /// D0 and L0 are the muscle's; the strands lie at the angle of the mesh ([`ThreeDimensional::mesh`] tells it), or at θ0
-/// with another length ([`super::Match::Angle`]). Keeps the last equilibria; may be sent to another thread, not shared.
-#[derive(Debug)]
+/// with another length ([`super::Match::Angle`]). The last equilibria are kept in the workspace.
+#[derive(Debug, Clone)]
 pub struct ThreeDimensional {
+    id: ModelId,
     muscle: Muscle,
-    engine: RefCell<Engine>,
+    fixed: Fixed,
 }
 
 impl ThreeDimensional {
@@ -37,75 +37,87 @@ impl ThreeDimensional {
     /// The model of a muscle with a mesh that is said.
     ///
     /// # Errors
-    /// [`FemError`] where the mesh is none or too large.
+    /// [`FemError`] where the mesh is none.
     pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
-        Ok(Self { muscle: muscle.clone(), engine: RefCell::new(Engine::new(muscle, spec)?) })
+        Ok(Self { id: ModelId::new(), muscle: muscle.clone(), fixed: Fixed::new(muscle, spec)? })
     }
 
-    /// Runs something with the elements.
-    pub fn engine<T>(&self, work: impl FnOnce(&mut Engine) -> T) -> T {
-        work(&mut self.engine.borrow_mut())
+    /// The states and memory of this model in a workspace.
+    ///
+    /// # Errors
+    /// [`FemError::TooLarge`] where there is not enough memory.
+    pub fn engine<'w>(&self, workspace: &'w mut Workspace) -> Result<&'w mut Engine, FemError> {
+        workspace.try_of(&self.id, || Engine::of(&self.fixed))
     }
 
     /// The grid at rest.
-    pub fn mesh(&self) -> BrickMesh {
-        self.engine(|e| e.mesh.clone())
+    pub fn mesh(&self) -> &BrickMesh {
+        &self.fixed.mesh
     }
 
-    /// The last equilibrium that was found; the body at rest before the first question.
-    pub fn state(&self) -> State {
-        self.engine(|e| e.body.state.clone())
+    /// The unknowns and what they are made of.
+    pub fn discrete(&self) -> &Discrete {
+        self.fixed.discrete()
     }
 
-    /// Newton iterations, factorisations and residuals since it was made.
-    pub fn effort(&self) -> Effort {
-        self.engine(|e| e.effort)
-    }
-
-    /// Forgets every equilibrium.
-    pub fn forget(&self) {
-        self.engine(Engine::forget);
+    /// Newton iterations, factorisations and residuals spent with a workspace.
+    pub fn effort(&self, workspace: &Workspace) -> Effort {
+        workspace.get::<Engine>(&self.id).map(|e| e.effort).unwrap_or_default()
     }
 
     /// Everything known at a pressure in MPa and a contraction.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn solve(&self, pressure_mpa: f64, contraction: f64) -> Result<Solution, FemError> {
-        self.engine(|e| {
-            e.reach(pressure_mpa, contraction)?;
-            results::solution(&mut e.body, &e.mesh, &self.muscle)
-        })
+    pub fn solve(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Solution, FemError> {
+        let e = self.engine(workspace)?;
+        e.reach(pressure_mpa, contraction)?;
+        results::solution(&mut e.body, &e.mesh, &self.muscle)
     }
 
     /// The equilibrium with a given pull in N at a pressure in MPa; its contraction is sought.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn at_force(&self, force_n: f64, pressure_mpa: f64) -> Result<Solution, FemError> {
-        self.engine(|e| {
-            e.reach_force(force_n, pressure_mpa)?;
-            results::solution(&mut e.body, &e.mesh, &self.muscle)
-        })
+    pub fn at_force(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Result<Solution, FemError> {
+        let e = self.engine(workspace)?;
+        e.reach_force(force_n, pressure_mpa)?;
+        results::solution(&mut e.body, &e.mesh, &self.muscle)
     }
 
     /// The equilibrium with a given pull in N at a contraction; its pressure is sought.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn at_pressure_for(&self, force_n: f64, contraction: f64) -> Result<Solution, FemError> {
-        self.engine(|e| {
-            e.reach_pressure(force_n, contraction)?;
-            results::solution(&mut e.body, &e.mesh, &self.muscle)
-        })
+    pub fn at_pressure_for(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Result<Solution, FemError> {
+        let e = self.engine(workspace)?;
+        e.reach_pressure(force_n, contraction)?;
+        results::solution(&mut e.body, &e.mesh, &self.muscle)
     }
 
     /// Free contraction: ε without a pull.
     ///
     /// # Errors
     /// [`FemError`].
-    pub fn free_contraction(&self, pressure_mpa: f64) -> Result<f64, FemError> {
-        self.engine(|e| e.reach_force(0.0, pressure_mpa).map(|()| e.contraction()))
+    pub fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
+        let e = self.engine(workspace)?;
+        e.reach_force(0.0, pressure_mpa)?;
+        Ok(e.contraction())
     }
 }
 
@@ -128,73 +140,90 @@ impl ForceModel for ThreeDimensional {
 
     fn accuracy(&self) -> Accuracy {
         // What an insertion adds has no limit to be held against.
-        match self.engine(|e| e.mesh.plug().is_some_and(|p| p.insertion_mm > 0.0)) {
+        match self.mesh().plug().is_some_and(|p| p.insertion_mm > 0.0) {
             true => Accuracy::UNKNOWN,
             false => Accuracy::share(MESH_ERROR, MESH_ERROR_BASIS),
         }
     }
 
-    fn notes(&self) -> Vec<String> {
-        self.engine(|e| {
-            let (mesh, angle) = (&e.mesh, self.muscle.braid().angle_deg);
-            let mut out = Vec::new();
-            let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
-            if (mesh.angle_rad().to_degrees() - angle).abs() > 0.005 {
-                let meshed = degrees(mesh.angle_rad());
-                out.push(format!("the strands of the mesh lie at {meshed}, those of the braid at {angle}°"));
-            }
-            if (mesh.last_angle_rad() - mesh.angle_rad()).abs() > 0.01 {
-                let last = degrees(mesh.last_angle_rad());
-                out.push(format!("in the last row of bricks at the terminal the strands lie at {last}"));
-            }
-            let (length, meshed) = (self.muscle.length_mm(), 2.0 * mesh.half_length_mm());
-            if (meshed - length).abs() > 1e-6 * length {
-                out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
-            }
-            if let Some(plug) = mesh.plug() {
-                let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
-                out.push(format!(
+    fn notes(&self, workspace: &Workspace) -> Vec<String> {
+        let (mesh, angle) = (self.mesh(), self.muscle.braid().angle_deg);
+        let mut out = Vec::new();
+        let degrees = |rad: f64| format!("{:.2}°", rad.to_degrees());
+        if (mesh.angle_rad().to_degrees() - angle).abs() > 0.005 {
+            let meshed = degrees(mesh.angle_rad());
+            out.push(format!("the strands of the mesh lie at {meshed}, those of the braid at {angle}°"));
+        }
+        if (mesh.last_angle_rad() - mesh.angle_rad()).abs() > 0.01 {
+            let last = degrees(mesh.last_angle_rad());
+            out.push(format!("in the last row of bricks at the terminal the strands lie at {last}"));
+        }
+        let (length, meshed) = (self.muscle.length_mm(), 2.0 * mesh.half_length_mm());
+        if (meshed - length).abs() > 1e-6 * length {
+            out.push(format!("the mesh is {meshed:.2} mm long, the muscle {length} mm"));
+        }
+        if let Some(plug) = mesh.plug() {
+            let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
+            out.push(format!(
                     "the terminal is a plug ({name}) with {insertion} mm in the tube and a nose of {nose} mm radius"
                 ));
-            }
-            if let Some(u) = e.unstable().first() {
-                let met = match u.step {
-                    0 => "an equilibrium".to_owned(),
-                    n => format!("step {n} of the walk from rest"),
-                };
-                out.push(format!(
-                    "{met} is not stable ({} directions) at contraction {:.4} and {:.4} MPa",
-                    u.directions, u.contraction, u.pressure_mpa
-                ));
-            }
-            out
-        })
+        }
+        if let Some(u) = workspace.get::<Engine>(&self.id).and_then(|e| e.unstable().first()) {
+            let met = match u.step {
+                0 => "an equilibrium".to_owned(),
+                n => format!("step {n} of the walk from rest"),
+            };
+            out.push(format!(
+                "{met} is not stable ({} directions) at contraction {:.4} and {:.4} MPa",
+                u.directions, u.contraction, u.pressure_mpa
+            ));
+        }
+        out
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
-        self.engine(|e| {
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let mut respond = || {
+            let e = self.engine(workspace)?;
             e.reach(pressure_mpa, contraction)?;
             results::response(&mut e.body, &e.mesh, &self.muscle)
-        })
-        .map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
+        };
+        respond().map_err(|e: FemError| e.into_model(pressure_mpa, contraction))
     }
 
-    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
-        self.engine(|e| e.reach(pressure_mpa, contraction).map(|()| e.body.totals.pull))
-            .map_err(|e| e.into_model(pressure_mpa, contraction))
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        let e = self.engine(workspace).and_then(|e| e.reach(pressure_mpa, contraction).map(|()| e));
+        e.map(|e| e.body.totals.pull).map_err(|e| e.into_model(pressure_mpa, contraction))
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
-        self.engine(|e| e.reach_pressure(force_n, contraction).map(|()| e.body.state.pressure))
-            .ok()
-            .filter(|p| *p >= 0.0)
-            .map(Ok)
+    fn pressure_in_closed_form(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
+        let e = self.engine(workspace).ok()?;
+        e.reach_pressure(force_n, contraction).ok()?;
+        Some(e.body.state.pressure).filter(|p| *p >= 0.0).map(Ok)
     }
 
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
-        self.engine(|e| e.reach_force(force_n, pressure_mpa).map(|()| e.contraction()))
-            .ok()
-            .filter(|e| *e >= 0.0)
-            .map(Ok)
+    fn contraction_in_closed_form(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
+        let e = self.engine(workspace).ok()?;
+        e.reach_force(force_n, pressure_mpa).ok()?;
+        Some(e.contraction()).filter(|e| *e >= 0.0).map(Ok)
     }
 }

@@ -5,7 +5,7 @@ use super::{Row, at, body, radius, rubber};
 use crate::axisymmetric::discrete::{BraidSpec, Ends};
 use crate::axisymmetric::mesh::Mesh;
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
-use mckibben::model::{ForceModel, ThickWall};
+use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::MooneyRivlin;
 use std::f64::consts::PI;
@@ -65,7 +65,7 @@ pub fn endless_braid() -> Vec<Row> {
     }
     for (k, e) in [(200.0, 0.0), (200.0, 0.1), (200.0, 0.2), (1e5, 0.1)] {
         let exact = muscle(200.0, BraidStiffness::NewtonPerMm(k))
-            .and_then(|m| ThickWall::new(&m).force_n(pressure, e).ok())
+            .and_then(|m| ThickWall::new(&m).force_n(&mut Workspace::new(), pressure, e).ok())
             .unwrap_or(f64::INFINITY);
         let mut walker = slice(Some(k));
         let ours = walker.as_mut().and_then(|w| {
@@ -97,7 +97,7 @@ pub fn long_muscles() -> Vec<Row> {
     let mesh = MeshSpec { through: Some(2), along: Some(48), grading: Some(3.0) };
     let pull = |length: f64, e: f64| {
         let m = muscle(length, BraidStiffness::Inextensible)?;
-        Axisymmetric::with_mesh(&m, &mesh).ok()?.force_n(pressure, e).ok()
+        Axisymmetric::with_mesh(&m, &mesh).ok()?.force_n(&mut Workspace::new(), pressure, e).ok()
     };
     let mut rows = Vec::new();
     for e in [0.1, 0.2] {

@@ -2,7 +2,7 @@
 
 use super::Row;
 use crate::axisymmetric::Axisymmetric;
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Strands, Terminals, Tube};
 use mckibben::rubber::{Law, MooneyRivlin};
 use std::f64::consts::PI;
@@ -23,7 +23,7 @@ pub fn identities() -> Vec<Row> {
         let blocked = |stiffness: BraidStiffness| {
             let muscle = Muscle::prototype().with_section(50.0, s).ok()?;
             let muscle = muscle.with_braid(Braid { stiffness, ..Braid::paper() }).ok()?;
-            Axisymmetric::new(&muscle).ok()?.force_n(0.25, 0.0).ok()
+            Axisymmetric::new(&muscle).ok()?.force_n(&mut Workspace::new(), 0.25, 0.0).ok()
         };
         let source = "I: outer-diameter limit of strands that do not stretch";
         let name = format!("blocked force, D0 50, s {s}, P 0.25, inextensible (N)");
@@ -39,7 +39,7 @@ fn maxwell(d0: f64, s: f64, p: f64, e: f64) -> Vec<Row> {
     let found = (|| {
         let muscle = Muscle::prototype().with_section(d0, s).ok()?;
         let model = Axisymmetric::new(&muscle).ok()?;
-        let at = |p: f64, e: f64| model.response(p, e).ok();
+        let at = |p: f64, e: f64| model.response(&mut Workspace::new(), p, e).ok();
         let (hp, he) = (2e-3 * p, 5e-4);
         // Fourth-order central differences.
         let difference =
@@ -82,13 +82,13 @@ pub fn prototype() -> Vec<Row> {
     let mut out: Vec<Row> = rows
         .into_iter()
         .map(|(e, p, force)| {
-            let ours = model.as_ref().and_then(|m| m.force_n(p, e).ok());
+            let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), p, e).ok());
             let name = format!("D0 30, s 3, L0 287.83, 48 strands, P {p}, ε {e}: F (N)");
             // 0.03 % of the blocked force.
             Row::new(name, "independent axisymmetric prototype", force, ours, 3e-4 * 846.0 / force)
         })
         .collect();
-    let ours = model.as_ref().and_then(|m| m.force_n(0.25, 0.10).ok());
+    let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), 0.25, 0.10).ok());
     let name = "the same in three dimensions, P 0.25, ε 0.10: F (N), ±0.5".into();
     out.push(Row::new(name, "FElupe 11.3, refined", 440.6, ours, 0.5 / 440.6));
     out

@@ -7,7 +7,7 @@ use crate::axisymmetric::equilibrium::{Body, Control};
 use crate::axisymmetric::mesh::Mesh;
 use crate::axisymmetric::path::Walker;
 use crate::solver::newton::{self, NewtonOptions};
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle, Terminals, Tube};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 
@@ -141,11 +141,11 @@ fn sensitivities() -> Vec<Row> {
         ("braid.angle", 0.02, |_, b, h| b.angle_deg += h),
     ];
     let all = muscle(&|_, _| ())
-        .and_then(|m| Axisymmetric::new(&m).ok()?.solve(p, e).ok())
+        .and_then(|m| Axisymmetric::new(&m).ok()?.solve(&mut Workspace::new(), p, e).ok())
         .map(|s| s.sensitivities);
     let pull = |change: Change, h: f64| {
         let m = muscle(&|t, b| change(t, b, h))?;
-        Axisymmetric::new(&m).ok()?.force_n(p, e).ok()
+        Axisymmetric::new(&m).ok()?.force_n(&mut Workspace::new(), p, e).ok()
     };
     changes
         .into_iter()

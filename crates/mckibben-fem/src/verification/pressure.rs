@@ -3,6 +3,7 @@
 use super::Row;
 use crate::axisymmetric::Axisymmetric;
 use crate::load::cavity::volume;
+use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 
 const SOURCE: &str = "E: pressure as −P·V of a closed cavity";
@@ -46,7 +47,7 @@ fn energy() -> Row {
         let (mut work, mut stored) = (0.0, [0.0; 2]);
         for i in 0..=STEPS {
             let t = i as f64 / STEPS as f64;
-            let s = model.solve(p(t), e(t)).ok()?;
+            let s = model.solve(&mut Workspace::new(), p(t), e(t)).ok()?;
             let (force, volume) = (s.response.force_n, s.response.volume_mm3?);
             let weight = match i {
                 0 | STEPS => 1.0,

@@ -1,7 +1,7 @@
 //! Air that a stroke takes.
 
 use super::error::AnalysisError;
-use crate::model::ForceModel;
+use crate::model::{ForceModel, Workspace};
 
 /// Atmospheric pressure in MPa (ISO 2533).
 const ATMOSPHERE_MPA: f64 = 0.101_325;
@@ -24,12 +24,13 @@ pub struct Air {
 /// [`AnalysisError::Unknown`] for a model without volume; the model's own errors.
 pub fn air_per_stroke<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
 ) -> Result<Air, AnalysisError> {
     let unknown = || AnalysisError::Unknown { model: model.name().into(), quantity: "the volume" };
-    let volume_mm3 = model.response(pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)?;
-    let rest = model.response(0.0, 0.0)?.volume_mm3.ok_or_else(unknown)?;
+    let volume_mm3 = model.response(workspace, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)?;
+    let rest = model.response(workspace, 0.0, 0.0)?.volume_mm3.ok_or_else(unknown)?;
     let free_mm3 = ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;
     Ok(Air { volume_mm3, normal_litres: free_mm3 * 1e-6 * NORMAL_PER_ACTUAL })
 }

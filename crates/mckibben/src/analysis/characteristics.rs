@@ -3,14 +3,18 @@
 use super::error::AnalysisError;
 use super::inverse::{contraction_at, pressure_at};
 use super::root::find_root;
-use crate::model::{ForceModel, ModelError};
+use crate::model::{ForceModel, ModelError, Workspace};
 
 /// Blocked force F(P, 0) in N.
 ///
 /// # Errors
 /// The model's.
-pub fn blocked_force_n<M: ForceModel + ?Sized>(model: &M, pressure_mpa: f64) -> Result<f64, AnalysisError> {
-    Ok(model.force_n(pressure_mpa, 0.0)?)
+pub fn blocked_force_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+) -> Result<f64, AnalysisError> {
+    Ok(model.force_n(workspace, pressure_mpa, 0.0)?)
 }
 
 /// Free contraction: the ε at which a muscle at this pressure no longer pulls.
@@ -19,10 +23,11 @@ pub fn blocked_force_n<M: ForceModel + ?Sized>(model: &M, pressure_mpa: f64) -> 
 /// As [`contraction_at`]; a model whose range ends while it still pulls has no free contraction.
 pub fn free_contraction<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     pressure_mpa: f64,
     extrapolate: bool,
 ) -> Result<f64, AnalysisError> {
-    contraction_at(model, 0.0, pressure_mpa, extrapolate)
+    contraction_at(model, workspace, 0.0, pressure_mpa, extrapolate)
 }
 
 /// Dead pressure P′ in MPa: below it the muscle does not pull at this contraction. Zero where it pulls from the start.
@@ -32,15 +37,16 @@ pub fn free_contraction<M: ForceModel + ?Sized>(
 /// lowest pressure of a range that does not begin at zero, since P′ lies below.
 pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     contraction: f64,
     extrapolate: bool,
 ) -> Result<f64, AnalysisError> {
     let lowest = model.range().pressure_mpa.0;
     // Without pressure a shortened muscle may have no equilibrium at all: then it does not pull either.
-    if lowest <= 0.0 && model.force_n(lowest, contraction).is_ok_and(|force| force >= 0.0) {
+    if lowest <= 0.0 && model.force_n(workspace, lowest, contraction).is_ok_and(|force| force >= 0.0) {
         return Ok(lowest);
     }
-    pressure_at(model, 0.0, contraction, extrapolate)
+    pressure_at(model, workspace, 0.0, contraction, extrapolate)
 }
 
 /// Work in J that the muscle does at constant pressure from ε = `from` to ε = `to`: L0 ∫ F dε.
@@ -49,6 +55,7 @@ pub fn start_pressure_mpa<M: ForceModel + ?Sized>(
 /// The model's.
 pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     pressure_mpa: f64,
     from: f64,
     to: f64,
@@ -60,7 +67,7 @@ pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
     for panel in 0..PANELS {
         let mid = from + h * (panel as f64 + 0.5);
         for &(x, weight) in crate::model::gauss(4) {
-            sum += 0.5 * h * weight * model.force_n(pressure_mpa, mid + 0.5 * h * x)?;
+            sum += 0.5 * h * weight * model.force_n(workspace, pressure_mpa, mid + 0.5 * h * x)?;
         }
     }
     Ok(sum * model.muscle().length_mm() * 1e-3)
@@ -75,12 +82,13 @@ pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
 /// [`AnalysisError::Unknown`] for a model without strand tension; the model's own errors at low pressure.
 pub fn burst_pressure_mpa<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     contraction: f64,
 ) -> Result<Option<f64>, AnalysisError> {
     let Some(strands) = model.muscle().braid().strands else { return Ok(None) };
     let Some(strength) = strands.strength_n else { return Ok(None) };
-    let at = |p: f64| -> Result<f64, AnalysisError> {
-        let tension = model.response(p, contraction)?.strand_tension_n;
+    let mut at = |p: f64| -> Result<f64, AnalysisError> {
+        let tension = model.response(workspace, p, contraction)?.strand_tension_n;
         let unknown = AnalysisError::Unknown { model: model.name().into(), quantity: "strand tension" };
         Ok(tension.ok_or(unknown)? - strength)
     };

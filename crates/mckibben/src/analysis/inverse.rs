@@ -2,7 +2,7 @@
 
 use super::error::AnalysisError;
 use super::root::{RootError, find_root};
-use crate::model::{ForceModel, ModelError};
+use crate::model::{ForceModel, ModelError, Workspace};
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
 const HIGHEST_PRESSURE_MPA: f64 = 20.0;
@@ -18,6 +18,7 @@ const SCAN: usize = 80;
 /// [`AnalysisError::NoPressure`] with the nearest pull there is; the model's error where it has no answer at all.
 pub fn pressure_at<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     force_n: f64,
     contraction: f64,
     extrapolate: bool,
@@ -31,15 +32,15 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         nearest_force_n,
         nearest_pressure_mpa,
     };
-    if let Some(closed) = model.pressure_in_closed_form(force_n, contraction) {
+    if let Some(closed) = model.pressure_in_closed_form(workspace, force_n, contraction) {
         let p = closed?;
         if p >= lowest && p <= highest {
             return Ok(p);
         }
         let end = if p < lowest { lowest } else { highest };
-        return Err(none(end, model.force_n(end, contraction)?));
+        return Err(none(end, model.force_n(workspace, end, contraction)?));
     }
-    let at = |p: f64| model.force_n(p, contraction).map(|f| f - force_n);
+    let mut at = |p: f64| model.force_n(workspace, p, contraction).map(|f| f - force_n);
     // Where there is no equilibrium without pressure, the search starts below any pull.
     let first = match at(lowest) {
         Ok(first) => first,
@@ -86,6 +87,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
 /// range, with the nearest pull there is.
 pub fn contraction_at<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     force_n: f64,
     pressure_mpa: f64,
     extrapolate: bool,
@@ -102,7 +104,7 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
         nearest_force_n,
         nearest_contraction,
     };
-    let at = |e: f64| model.force_n(pressure_mpa, e).map(|f| f - force_n);
+    let mut at = |e: f64| model.force_n(workspace, pressure_mpa, e).map(|f| f - force_n);
     let blocked = at(lowest)?;
     if blocked.abs() <= 1e-12 * force_n.abs().max(1.0) {
         return Ok(lowest);
@@ -110,12 +112,13 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
     if blocked < 0.0 {
         return Err(none(lowest, blocked + force_n));
     }
-    if let Some(Ok(e)) = model.contraction_in_closed_form(force_n, pressure_mpa)
+    if let Some(Ok(e)) = model.contraction_in_closed_form(workspace, force_n, pressure_mpa)
         && e >= lowest
         && e <= highest
     {
         return Ok(e);
     }
+    let mut at = |e: f64| model.force_n(workspace, pressure_mpa, e).map(|f| f - force_n);
     let mut nearest = (lowest, blocked);
     let mut low = lowest;
     for i in 1..=SCAN {
@@ -134,7 +137,11 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
     Err(none(nearest.0, nearest.1 + force_n))
 }
 
-fn bracketed(at: impl Fn(f64) -> Result<f64, ModelError>, low: f64, high: f64) -> Result<f64, AnalysisError> {
+fn bracketed(
+    at: impl FnMut(f64) -> Result<f64, ModelError>,
+    low: f64,
+    high: f64,
+) -> Result<f64, AnalysisError> {
     find_root(at, low, high, 1e-13).map_err(|e| match e {
         RootError::Function(error) => error.into(),
         RootError::NotBracketed { low, .. } => ModelError::NotConverged {

@@ -6,7 +6,7 @@ mod measured;
 pub use fit::{Fit, FitError, FitParameter, fit};
 pub use measured::{Branch, MeasuredError, MeasuredPoint, mean_of_branches, read_measured};
 
-use crate::model::{ForceModel, ModelError};
+use crate::model::{ForceModel, ModelError, Workspace};
 
 /// How far a model is from measured points.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +31,7 @@ pub struct Comparison {
 /// The first error, if the model answers none of the points.
 pub fn compare<M: ForceModel + ?Sized>(
     model: &M,
+    workspace: &mut Workspace,
     points: &[MeasuredPoint],
     extrapolate: bool,
 ) -> Result<Comparison, ModelError> {
@@ -42,7 +43,7 @@ pub fn compare<M: ForceModel + ?Sized>(
         } else {
             model.range().check(model.name(), point.pressure_mpa, point.contraction)
         };
-        match checked.and_then(|()| model.force_n(point.pressure_mpa, point.contraction)) {
+        match checked.and_then(|()| model.force_n(workspace, point.pressure_mpa, point.contraction)) {
             Ok(force) => {
                 let difference = force.max(0.0) - point.force_n;
                 squares += difference * difference;

@@ -6,7 +6,7 @@ use crate::analysis::{
     AnalysisError, air_per_stroke, burst_pressure_mpa, free_contraction, pressure_at, work_per_stroke_j,
 };
 use crate::answer::uncertainty_n;
-use crate::model::{ForceModel, Response, ThickWall};
+use crate::model::{ForceModel, Response, ThickWall, Workspace};
 use crate::muscle::Muscle;
 
 /// A candidate at one operating point.
@@ -96,6 +96,7 @@ pub(super) fn screen_below(
     enough: f64,
 ) -> Result<f64, Miss> {
     let model = build(muscle).map_err(Reason::Model)?;
+    let workspace = &mut Workspace::new();
     let mut margin = f64::INFINITY;
     let mut worst: Option<Miss> = None;
     for &point in &spec.points {
@@ -105,7 +106,8 @@ pub(super) fn screen_below(
                 .check(model.name(), spec.max_pressure_mpa, point.contraction)
                 .map_err(Reason::Model)?;
         }
-        let available_n = model.force_n(spec.max_pressure_mpa, point.contraction).map_err(Reason::Model)?;
+        let available_n =
+            model.force_n(workspace, spec.max_pressure_mpa, point.contraction).map_err(Reason::Model)?;
         margin = margin.min(available_n / point.force_n - 1.0);
         if available_n < point.force_n {
             keep_worst(&mut worst, Reason::Force { point, available_n, pressure_mpa: spec.max_pressure_mpa });
@@ -125,7 +127,7 @@ pub(super) fn screen_below(
         }
         None if bounded || spec.objective != Objective::Margin => {
             for point in &spec.points {
-                needed.push(need(spec, model.as_ref(), point)?);
+                needed.push(need(spec, model.as_ref(), workspace, point)?);
             }
         }
         None => {}
@@ -135,8 +137,8 @@ pub(super) fn screen_below(
     if bounded || want_air {
         let aide = ThickWall::new(muscle);
         for (point, &p) in spec.points.iter().zip(&needed) {
-            let (full, _) =
-                full_response(model.as_ref(), &aide, p, point.contraction).map_err(Reason::Model)?;
+            let (full, _) = full_response(model.as_ref(), workspace, &aide, p, point.contraction)
+                .map_err(Reason::Model)?;
             if let (Some(limit_mm), Some(diameter_mm)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm)
                 && diameter_mm > limit_mm
             {
@@ -147,12 +149,13 @@ pub(super) fn screen_below(
             {
                 keep_worst(&mut worst, Reason::Stretch { stretch, limit });
             }
-            if want_air && let Some(litres) = air_of(model.as_ref(), &aide, p, point.contraction).0 {
+            if want_air && let Some(litres) = air_of(model.as_ref(), workspace, &aide, p, point.contraction).0
+            {
                 air = air.max(litres);
             }
         }
         if let Some(limit) = limits.burst_margin
-            && let Some(burst) = burst_of(spec, model.as_ref(), &aide).0
+            && let Some(burst) = burst_of(spec, model.as_ref(), workspace, &aide).0
         {
             let margin = burst / spec.max_pressure_mpa;
             if margin < limit {
@@ -185,8 +188,13 @@ fn keep_worst(worst: &mut Option<Miss>, reason: Reason) {
 }
 
 /// The pressure a point takes. The pull at the maximum pressure is known to be enough.
-fn need(spec: &Spec, model: &dyn ForceModel, point: &OperatingPoint) -> Result<f64, Reason> {
-    match pressure_at(model, point.force_n, point.contraction, spec.extrapolate) {
+fn need(
+    spec: &Spec,
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    point: &OperatingPoint,
+) -> Result<f64, Reason> {
+    match pressure_at(model, workspace, point.force_n, point.contraction, spec.extrapolate) {
         Ok(p) => Ok(p),
         // At the lowest pressure of its range the model already pulls more: that pressure is enough.
         Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. })
@@ -202,16 +210,17 @@ fn need(spec: &Spec, model: &dyn ForceModel, point: &OperatingPoint) -> Result<f
 /// A response with what the model does not know filled in from the thick-wall model.
 fn full_response(
     model: &dyn ForceModel,
+    workspace: &mut Workspace,
     aide: &ThickWall,
     p: f64,
     contraction: f64,
 ) -> Result<(Response, Vec<&'static str>), crate::model::ModelError> {
-    let mut r = model.response(p, contraction)?;
+    let mut r = model.response(workspace, p, contraction)?;
     let mut filled = vec![];
     if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {
         return Ok((r, filled));
     }
-    if let Ok(other) = aide.response(p, contraction) {
+    if let Ok(other) = aide.response(workspace, p, contraction) {
         let mut fill = |slot: &mut Option<f64>, value: Option<f64>, name| {
             if slot.is_none() && value.is_some() {
                 *slot = value;
@@ -228,22 +237,33 @@ fn full_response(
     Ok((r, filled))
 }
 
-fn air_of(model: &dyn ForceModel, aide: &ThickWall, p: f64, contraction: f64) -> (Option<f64>, bool) {
-    match air_per_stroke(model, p, contraction) {
+fn air_of(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    aide: &ThickWall,
+    p: f64,
+    contraction: f64,
+) -> (Option<f64>, bool) {
+    match air_per_stroke(model, workspace, p, contraction) {
         Ok(air) => (Some(air.normal_litres), false),
-        Err(_) => (air_per_stroke(aide, p, contraction).ok().map(|a| a.normal_litres), true),
+        Err(_) => (air_per_stroke(aide, workspace, p, contraction).ok().map(|a| a.normal_litres), true),
     }
 }
 
-fn burst_of(spec: &Spec, model: &dyn ForceModel, aide: &ThickWall) -> (Option<f64>, bool) {
+fn burst_of(
+    spec: &Spec,
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    aide: &ThickWall,
+) -> (Option<f64>, bool) {
     let mut lowest: Option<f64> = None;
     let mut helped = false;
     for contraction in std::iter::once(0.0).chain(spec.points.iter().map(|p| p.contraction)) {
-        let burst = match burst_pressure_mpa(model, contraction) {
+        let burst = match burst_pressure_mpa(model, workspace, contraction) {
             Ok(burst) => burst,
             Err(_) => {
                 helped = true;
-                burst_pressure_mpa(aide, contraction).ok().flatten()
+                burst_pressure_mpa(aide, workspace, contraction).ok().flatten()
             }
         };
         if let Some(b) = burst {
@@ -257,17 +277,19 @@ fn burst_of(spec: &Spec, model: &dyn ForceModel, aide: &ThickWall) -> (Option<f6
 pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Candidate, Reason> {
     let model = build(muscle).map_err(Reason::Model)?;
     let model = model.as_ref();
+    let workspace = &mut Workspace::new();
     let aide = ThickWall::new(muscle);
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let mut points = Vec::with_capacity(spec.points.len());
     for point in &spec.points {
-        let pressure_mpa = need(spec, model, point)?;
+        let pressure_mpa = need(spec, model, workspace, point)?;
         let (mut response, filled) =
-            full_response(model, &aide, pressure_mpa, point.contraction).map_err(Reason::Model)?;
+            full_response(model, workspace, &aide, pressure_mpa, point.contraction).map_err(Reason::Model)?;
         response.force_n = point.force_n;
         from_thick_wall.extend(filled);
-        let available_n = model.force_n(spec.max_pressure_mpa, point.contraction).map_err(Reason::Model)?;
-        let (air_normal_litres, helped) = air_of(model, &aide, pressure_mpa, point.contraction);
+        let available_n =
+            model.force_n(workspace, spec.max_pressure_mpa, point.contraction).map_err(Reason::Model)?;
+        let (air_normal_litres, helped) = air_of(model, workspace, &aide, pressure_mpa, point.contraction);
         if helped {
             from_thick_wall.push("air");
         }
@@ -278,15 +300,15 @@ pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Resu
             margin: available_n / point.force_n - 1.0,
             response,
             air_normal_litres,
-            uncertainty_n: uncertainty_n(model, pressure_mpa),
+            uncertainty_n: uncertainty_n(model, workspace, pressure_mpa),
         });
     }
     let max = spec.max_pressure_mpa;
-    let free = free_contraction(model, max, false).ok().or_else(|| {
+    let free = free_contraction(model, workspace, max, false).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        free_contraction(&aide, max, false).ok()
+        free_contraction(&aide, workspace, max, false).ok()
     });
-    let (burst, helped) = burst_of(spec, model, &aide);
+    let (burst, helped) = burst_of(spec, model, workspace, &aide);
     if helped && burst.is_some() {
         from_thick_wall.push("burst pressure");
     }
@@ -296,9 +318,9 @@ pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Resu
     Ok(Candidate {
         pressure_mpa: points.iter().map(|p| p.pressure_mpa).fold(0.0, f64::max),
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
-        blocked_force_n: model.force_n(max, 0.0).map_err(Reason::Model)?,
+        blocked_force_n: model.force_n(workspace, max, 0.0).map_err(Reason::Model)?,
         free_contraction: free,
-        work_j: work_per_stroke_j(model, max, 0.0, furthest).ok(),
+        work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest).ok(),
         burst_pressure_mpa: burst,
         from_thick_wall,
         points,

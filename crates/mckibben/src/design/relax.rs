@@ -4,7 +4,7 @@ use super::candidate::screen;
 use super::reason::Reason;
 use super::spec::{Build, Limits, OperatingPoint, Spec};
 use crate::analysis::{contraction_at, pressure_at};
-use crate::model::{ForceModel, ThickWall};
+use crate::model::{ForceModel, ThickWall, Workspace};
 use crate::muscle::Muscle;
 
 /// A way to make the closest muscle fit.
@@ -51,21 +51,23 @@ pub enum Relaxation {
 pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Vec<Relaxation> {
     let Ok(model) = build(muscle) else { return vec![] };
     let model = model.as_ref();
-    let pull = |p: &OperatingPoint| model.force_n(spec.max_pressure_mpa, p.contraction).unwrap_or(f64::NAN);
-    let short: Vec<bool> = spec.points.iter().map(|p| pull(p) < p.force_n).collect();
+    let workspace = &mut Workspace::new();
+    let mut pull = |p: &OperatingPoint| model.force_n(workspace, spec.max_pressure_mpa, p.contraction).ok();
+    let pulls: Vec<Option<f64>> = spec.points.iter().map(&mut pull).collect();
     let mut out = vec![];
-    if short.contains(&true) {
+    if spec.points.iter().zip(&pulls).any(|(p, pull)| falls_short(p, *pull)) {
         out.extend(pressure(spec, build, muscle));
         out.extend(
-            points(spec, build, muscle, &short, |p| {
-                (pull(p) > 0.0).then(|| OperatingPoint { force_n: pull(p), ..*p })
+            points(spec, build, muscle, &pulls, |p, pull| {
+                pull.filter(|f| *f > 0.0).map(|force_n| OperatingPoint { force_n, ..*p })
             })
             .map(Relaxation::Force),
         );
         out.extend(
-            points(spec, build, muscle, &short, |p| {
+            points(spec, build, muscle, &pulls, |p, _| {
                 let contraction =
-                    contraction_at(model, p.force_n, spec.max_pressure_mpa, spec.extrapolate).ok()?;
+                    contraction_at(model, workspace, p.force_n, spec.max_pressure_mpa, spec.extrapolate)
+                        .ok()?;
                 Some(OperatingPoint { contraction, ..*p })
             })
             .map(Relaxation::Contraction),
@@ -99,11 +101,17 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
 /// The pressure that all points need.
 fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
     let model = build(muscle).ok()?;
-    let needs = spec.points.iter().map(|p| pressure_at(model.as_ref(), p.force_n, p.contraction, true));
+    let workspace = &mut Workspace::new();
+    let needs =
+        spec.points.iter().map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, true));
     let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
     let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
     let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };
     screen(&relaxed, build, muscle).is_ok().then_some(Relaxation::Pressure { pressure_mpa, extrapolated })
+}
+
+fn falls_short(p: &OperatingPoint, pull: Option<f64>) -> bool {
+    pull.is_some_and(|pull| pull < p.force_n)
 }
 
 /// Other operating points in place of those that fall short.
@@ -111,17 +119,22 @@ fn points(
     spec: &Spec,
     build: &Build<'_>,
     muscle: &Muscle,
-    short: &[bool],
-    instead: impl Fn(&OperatingPoint) -> Option<OperatingPoint>,
+    pulls: &[Option<f64>],
+    mut instead: impl FnMut(&OperatingPoint, Option<f64>) -> Option<OperatingPoint>,
 ) -> Option<Vec<OperatingPoint>> {
-    let each = spec.points.iter().zip(short);
-    let list: Vec<OperatingPoint> =
-        each.map(|(p, &short)| if short { instead(p) } else { Some(*p) }).collect::<Option<_>>()?;
+    let mut list = spec.points.clone();
+    let mut changed = vec![];
+    for (p, &pull) in list.iter_mut().zip(pulls) {
+        if falls_short(p, pull) {
+            *p = instead(p, pull)?;
+            changed.push(*p);
+        }
+    }
     // The last bit of an inverse must not decide.
     let eased = list.iter().map(|p| OperatingPoint { force_n: p.force_n * (1.0 - 1e-9), ..*p }).collect();
     let relaxed = Spec { points: eased, ..spec.clone() };
     screen(&relaxed, build, muscle).ok()?;
-    Some(list.into_iter().zip(short).filter(|(_, short)| **short).map(|(p, _)| p).collect())
+    Some(changed)
 }
 
 /// Whether another limit alone makes the muscle fit.
@@ -144,8 +157,9 @@ fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> 
     }
     let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
     let other = ThickWall::new(muscle);
+    let workspace = &mut Workspace::new();
     let scaled = |p: &OperatingPoint| {
-        let at = |m: &dyn ForceModel| m.force_n(spec.max_pressure_mpa, p.contraction).ok();
+        let mut at = |m: &dyn ForceModel| m.force_n(workspace, spec.max_pressure_mpa, p.contraction).ok();
         let ratio = at(&other)? / at(own.as_ref())?;
         (ratio.is_finite() && ratio > 0.0).then_some(OperatingPoint { force_n: p.force_n * ratio, ..*p })
     };

@@ -1,7 +1,7 @@
 //! What tolerances of the workshop and the supply do to the pull.
 
 use super::spec::{Build, OperatingPoint};
-use crate::model::ModelError;
+use crate::model::{ModelError, Workspace};
 use crate::muscle::{Muscle, MuscleError};
 use thiserror::Error;
 
@@ -59,7 +59,7 @@ pub fn spread(
             muscle.wall_mm() + wall * tolerances.wall_mm,
         )?;
         let p = (pressure_mpa + pressure * tolerances.pressure_mpa).max(0.0);
-        Ok(build(&corner)?.force_n(p, wanted.contraction)?)
+        Ok(build(&corner)?.force_n(&mut Workspace::new(), p, wanted.contraction)?)
     };
     let (mut low_n, mut high_n) = (f64::INFINITY, f64::NEG_INFINITY);
     for corner in 0..8 {

@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{ForceModel, FormulaModel, ModelKind, Paper};
+use crate::model::{ForceModel, FormulaModel, ModelKind, Paper, Workspace};
 use crate::muscle::Muscle;
 use std::sync::Arc;
 
@@ -69,10 +69,19 @@ fn the_published_numbers_as_a_file_answer_like_the_model_paper() {
         let m = Muscle::prototype().with_section(d, s).unwrap();
         let (ours, paper) = (FormulaModel::new(f.clone(), &m), Paper::new(&m));
         for (p, e) in [(0.05, 0.0), (0.13, 0.11), (0.25, 0.2)] {
-            assert_eq!(ours.response(p, e).unwrap(), paper.response(p, e).unwrap());
+            assert_eq!(
+                ours.response(&mut Workspace::new(), p, e).unwrap(),
+                paper.response(&mut Workspace::new(), p, e).unwrap()
+            );
         }
-        assert_eq!(ours.pressure_in_closed_form(300.0, 0.1), paper.pressure_in_closed_form(300.0, 0.1));
-        assert_eq!(ours.contraction_in_closed_form(100.0, 0.2), paper.contraction_in_closed_form(100.0, 0.2));
+        assert_eq!(
+            ours.pressure_in_closed_form(&mut Workspace::new(), 300.0, 0.1),
+            paper.pressure_in_closed_form(&mut Workspace::new(), 300.0, 0.1)
+        );
+        assert_eq!(
+            ours.contraction_in_closed_form(&mut Workspace::new(), 100.0, 0.2),
+            paper.contraction_in_closed_form(&mut Workspace::new(), 100.0, 0.2)
+        );
     }
 }
 
@@ -82,9 +91,10 @@ fn derivatives_are_those_of_finite_differences() {
     for f in [formula(Body::Paper(Box::new(*Coefficients::published()))), global()] {
         let model = FormulaModel::new(Arc::new(f), &m);
         for (p, e) in [(0.05, 0.0), (0.0, 0.0), (0.11, 0.07), (0.25, 0.2)] {
-            let (h, r) = (1e-5, model.response(p, e).unwrap());
+            let (h, r) = (1e-5, model.response(&mut Workspace::new(), p, e).unwrap());
             let difference = |dp: f64, de: f64| {
-                let at = |k: f64| model.force_n(p + k * dp * h, e + k * de * h).unwrap();
+                let at =
+                    |k: f64| model.force_n(&mut Workspace::new(), p + k * dp * h, e + k * de * h).unwrap();
                 (at(1.0) - at(-1.0)) / (2.0 * h)
             };
             let slope = -r.stiffness_n_per_mm.unwrap() * m.length_mm();
@@ -120,7 +130,7 @@ fn what_it_was_not_made_for_is_refused() {
     tube.rubber.name = None;
     let text = check(&proto.with_tube(tube).unwrap(), 0.2, 0.0).unwrap_err().to_string();
     assert!(text.contains("neo-hookean") && text.contains("c10_mpa 0.112"), "{text}");
-    assert!(FormulaModel::new(f.clone(), &proto).force_n(f64::NAN, 0.1).is_err());
+    assert!(FormulaModel::new(f.clone(), &proto).force_n(&mut Workspace::new(), f64::NAN, 0.1).is_err());
     let accuracy = FormulaModel::new(f, &proto).accuracy();
     assert_eq!(accuracy.share_of_blocked, Some(0.025));
     assert_ne!(ModelKind::Paper.build(&proto).unwrap().accuracy(), accuracy);

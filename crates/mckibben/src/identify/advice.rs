@@ -7,7 +7,7 @@ use super::problem::Build;
 use super::result::{Fitted, Identification};
 use super::run::distinct;
 use crate::least_squares::Loss;
-use crate::model::Ideal;
+use crate::model::{Ideal, Workspace};
 use crate::muscle::Muscle;
 
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
@@ -336,7 +336,7 @@ fn slack<B: Build>(found: &Identification, build: &B) -> Option<String> {
             .of_section(&p.section)
             .ok()
             .and_then(|m| build(&m).ok())
-            .and_then(|m| m.force_n(p.at.pressure_mpa, e).ok());
+            .and_then(|m| m.force_n(&mut Workspace::new(), p.at.pressure_mpa, e).ok());
         force.is_some_and(|f| f > limit)
     };
     let wrong: Vec<u64> = found.slack.iter().filter(pulls).map(|p| p.line).collect();

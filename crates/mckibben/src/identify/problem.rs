@@ -14,7 +14,7 @@ use super::data::{DataPoint, Quantity, Section};
 use super::parameter::Target;
 use crate::compare::Branch;
 use crate::least_squares::Residuals;
-use crate::model::{ForceModel, ModelError};
+use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::{BraidStiffness, Friction, Motion, Muscle};
 use crate::rubber::RubberLaw;
 use rayon::prelude::*;
@@ -67,14 +67,26 @@ fn friction_force(friction: Option<&Friction>, p: f64, branch: Option<Branch>) -
 }
 
 /// Pull on a branch.
-fn force(m: &dyn ForceModel, p: f64, e: f64, branch: Option<Branch>) -> Result<f64, ModelError> {
-    Ok(m.force_n(p, e)? + friction_force(m.muscle().friction(), p, branch))
+fn force(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    p: f64,
+    e: f64,
+    branch: Option<Branch>,
+) -> Result<f64, ModelError> {
+    Ok(m.force_n(w, p, e)? + friction_force(m.muscle().friction(), p, branch))
 }
 
-fn local(m: &dyn ForceModel, p: f64, e: f64, branch: Option<Branch>) -> Result<Local, ModelError> {
-    let r = m.response(p, e)?;
-    let difference = |up: (f64, f64), down: (f64, f64), width: f64| -> Result<f64, ModelError> {
-        Ok((m.force_n(up.0, up.1)? - m.force_n(down.0, down.1)?) / width)
+fn local(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    p: f64,
+    e: f64,
+    branch: Option<Branch>,
+) -> Result<Local, ModelError> {
+    let r = m.response(w, p, e)?;
+    let mut difference = |up: (f64, f64), down: (f64, f64), width: f64| -> Result<f64, ModelError> {
+        Ok((m.force_n(w, up.0, up.1)? - m.force_n(w, down.0, down.1)?) / width)
     };
     const H: f64 = 1e-5;
     let by_contraction = match r.stiffness_n_per_mm {
@@ -91,12 +103,17 @@ fn local(m: &dyn ForceModel, p: f64, e: f64, branch: Option<Branch>) -> Result<L
 }
 
 /// Newton's method for what was read, from where it was read.
-fn found(m: &dyn ForceModel, point: &DataPoint, offset: f64) -> Result<(f64, f64, Local), ModelError> {
+fn found(
+    m: &dyn ForceModel,
+    w: &mut Workspace,
+    point: &DataPoint,
+    offset: f64,
+) -> Result<(f64, f64, Local), ModelError> {
     let at = &point.at;
     let (mut p, mut e) = (at.pressure_mpa, at.contraction + offset);
     const STEPS: usize = 30;
     for _ in 0..STEPS {
-        let here = local(m, p, e, at.branch)?;
+        let here = local(m, w, p, e, at.branch)?;
         let rest = here.force - at.force_n;
         // The last step is taken blindly: it leaves the square of this.
         let done = rest.abs() <= 1e-6 * (1.0 + at.force_n.abs());
@@ -161,19 +178,19 @@ impl<'a, B: Build> Problem<'a, B> {
     /// Residual of every point in N, or why it has none.
     pub fn rows(&self, x: &[f64]) -> Option<Vec<Result<f64, ModelError>>> {
         let candidate = self.candidate(x)?;
-        self.over_rows(&candidate, |m, point| {
+        self.over_rows(&candidate, |m, w, point| {
             let at = &point.at;
             match point.measured {
                 Quantity::Force => {
                     let e = at.contraction + candidate.contraction_offset;
-                    Ok(force(m, at.pressure_mpa, e, at.branch)? - at.force_n)
+                    Ok(force(m, w, at.pressure_mpa, e, at.branch)? - at.force_n)
                 }
                 Quantity::Contraction => {
-                    let (_, e, _) = found(m, point, candidate.contraction_offset)?;
+                    let (_, e, _) = found(m, w, point, candidate.contraction_offset)?;
                     Ok(self.scales.0 * (e - candidate.contraction_offset - at.contraction))
                 }
                 Quantity::Pressure => {
-                    let (p, _, _) = found(m, point, candidate.contraction_offset)?;
+                    let (p, _, _) = found(m, w, point, candidate.contraction_offset)?;
                     Ok(self.scales.1 * (p - at.pressure_mpa))
                 }
             }
@@ -184,12 +201,13 @@ impl<'a, B: Build> Problem<'a, B> {
     fn over_rows<T: Send>(
         &self,
         candidate: &Candidate,
-        one: impl Fn(&dyn ForceModel, &DataPoint) -> Result<T, ModelError> + Sync,
+        one: impl Fn(&dyn ForceModel, &mut Workspace, &DataPoint) -> Result<T, ModelError> + Sync,
     ) -> Option<Vec<Result<T, ModelError>>> {
         let of_chunk = |chunk: &Chunk| -> Option<Vec<Result<T, ModelError>>> {
             let muscle = candidate.of_section(&chunk.section).ok()?;
             let model = (self.build)(&muscle).ok()?;
-            Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &self.points[i])).collect())
+            let mut w = Workspace::new();
+            Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, &self.points[i])).collect())
         };
         let lists: Vec<Option<Vec<_>>> = self.chunks.par_iter().map(of_chunk).collect();
         let mut out: Vec<Option<Result<T, ModelError>>> = self.points.iter().map(|_| None).collect();
@@ -206,9 +224,9 @@ impl<'a, B: Build> Problem<'a, B> {
             return None;
         }
         let candidate = self.candidate(start)?;
-        let list = self.over_rows(&candidate, |m, point| {
+        let list = self.over_rows(&candidate, |m, w, point| {
             let at = &point.at;
-            local(m, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.branch)
+            local(m, w, at.pressure_mpa, at.contraction + candidate.contraction_offset, at.branch)
         })?;
         let mean = |quantity: Quantity, of: fn(&Local) -> f64| {
             let rows = list.iter().zip(self.points).filter(|r| r.1.measured == quantity);
@@ -233,7 +251,7 @@ impl<'a, B: Build> Problem<'a, B> {
             let point = self.points.first()?;
             let model = (self.build)(&candidate.of_section(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
-            model.force_by(point.at.pressure_mpa, e, &names)?.ok()
+            model.force_by(&mut Workspace::new(), point.at.pressure_mpa, e, &names)?.ok()
         };
         probe().is_some()
     }
@@ -273,7 +291,7 @@ impl<'a, B: Build> Problem<'a, B> {
     /// ∂F/∂θ of one point for every free target.
     fn slopes(
         &self,
-        m: &dyn ForceModel,
+        (m, w): (&dyn ForceModel, &mut Workspace),
         point: &DataPoint,
         candidate: &Candidate,
         x: &[f64],
@@ -281,7 +299,7 @@ impl<'a, B: Build> Problem<'a, B> {
         (p, e, here): (f64, f64, &Local),
     ) -> Result<Vec<f64>, ModelError> {
         let not_known = || ModelError::NotFinite { model: m.name().into(), pressure_mpa: p, contraction: e };
-        let by = m.force_by(p, e, names).ok_or_else(not_known)??;
+        let by = m.force_by(w, p, e, names).ok_or_else(not_known)??;
         let of =
             |name: &str| names.iter().position(|n| n == name).and_then(|i| by.get(i)).copied().unwrap_or(0.0);
         let muscle = m.muscle();
@@ -338,16 +356,16 @@ impl<B: Build> Residuals for Problem<'_, B> {
         let candidate = self.candidate(x)?;
         let names = self.names(&candidate);
         let offset = candidate.contraction_offset;
-        let rows = self.over_rows(&candidate, |m, point| {
+        let rows = self.over_rows(&candidate, |m, w, point| {
             let at = &point.at;
             let (p, e, here) = match point.measured {
                 Quantity::Force => {
                     let e = at.contraction + offset;
-                    (at.pressure_mpa, e, local(m, at.pressure_mpa, e, at.branch)?)
+                    (at.pressure_mpa, e, local(m, w, at.pressure_mpa, e, at.branch)?)
                 }
-                _ => found(m, point, offset)?,
+                _ => found(m, w, point, offset)?,
             };
-            let slopes = self.slopes(m, point, &candidate, x, &names, (p, e, &here))?;
+            let slopes = self.slopes((m, w), point, &candidate, x, &names, (p, e, &here))?;
             let factor = match point.measured {
                 Quantity::Force => 1.0,
                 Quantity::Contraction => -self.scales.0 / here.by_contraction,

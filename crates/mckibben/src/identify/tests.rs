@@ -1,7 +1,7 @@
 use super::*;
 use crate::compare::{Branch, MeasuredPoint};
 use crate::least_squares::Loss;
-use crate::model::{ForceModel, ModelError, ThickWall};
+use crate::model::{ForceModel, ModelError, ThickWall, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Friction, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Law, MooneyRivlin, NeoHookean, Yeoh};
 
@@ -67,7 +67,8 @@ fn bench(m: &Muscle, offset: f64) -> Vec<DataPoint> {
                 Some(Branch::Contraction) => -half,
                 Some(Branch::Elongation) => half,
             };
-            let force_n = model.force_n(pressure_mpa, contraction + offset).unwrap() + signed;
+            let force_n =
+                model.force_n(&mut Workspace::new(), pressure_mpa, contraction + offset).unwrap() + signed;
             let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
             out.push(DataPoint { line: out.len() as u64 + 2, ..DataPoint::of(at) });
         }
@@ -332,7 +333,7 @@ fn a_model_that_misses_in_a_pattern_is_told() {
     for pressure_mpa in [0.2, 0.3, 0.4] {
         for i in 0..12 {
             let contraction = f64::from(i) * 0.015;
-            let force_n = model.force_n(pressure_mpa, contraction).unwrap();
+            let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
             let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: None };
             points.push(DataPoint::of(at));
         }

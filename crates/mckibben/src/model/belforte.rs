@@ -5,7 +5,7 @@
 //! b: length of one strand, n: its turns. Source: the paper's (3) after Belforte et al. The printed form has lost its
 //! squares (its dimension is force/length) and stands for one turn; this is F = −P dV/dL.
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -62,7 +62,12 @@ impl ForceModel for Belforte {
         Accuracy::UNKNOWN
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let (p, b) = (pressure_mpa, self.b);
         let l = (1.0 - contraction) * self.muscle.length_mm();
         if !(l > 0.0 && l < b) {
@@ -86,13 +91,23 @@ impl ForceModel for Belforte {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let l = (1.0 - contraction) * self.muscle.length_mm();
         let per_pressure = (3.0 * l * l - self.b * self.b) / self.n2;
         (per_pressure > 0.0 && l > 0.0 && l < self.b).then(|| Ok(force_n / per_pressure))
     }
 
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let l2 = (self.b * self.b + self.n2 * force_n / pressure_mpa) / 3.0;
         (pressure_mpa > 0.0 && l2 > 0.0 && l2 < self.b * self.b)
             .then(|| Ok(1.0 - l2.sqrt() / self.muscle.length_mm()))
@@ -116,7 +131,10 @@ mod tests {
         let measured = with_strand(m.strand_length_mm(), m.turns());
         let (ideal, belforte) = (Ideal::new(&m), Belforte::new(&measured).unwrap());
         for e in [-0.05, 0.0, 0.1, 0.3] {
-            let (a, b) = (ideal.response(0.2, e).unwrap(), belforte.response(0.2, e).unwrap());
+            let (a, b) = (
+                ideal.response(&mut Workspace::new(), 0.2, e).unwrap(),
+                belforte.response(&mut Workspace::new(), 0.2, e).unwrap(),
+            );
             for (a, b) in [
                 (a.force_n, b.force_n),
                 (a.volume_mm3.unwrap(), b.volume_mm3.unwrap()),
@@ -136,7 +154,10 @@ mod tests {
         let refused = Muscle::prototype().with_braid(Braid { measured, ..Braid::paper() });
         assert!(matches!(refused, Err(MuscleError::StrandTooShort { .. })));
         let model = Belforte::new(&with_strand(330.0, 1.6)).unwrap();
-        assert!(matches!(model.response(0.1, -0.2), Err(ModelError::Geometry { .. })));
-        assert!(matches!(model.response(0.1, f64::NAN), Err(ModelError::Geometry { .. })));
+        assert!(matches!(model.response(&mut Workspace::new(), 0.1, -0.2), Err(ModelError::Geometry { .. })));
+        assert!(matches!(
+            model.response(&mut Workspace::new(), 0.1, f64::NAN),
+            Err(ModelError::Geometry { .. })
+        ));
     }
 }

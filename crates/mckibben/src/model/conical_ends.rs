@@ -13,7 +13,7 @@
 //! formula but pulls π (r² − r0²) P more.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -93,7 +93,12 @@ impl ForceModel for ConicalEnds {
         Accuracy::UNKNOWN
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let (pull, pull_l, f) = self.pull(contraction)?;
         Response {
             pressure_mpa,
@@ -108,7 +113,12 @@ impl ForceModel for ConicalEnds {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         match self.pull(contraction) {
             Ok((pull, _, _)) => (pull > 0.0).then(|| Ok(force_n / pull)),
             Err(error) => Some(Err(error)),
@@ -129,9 +139,12 @@ mod tests {
 
     #[test]
     fn at_rest_the_ends_do_nothing() {
-        let ideal = Ideal::new(&Muscle::prototype()).force_n(0.2, 0.0).unwrap();
+        let ideal = Ideal::new(&Muscle::prototype()).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap();
         for kc in [0.0, 0.3, 0.6] {
-            assert!((model(Some(kc)).unwrap().force_n(0.2, 0.0).unwrap() - ideal).abs() < 1e-9 * ideal);
+            assert!(
+                (model(Some(kc)).unwrap().force_n(&mut Workspace::new(), 0.2, 0.0).unwrap() - ideal).abs()
+                    < 1e-9 * ideal
+            );
         }
     }
 
@@ -139,11 +152,11 @@ mod tests {
     fn without_cones_the_published_form_exceeds_the_ideal_one_by_the_annulus() {
         let (m, cones) = (Muscle::prototype(), model(Some(0.0)).unwrap());
         for e in [0.1, 0.3] {
-            let ideal = Ideal::new(&m).force_n(0.2, e).unwrap();
+            let ideal = Ideal::new(&m).force_n(&mut Workspace::new(), 0.2, e).unwrap();
             assert!((cones.pull_by_energy(0.2, e).unwrap() - ideal).abs() < 1e-9);
             let r = 0.5 * m.pantograph_diameter_mm(e);
             let annulus = 0.2 * PI * (r * r - 15.0 * 15.0);
-            assert!((cones.force_n(0.2, e).unwrap() - ideal - annulus).abs() < 1e-9);
+            assert!((cones.force_n(&mut Workspace::new(), 0.2, e).unwrap() - ideal - annulus).abs() < 1e-9);
         }
     }
 
@@ -151,7 +164,7 @@ mod tests {
     fn the_energy_form_is_the_slope_of_the_volume() {
         let cones = model(Some(0.4)).unwrap();
         let (p, e, h) = (0.2, 0.15, 1e-5);
-        let v = |e: f64| cones.response(p, e).unwrap().volume_mm3.unwrap();
+        let v = |e: f64| cones.response(&mut Workspace::new(), p, e).unwrap().volume_mm3.unwrap();
         let expected = p * (v(e + h) - v(e - h)) / (2.0 * h * 285.0);
         let energy = cones.pull_by_energy(p, e).unwrap();
         assert!((energy - expected).abs() < 1e-6 * expected, "{energy} {expected}");

@@ -7,7 +7,7 @@
 //! belongs to the specimen; the six specimens of that paper are in [`SPECIMENS`].
 
 use super::root::rising_root;
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response};
+use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::FRAC_PI_2;
 
@@ -133,14 +133,19 @@ impl ForceModel for FestoHunt {
         }
     }
 
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, _: &Workspace) -> Vec<String> {
         vec![format!(
             "the preset festo-hunt-10 describes a Festo muscle of 10 mm with a largest contraction of {:.4}; tube, wall, braid and rubber of the muscle are ignored",
             self.e_max
         )]
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let force_n = self.solve(pressure_mpa, contraction)?;
         let (_, by_force, by_contraction) = self.pressure(force_n, contraction);
         Ok(Response {
@@ -153,13 +158,23 @@ impl ForceModel for FestoHunt {
         })
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let highest = (self.e_max - contraction / (SHIFT + FRAC_PI_2 / STEEP)) / LOSS;
         (contraction >= 0.0 && force_n < highest)
             .then(|| Ok(self.pressure(force_n, contraction).0 / KPA_PER_MPA))
     }
 
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let m = self.e_max - LOSS * force_n;
         let tan = (KPA_PER_MPA * pressure_mpa - P0 - P_F * force_n) / P_TAN;
         let e = m * (tan.atan() / STEEP + SHIFT);
@@ -178,7 +193,7 @@ mod tests {
         for i in 0..=20 {
             for j in 0..=20 {
                 let (p, e) = (top * f64::from(i) / 20.0, e_max * f64::from(j) / 20.0);
-                let f = model.force_n(p, e).unwrap();
+                let f = model.force_n(&mut Workspace::new(), p, e).unwrap();
                 let kpa = 254.3 + 1.229 * f + 192.0 * (2.0265 * (e / (e_max - 0.331e-3 * f) - 0.4609)).tan();
                 let (_, p_f, _) = model.pressure(f, e);
                 assert!((kpa - 1e3 * p).abs() < 1e-9 * (1.0 + p_f * (1.0 + f.abs())), "P {p}, ε {e}: {kpa}");
@@ -189,7 +204,7 @@ mod tests {
     #[test]
     fn without_load_the_largest_contraction_takes_620_kpa() {
         let model = FestoHunt::new(&Muscle::prototype());
-        let p = model.pressure_in_closed_form(0.0, model.e_max).unwrap().unwrap();
+        let p = model.pressure_in_closed_form(&mut Workspace::new(), 0.0, model.e_max).unwrap().unwrap();
         assert!((p - 0.62).abs() < 0.006, "{p}");
     }
 
@@ -199,7 +214,7 @@ mod tests {
         assert_eq!(largest_contraction(400.0), 0.1750);
         assert!((largest_contraction(0.5 * (153.1 + 182.8)) - 0.5 * (0.1491 + 0.1618)).abs() < 1e-12);
         assert!(matches!(
-            FestoHunt::new(&Muscle::prototype()).force_n(0.3, -0.1),
+            FestoHunt::new(&Muscle::prototype()).force_n(&mut Workspace::new(), 0.3, -0.1),
             Err(ModelError::NotFinite { .. })
         ));
     }

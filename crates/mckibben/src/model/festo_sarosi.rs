@@ -5,7 +5,7 @@
 //! Source: Sárosi, fits to measured DMSP-10 and DMSP-20-200N. The fits fall in κ and rise in P over the whole box: c < 0,
 //! d < 0 and aP + b > 0, and ∂F/∂P stays above zero up to κ = 31 %.
 
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response};
+use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 
 const BAR_PER_MPA: f64 = 10.0;
@@ -116,14 +116,19 @@ impl ForceModel for FestoSarosi {
         self.fit.accuracy
     }
 
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, _: &Workspace) -> Vec<String> {
         let Fit { model, make, .. } = self.fit;
         vec![format!(
             "the preset {model} describes the {make}; tube, wall, braid and rubber of the muscle are ignored"
         )]
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let Fit { a, b, c, d, .. } = self.fit;
         let bar = BAR_PER_MPA * pressure_mpa;
         let (rest, slope) = self.line(contraction);
@@ -143,7 +148,12 @@ impl ForceModel for FestoSarosi {
         })
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let (rest, slope) = self.line(contraction);
         (slope > 0.0 && rest.is_finite()).then(|| Ok((force_n - rest) / slope / BAR_PER_MPA))
     }
@@ -157,8 +167,8 @@ mod tests {
     fn blocked_forces_at_6_bar() {
         let m = Muscle::prototype();
         // (6a + b) + 6e + f by hand.
-        let ten = FestoSarosi::dmsp_10(&m).force_n(0.6, 0.0).unwrap();
-        let twenty = FestoSarosi::dmsp_20_200(&m).force_n(0.6, 0.0).unwrap();
+        let ten = FestoSarosi::dmsp_10(&m).force_n(&mut Workspace::new(), 0.6, 0.0).unwrap();
+        let twenty = FestoSarosi::dmsp_20_200(&m).force_n(&mut Workspace::new(), 0.6, 0.0).unwrap();
         assert!((ten - 595.2357192).abs() < 1e-6, "{ten}");
         assert!((twenty - 1752.2759849).abs() < 1e-6, "{twenty}");
     }
@@ -170,11 +180,14 @@ mod tests {
             for i in 0..=20 {
                 for j in 0..=25 {
                     let p = model.range().pressure_mpa.1 * f64::from(i) / 20.0;
-                    let r = model.response(p, 0.01 * f64::from(j)).unwrap();
+                    let r = model.response(&mut Workspace::new(), p, 0.01 * f64::from(j)).unwrap();
                     assert!(r.stiffness_n_per_mm.unwrap() > 0.0 && r.force_per_pressure_mm2.unwrap() > 0.0);
                 }
             }
-            assert!(matches!(model.force_n(0.1, f64::NAN), Err(ModelError::NotFinite { .. })));
+            assert!(matches!(
+                model.force_n(&mut Workspace::new(), 0.1, f64::NAN),
+                Err(ModelError::NotFinite { .. })
+            ));
         }
     }
 }

@@ -6,7 +6,7 @@
 //! Sources: Ferraresi et al. (2001); Kothera & Wereley (2009); Tondu (2012) eq. (18).
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -83,7 +83,12 @@ impl ForceModel for ForceBalance {
         )
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let b = balance(&self.braid, contraction)?;
         let length = self.muscle.length_mm();
         Response {
@@ -100,7 +105,12 @@ impl ForceModel for ForceBalance {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         match balance(&self.braid, contraction) {
             Ok(b) => (b.f > 0.0).then(|| Ok(force_n / b.f)),
             Err(error) => Some(Err(error)),
@@ -119,7 +129,9 @@ mod tests {
         let (d, di) = (m.outer_diameter_mm(), m.inner_diameter_mm());
         let cot2 = m.braid().angle_rad().tan().powi(-2);
         let expected = PI / 4.0 * 0.2 * (2.0 * d * di * cot2 - di * di);
-        assert!((ForceBalance::new(&m).force_n(0.2, 0.0).unwrap() - expected).abs() < 1e-9);
+        assert!(
+            (ForceBalance::new(&m).force_n(&mut Workspace::new(), 0.2, 0.0).unwrap() - expected).abs() < 1e-9
+        );
     }
 
     #[test]
@@ -127,7 +139,10 @@ mod tests {
         let thin = Muscle::prototype().with_section(30.0, 1e-9).unwrap();
         let (a, b) = (ForceBalance::new(&thin), Ideal::new(&thin));
         for e in [0.0, 0.15, 0.3] {
-            let (a, b) = (a.response(0.2, e).unwrap(), b.response(0.2, e).unwrap());
+            let (a, b) = (
+                a.response(&mut Workspace::new(), 0.2, e).unwrap(),
+                b.response(&mut Workspace::new(), 0.2, e).unwrap(),
+            );
             assert!((a.force_n - b.force_n).abs() < 1e-6);
             assert!((a.braid_tension_n.unwrap() - b.braid_tension_n.unwrap()).abs() < 1e-6);
         }
@@ -136,6 +151,9 @@ mod tests {
     #[test]
     fn a_closed_bore_is_an_error() {
         let thick = Muscle::prototype().with_section(30.0, 14.9).unwrap();
-        assert!(matches!(ForceBalance::new(&thick).force_n(0.2, -0.1), Err(ModelError::Geometry { .. })));
+        assert!(matches!(
+            ForceBalance::new(&thick).force_n(&mut Workspace::new(), 0.2, -0.1),
+            Err(ModelError::Geometry { .. })
+        ));
     }
 }

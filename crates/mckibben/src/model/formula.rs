@@ -1,6 +1,6 @@
 //! A formula as a force model.
 
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response};
+use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response, Workspace};
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
 use std::sync::Arc;
@@ -87,7 +87,12 @@ impl ForceModel for FormulaModel {
         }
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let [force_n, by_contraction, by_pressure] = self.at(pressure_mpa, contraction)?;
         Ok(Response {
             pressure_mpa,
@@ -99,18 +104,28 @@ impl ForceModel for FormulaModel {
         })
     }
 
-    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         self.at(pressure_mpa, contraction).map(|all| all[0])
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         match &self.bound {
             Bound::Paper(s) => s.pressure_mpa(force_n, contraction).map(Ok),
             Bound::Global(_) => None,
         }
     }
 
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
         match &self.bound {
             Bound::Paper(s) => s.contraction(force_n, pressure_mpa).map(Ok),
             Bound::Global(_) => None,

@@ -8,7 +8,7 @@
 //! Sources: Gaylord (1958); Schulte (1961); Chou & Hannaford (1996); Tondu & Lopez (2000). Equation numbers are those
 //! of the paper; its (1.2) is printed without 1/sin²θ0.
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 use std::f64::consts::PI;
 
@@ -75,7 +75,12 @@ impl ForceModel for Ideal {
         )
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let l = 1.0 - contraction;
         let cos = self.cos2.sqrt();
         let c = l * cos;
@@ -102,13 +107,23 @@ impl ForceModel for Ideal {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let per_pressure = self.pull(1.0, contraction);
         (per_pressure > 0.0).then(|| Ok(force_n / per_pressure))
     }
 
     /// Formula (4).
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let inside = (1.0 + force_n / (self.area * pressure_mpa)) / (3.0 * self.cos2);
         (pressure_mpa > 0.0 && inside > 0.0).then(|| Ok(1.0 - inside.sqrt()))
     }

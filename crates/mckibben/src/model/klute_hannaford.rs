@@ -9,7 +9,7 @@
 //! energy (the form printed in Tondu's review of 2012 omits 1/L0). It is the thin-wall limit of the thick-wall model.
 
 use super::pantograph::Pantograph;
-use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response};
+use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 use crate::rubber::Law;
 use std::f64::consts::PI;
@@ -98,8 +98,13 @@ impl ForceModel for KluteHannaford {
         )
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
-        let mut response = self.ideal.response(pressure_mpa, contraction)?;
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let mut response = self.ideal.response(workspace, pressure_mpa, contraction)?;
         let elastic = self.elastic(1.0 - contraction);
         let rubber = PI * self.braid.section;
         response.force_n += rubber * elastic.w_l;
@@ -113,9 +118,14 @@ impl ForceModel for KluteHannaford {
         Ok(response)
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         self.braid.at(contraction).ok()?;
-        self.ideal.pressure_in_closed_form(force_n - self.elastic_pull(contraction), contraction)
+        self.ideal.pressure_in_closed_form(workspace, force_n - self.elastic_pull(contraction), contraction)
     }
 }
 
@@ -142,8 +152,8 @@ mod tests {
             let errors = [1e-2, 1e-3].map(|s| {
                 let m = muscle(s);
                 let (thin, thick) = (KluteHannaford::new(&m).unwrap(), ThickWall::new(&m));
-                let ideal = Ideal::new(&m).force_n(0.3, e).unwrap();
-                let exact = thick.force_n(0.3, e).unwrap() - ideal;
+                let ideal = Ideal::new(&m).force_n(&mut Workspace::new(), 0.3, e).unwrap();
+                let exact = thick.force_n(&mut Workspace::new(), 0.3, e).unwrap() - ideal;
                 (thin.elastic_pull(e) - exact) / exact
             });
             assert!(errors[1].abs() < 2e-3, "ε {e}: {errors:?}");
@@ -156,9 +166,9 @@ mod tests {
         let model = KluteHannaford::new(&muscle(2.0)).unwrap();
         let h = 1e-6;
         for e in [0.0, 0.1, 0.3] {
-            let f = |e: f64| model.force_n(0.2, e).unwrap();
+            let f = |e: f64| model.force_n(&mut Workspace::new(), 0.2, e).unwrap();
             let expected = -(f(e + h) - f(e - h)) / (2.0 * h * 285.0);
-            let k = model.response(0.2, e).unwrap().stiffness_n_per_mm.unwrap();
+            let k = model.response(&mut Workspace::new(), 0.2, e).unwrap().stiffness_n_per_mm.unwrap();
             assert!((k / expected - 1.0).abs() < 1e-7, "ε {e}: {k} {expected}");
         }
     }

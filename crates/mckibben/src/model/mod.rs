@@ -31,6 +31,7 @@ mod tondu_pressures;
 mod universal;
 mod wall;
 mod wall_mooney;
+mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt};
 pub use belforte::Belforte;
@@ -57,6 +58,7 @@ pub use tondu_lopez::TonduLopez;
 pub use tondu_pressures::{largest_pressure_mpa, smallest_pressure_mpa};
 pub use universal::{EndPoint, ForcesError, Universal};
 pub use wall::{Wall, WallEnergy};
+pub use workspace::{ModelId, Workspace};
 
 use crate::muscle::Muscle;
 
@@ -69,9 +71,9 @@ pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
 ///
 /// A model is bound to its muscle when it is built. Answers are two-sided: where the muscle would have to push, the
 /// force is negative; [`crate::answer`] turns that into slack. A model never answers NaN: it answers a finite force
-/// or a [`ModelError`]. Models may keep warm states inside (hence no `Sync`), but an answer does not depend on the
-/// questions before it.
-pub trait ForceModel: Send {
+/// or a [`ModelError`]. It is immutable: what changes while it answers lies in the [`Workspace`] that the caller holds, and an
+/// answer does not depend on the questions asked with it before.
+pub trait ForceModel: Send + Sync {
     /// The word for `--model`.
     fn name(&self) -> &str;
 
@@ -88,7 +90,7 @@ pub trait ForceModel: Send {
     fn accuracy(&self) -> Accuracy;
 
     /// Sentences that belong into the warnings of any answer of this model.
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, _: &Workspace) -> Vec<String> {
         vec![]
     }
 
@@ -96,14 +98,24 @@ pub trait ForceModel: Send {
     ///
     /// # Errors
     /// [`ModelError`] where there is no answer.
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError>;
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError>;
 
     /// The pull alone, in N; tension positive.
     ///
     /// # Errors
     /// As [`ForceModel::response`].
-    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
-        Ok(self.response(pressure_mpa, contraction)?.force_n)
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.response(workspace, pressure_mpa, contraction)?.force_n)
     }
 
     /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in the muscle file
@@ -111,6 +123,7 @@ pub trait ForceModel: Send {
     /// know one of them; whoever needs it then takes differences.
     fn force_by(
         &self,
+        _workspace: &mut Workspace,
         _pressure_mpa: f64,
         _contraction: f64,
         _names: &[String],
@@ -120,13 +133,19 @@ pub trait ForceModel: Send {
 
     /// The pressure in MPa at which the pull is `force_n`, where the model has a shorter way to it than a general
     /// root finder; `None` where it has not.
-    fn pressure_in_closed_form(&self, _force_n: f64, _contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        _force_n: f64,
+        _contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         None
     }
 
     /// The contraction at which the pull is `force_n`, likewise.
     fn contraction_in_closed_form(
         &self,
+        _workspace: &mut Workspace,
         _force_n: f64,
         _pressure_mpa: f64,
     ) -> Option<Result<f64, ModelError>> {

@@ -6,7 +6,7 @@
 //! F in N, P in MPa, s and D0 in mm. 48 published numbers (Table 2), fitted by the paper's authors to finite elements of
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response};
+use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, RangeViolation, Response, Workspace};
 use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
 
@@ -92,8 +92,13 @@ impl ForceModel for Paper {
         }
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
-        let force_n = self.force_n(pressure_mpa, contraction)?;
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
+        let force_n = self.force_n(workspace, pressure_mpa, contraction)?;
         let slope = self.section.by_contraction(pressure_mpa, contraction);
         Ok(Response {
             pressure_mpa,
@@ -105,7 +110,7 @@ impl ForceModel for Paper {
         })
     }
 
-    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let force = self.section.force_n(pressure_mpa, contraction);
         if force.is_finite() {
             Ok(force)
@@ -114,11 +119,21 @@ impl ForceModel for Paper {
         }
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         self.section.pressure_mpa(force_n, contraction).map(Ok)
     }
 
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
         self.section.contraction(force_n, pressure_mpa).map(Ok)
     }
 }
@@ -205,6 +220,6 @@ mod tests {
         };
         let range = Paper::new(&Muscle::prototype().with_braid(stiff).unwrap()).range();
         assert_eq!((range.make.len(), range.muscle.len()), (1, 1));
-        assert!(Paper::new(&Muscle::prototype()).force_n(f64::NAN, 0.1).is_err());
+        assert!(Paper::new(&Muscle::prototype()).force_n(&mut Workspace::new(), f64::NAN, 0.1).is_err());
     }
 }

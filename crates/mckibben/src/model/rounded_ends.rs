@@ -13,7 +13,7 @@
 use super::force_balance::{Balance, balance};
 use super::pantograph::Pantograph;
 use super::root::rising_root;
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::Muscle;
 
 /// The force balance of the middle of a muscle whose ends are round; for short muscles.
@@ -91,7 +91,12 @@ impl ForceModel for RoundedEnds {
         Accuracy::UNKNOWN
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let (b, slope) = self.balance(contraction)?;
         Response {
             pressure_mpa,
@@ -106,7 +111,12 @@ impl ForceModel for RoundedEnds {
         .finite(self.name())
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         match self.balance(contraction) {
             Ok((b, _)) => (b.f > 0.0).then(|| Ok(force_n / b.f)),
             Err(error) => Some(Err(error)),
@@ -128,11 +138,16 @@ mod tests {
     fn at_rest_and_for_long_muscles_it_is_the_force_balance() {
         let m = Muscle::prototype();
         let (a, b) = (RoundedEnds::new(&m).unwrap(), ForceBalance::new(&m));
-        assert!((a.force_n(0.2, 0.0).unwrap() - b.force_n(0.2, 0.0).unwrap()).abs() < 1e-9);
+        assert!(
+            (a.force_n(&mut Workspace::new(), 0.2, 0.0).unwrap()
+                - b.force_n(&mut Workspace::new(), 0.2, 0.0).unwrap())
+            .abs()
+                < 1e-9
+        );
         let errors = [1e4, 1e5].map(|length| {
             let m = long(length);
-            let exact = ForceBalance::new(&m).force_n(0.2, 0.15).unwrap();
-            RoundedEnds::new(&m).unwrap().force_n(0.2, 0.15).unwrap() - exact
+            let exact = ForceBalance::new(&m).force_n(&mut Workspace::new(), 0.2, 0.15).unwrap();
+            RoundedEnds::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.15).unwrap() - exact
         });
         assert!(errors[0] < 0.0 && (errors[0] / errors[1] - 10.0).abs() < 0.1, "{errors:?}");
     }
@@ -152,7 +167,7 @@ mod tests {
         let least = 30.0 / 28f64.to_radians().tan().powi(2);
         assert!(matches!(RoundedEnds::new(&long(0.99 * least)), Err(ModelError::TooShort { .. })));
         let model = RoundedEnds::new(&long(1.01 * least)).unwrap();
-        assert!(model.force_n(0.2, 0.0).is_ok());
-        assert!(matches!(model.force_n(0.2, 0.8), Err(ModelError::Geometry { .. })));
+        assert!(model.force_n(&mut Workspace::new(), 0.2, 0.0).is_ok());
+        assert!(matches!(model.force_n(&mut Workspace::new(), 0.2, 0.8), Err(ModelError::Geometry { .. })));
     }
 }

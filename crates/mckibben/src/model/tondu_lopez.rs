@@ -4,7 +4,7 @@
 //!
 //! Source: Tondu & Lopez (2000), whose text was not at hand: the formula is taken from Tondu's review (2012).
 
-use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response};
+use super::{Accuracy, ForceModel, Ideal, ModelError, ModelRange, Response, Workspace};
 use crate::muscle::{EndFactor, Muscle};
 use std::f64::consts::PI;
 
@@ -54,9 +54,14 @@ impl ForceModel for TonduLopez {
         Accuracy::UNKNOWN
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let (p, k) = (pressure_mpa, self.factor.at(pressure_mpa));
-        let middle = self.ideal.response(p, k * contraction)?;
+        let middle = self.ideal.response(workspace, p, k * contraction)?;
         let stiffness = middle.stiffness_n_per_mm.map(|s| k * s);
         // dF/dP = F/P + ∂F/∂(kε) · k'(P) ε, and ∂F/∂(kε) = −L0 · stiffness of the ideal muscle.
         let by_factor = middle
@@ -77,16 +82,26 @@ impl ForceModel for TonduLopez {
         .with_braid_tension(tension, self.muscle().braid().strands.map(|s| s.count)))
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         match self.factor {
-            EndFactor::Constant(k) => self.ideal.pressure_in_closed_form(force_n, k * contraction),
+            EndFactor::Constant(k) => self.ideal.pressure_in_closed_form(workspace, force_n, k * contraction),
             EndFactor::OfPressure { .. } => None,
         }
     }
 
-    fn contraction_in_closed_form(&self, force_n: f64, pressure_mpa: f64) -> Option<Result<f64, ModelError>> {
+    fn contraction_in_closed_form(
+        &self,
+        workspace: &mut Workspace,
+        force_n: f64,
+        pressure_mpa: f64,
+    ) -> Option<Result<f64, ModelError>> {
         let k = self.factor.at(pressure_mpa);
-        let middle = self.ideal.contraction_in_closed_form(force_n, pressure_mpa)?;
+        let middle = self.ideal.contraction_in_closed_form(workspace, force_n, pressure_mpa)?;
         Some(middle.map(|e| e / k))
     }
 }
@@ -111,14 +126,17 @@ mod tests {
         let (bar, e) = (2.0f64, 0.1);
         let k = ak * (-bar).exp() + bk;
         let expected = PI * 30.0 * 30.0 / 4.0 * 0.1 * bar * (a * (1.0 - k * e).powi(2) - b);
-        assert!((model.force_n(0.2, e).unwrap() - expected).abs() < 1e-9 * expected);
+        assert!((model.force_n(&mut Workspace::new(), 0.2, e).unwrap() - expected).abs() < 1e-9 * expected);
     }
 
     #[test]
     fn a_factor_of_one_is_the_ideal_formula_and_none_is_asked_for() {
         let one = model(Some(EndFactor::Constant(1.0))).unwrap();
         let ideal = Ideal::new(&Muscle::prototype());
-        assert_eq!(one.force_n(0.2, 0.1), ideal.force_n(0.2, 0.1));
+        assert_eq!(
+            one.force_n(&mut Workspace::new(), 0.2, 0.1),
+            ideal.force_n(&mut Workspace::new(), 0.2, 0.1)
+        );
         let missing = model(None).unwrap_err().to_string();
         assert!(missing.contains("--end-factor 1.29") && missing.contains("[terminals]"), "{missing}");
     }

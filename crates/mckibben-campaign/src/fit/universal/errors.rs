@@ -2,7 +2,7 @@
 
 use super::points::{PullPoint, Sample};
 use mckibben::formula::UniversalSummary;
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use rayon::prelude::*;
 
 /// The difference of a model to each point it is asked, as shares of the blocked force; infinite where it has no answer.
@@ -13,8 +13,9 @@ pub fn shares(
 ) -> Vec<Vec<f64>> {
     let one = |s: &Sample| {
         let Some(model) = build(s) else { return vec![] };
+        let mut workspace = Workspace::new();
         let share = |p: &PullPoint| {
-            let force = model.force_n(p.pressure_mpa, p.contraction);
+            let force = model.force_n(&mut workspace, p.pressure_mpa, p.contraction);
             force.map_or(f64::INFINITY, |f| (f - p.force_n) / p.blocked_n)
         };
         s.points.iter().filter(|p| asked(s, p)).map(share).collect()

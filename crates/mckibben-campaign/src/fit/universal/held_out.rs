@@ -3,7 +3,7 @@
 use super::errors::{shares, summary};
 use super::points::{PullPoint, Sample};
 use mckibben::formula::UniversalSummary;
-use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
+use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -60,10 +60,11 @@ fn drawn(count: usize, seed: u64, law: MakeLaw<'_>) -> Vec<Sample> {
 
 fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
     let fe = Axisymmetric::new(muscle).ok()?;
-    let blocked_n = fe.force_n(pressure_mpa, 0.0).ok().filter(|f| *f > 0.0)?;
+    let workspace = &mut Workspace::new();
+    let blocked_n = fe.force_n(workspace, pressure_mpa, 0.0).ok().filter(|f| *f > 0.0)?;
     let point = |step: u32| {
         let contraction = muscle.max_ideal_contraction() * f64::from(step) / f64::from(STEPS);
-        let r = fe.response(pressure_mpa, contraction).ok().filter(|r| r.force_n > 0.0)?;
+        let r = fe.response(workspace, pressure_mpa, contraction).ok().filter(|r| r.force_n > 0.0)?;
         Some(PullPoint { pressure_mpa, contraction, force_n: r.force_n, blocked_n, volume_mm3: r.volume_mm3 })
     };
     // Up to where it ceases to pull: what may come behind is a tube that has collapsed.

@@ -1,6 +1,7 @@
 //! Goals on muscles that no fit has seen, and that a fit gives the same on any number of threads.
 
 use super::*;
+use mckibben::model::Workspace;
 
 /// The goals for 500 random muscles (rms 0.6 %, 99 % of points within 2.3 %, worst 5 %) on fifty of them, and tighter ones
 /// that the formula meets by a factor of three; the short form meets the goals of the large one. The full number:
@@ -26,9 +27,11 @@ fn longer_muscles_than_the_campaigns_are_as_good() {
         let muscle = s.muscle.with_tube(long).unwrap();
         let fe = mckibben_fem::axisymmetric::Axisymmetric::new(&muscle).unwrap();
         let model = mckibben::model::ModelKind::Universal.build(&muscle).unwrap();
-        let blocked = fe.force_n(p, 0.0).unwrap();
+        let blocked = fe.force_n(&mut Workspace::new(), p, 0.0).unwrap();
         for e in [0.0, 0.1] {
-            let error = (model.force_n(p, e).unwrap() - fe.force_n(p, e).unwrap()) / blocked;
+            let error = (model.force_n(&mut Workspace::new(), p, e).unwrap()
+                - fe.force_n(&mut Workspace::new(), p, e).unwrap())
+                / blocked;
             assert!(error.abs() < 1e-3, "{error}");
         }
     }

@@ -7,6 +7,7 @@ use crate::kind::{Kind, MeshFlags};
 use crate::resolve;
 use mckibben::compare::MeasuredPoint;
 use mckibben::identify::{DataPoint, Section, mean_of_branches, read_data};
+use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
 use std::path::Path;
@@ -100,9 +101,10 @@ fn formula(
         for &wall_mm in &measures.walls {
             let section = Section { outer_diameter_mm, wall_mm, ..Section::default() };
             let model = kind.build(&section.apply(muscle)?)?;
+            let w = &mut Workspace::new();
             for &contraction in &contractions {
                 for &pressure_mpa in &pressures {
-                    let force_n = model.force_n(pressure_mpa, contraction)?;
+                    let force_n = model.force_n(w, pressure_mpa, contraction)?;
                     let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: None };
                     points.push(DataPoint { section, line: points.len() as u64 + 2, ..DataPoint::of(at) });
                 }

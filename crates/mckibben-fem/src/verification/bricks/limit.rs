@@ -3,7 +3,7 @@
 
 use crate::three_dimensional::{BrickSpec, Match, ThreeDimensional};
 use crate::verification::Row;
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle};
 use std::f64::consts::PI;
 
@@ -21,7 +21,7 @@ fn blocked(wall: f64, around: usize) -> Option<f64> {
     let muscle = muscle.with_tube(tube).ok()?.with_braid(braid).ok()?;
     let spec =
         BrickSpec { through: Some(1), around: Some(around), keep: Match::Angle, ..BrickSpec::default() };
-    ThreeDimensional::with_mesh(&muscle, &spec).ok()?.force_n(PRESSURE, 0.0).ok()
+    ThreeDimensional::with_mesh(&muscle, &spec).ok()?.force_n(&mut Workspace::new(), PRESSURE, 0.0).ok()
 }
 
 /// The rows of the limit.

@@ -2,7 +2,7 @@
 
 use crate::three_dimensional::{Brick, BrickSpec, Match, ThreeDimensional};
 use crate::verification::Row;
-use mckibben::model::ForceModel;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle, Rubber, Strands};
 use mckibben::rubber::{Law, MooneyRivlin};
 
@@ -30,14 +30,14 @@ pub fn muscle() -> Vec<Row> {
     let spec = BrickSpec { through: Some(2), around: Some(12), keep: Match::Angle, ..BrickSpec::default() };
     let model = peers().and_then(|m| ThreeDimensional::with_mesh(&m, &spec).ok());
     for (p, e, force) in [(0.25, 0.0, 843.49), (0.10, 0.10, 99.37), (0.25, 0.10, 438.93)] {
-        let ours = model.as_ref().and_then(|m| m.force_n(p, e).ok());
+        let ours = model.as_ref().and_then(|m| m.force_n(&mut Workspace::new(), p, e).ok());
         let title = format!("muscle, 2 × 12 × 39 8-node bricks, ε {e}, P {p}: F (N)");
         rows.push(Row::new(title, FELUPE, force, ours, 1e-4));
     }
     let quadratic = BrickSpec { through: None, around: Some(8), brick: Brick::Quadratic, ..spec };
     let ours = peers()
         .and_then(|m| ThreeDimensional::with_mesh(&m, &quadratic).ok())
-        .and_then(|m| m.force_n(0.25, 0.10).ok());
+        .and_then(|m| m.force_n(&mut Workspace::new(), 0.25, 0.10).ok());
     let title = "muscle, 1 × 8 × 26 27-node bricks, ε 0.1, P 0.25: F (N)".into();
     rows.push(Row::new(title, "FElupe 11.3, limit of its refined meshes, ± 0.5 N", 440.6, ours, 0.5 / 440.6));
     rows.extend(limit());
@@ -51,10 +51,17 @@ fn limit() -> Vec<Row> {
         let models = Muscle::prototype().with_section(d, s).ok().and_then(|m| {
             Some((ThreeDimensional::new(&m).ok()?, crate::axisymmetric::Axisymmetric::new(&m).ok()?))
         });
-        let blocked = models.as_ref().and_then(|m| m.1.force_n(0.25, 0.0).ok()).unwrap_or(f64::NAN);
+        let blocked = models
+            .as_ref()
+            .and_then(|m| m.1.force_n(&mut Workspace::new(), 0.25, 0.0).ok())
+            .unwrap_or(f64::NAN);
         for (p, e) in [(0.25, 0.0), (0.25, 0.1), (0.25, 0.2), (0.15, 0.1), (0.05, 0.0)] {
-            let both =
-                models.as_ref().and_then(|m| Some((m.0.response(p, e).ok()?, m.1.response(p, e).ok()?)));
+            let both = models.as_ref().and_then(|m| {
+                Some((
+                    m.0.response(&mut Workspace::new(), p, e).ok()?,
+                    m.1.response(&mut Workspace::new(), p, e).ok()?,
+                ))
+            });
             let force = both.map(|(a, b)| (a.force_n - b.force_n) / blocked);
             let volume = both.and_then(|(a, b)| Some(a.volume_mm3? / b.volume_mm3? - 1.0));
             let title =

@@ -21,7 +21,7 @@ mod tests;
 
 pub(super) use equilibrium::State;
 
-use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Wall};
+use super::{Accuracy, ForceModel, ModelError, ModelRange, Response, Wall, Workspace};
 use crate::muscle::{Bulk, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::f64::consts::PI;
@@ -146,7 +146,7 @@ impl ForceModel for ThickWall {
         }
     }
 
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, _: &Workspace) -> Vec<String> {
         match self.muscle.tube().rubber.bulk {
             Bulk::Incompressible => vec![],
             Bulk::Modulus(_) => {
@@ -155,7 +155,12 @@ impl ForceModel for ThickWall {
         }
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
         let length = self.muscle.length_mm();
@@ -173,12 +178,17 @@ impl ForceModel for ThickWall {
         Ok(response.with_braid_tension(s.tension, self.muscle.braid().strands.map(|s| s.count)))
     }
 
-    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    fn force_n(&self, _: &mut Workspace, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
         let (l, _, _) = self.stretch(pressure_mpa, contraction);
         Ok(self.state(pressure_mpa, l)?.force)
     }
 
-    fn pressure_in_closed_form(&self, force_n: f64, contraction: f64) -> Option<Result<f64, ModelError>> {
+    fn pressure_in_closed_form(
+        &self,
+        _: &mut Workspace,
+        force_n: f64,
+        contraction: f64,
+    ) -> Option<Result<f64, ModelError>> {
         if matches!(self.muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. })) {
             return None;
         }

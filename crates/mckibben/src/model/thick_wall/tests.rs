@@ -1,6 +1,7 @@
 //! The thick wall against verification G, its limits, and its own derivatives.
 
 use super::*;
+use crate::model::Workspace;
 use crate::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
 use crate::rubber::{MooneyRivlin, RubberLaw};
 
@@ -23,7 +24,7 @@ fn verification_g_rigid_strands() {
         (0.75, 124.603748, 0.25724553, 15.38944717, 16.48742200),
     ];
     for (l, force, contact, a, b) in rows {
-        let response = model.response(0.3, 1.0 - l).unwrap();
+        let response = model.response(&mut Workspace::new(), 0.3, 1.0 - l).unwrap();
         assert!((response.force_n - force).abs() < 1e-6, "λ {l}: {}", response.force_n);
         let r = 0.5 * response.bulged_diameter_mm.unwrap();
         assert!((r - b).abs() < 1e-8, "λ {l}: b {r}");
@@ -31,17 +32,19 @@ fn verification_g_rigid_strands() {
         let q = model.contact_pressure_mpa(0.3, 1.0 - l).unwrap();
         assert!((q - contact).abs() < 1e-8, "λ {l}: contact {q}");
     }
-    assert!(model.force_n(0.3, 1.0 - 0.67479861).unwrap().abs() < 1e-5);
+    assert!(model.force_n(&mut Workspace::new(), 0.3, 1.0 - 0.67479861).unwrap().abs() < 1e-5);
 }
 
 #[test]
 fn strands_that_stretch_tend_to_rigid_ones_like_1_over_k() {
     let rigid = ThickWall::new(&muscle(BraidStiffness::Inextensible));
     for e in [0.0, 0.1, 0.2] {
-        let exact = rigid.response(0.3, e).unwrap();
+        let exact = rigid.response(&mut Workspace::new(), 0.3, e).unwrap();
         let mut before = f64::NAN;
         for k in [1e4, 1e5, 1e6, 1e7] {
-            let soft = ThickWall::new(&muscle(BraidStiffness::NewtonPerMm(k))).response(0.3, e).unwrap();
+            let soft = ThickWall::new(&muscle(BraidStiffness::NewtonPerMm(k)))
+                .response(&mut Workspace::new(), 0.3, e)
+                .unwrap();
             let error = exact.force_n - soft.force_n;
             // error = c/k + O(1/k²): the ratio of neighbours is 10 up to O(1/k).
             let ratio = before / error / 10.0;
@@ -59,7 +62,7 @@ fn derivatives_are_those_of_finite_differences_and_maxwell_holds() {
         let m = muscle(stiffness);
         let model = ThickWall::new(&m);
         let (p, e, h) = (0.3, 0.12, 1e-5);
-        let at = |p: f64, e: f64| model.response(p, e).unwrap();
+        let at = |p: f64, e: f64| model.response(&mut Workspace::new(), p, e).unwrap();
         let (r, length) = (at(p, e), m.length_mm());
         let stiffness = -(at(p, e + h).force_n - at(p, e - h).force_n) / (2.0 * h * length);
         assert!((stiffness - r.stiffness_n_per_mm.unwrap()).abs() < 1e-7 * stiffness.abs());
@@ -78,7 +81,7 @@ fn without_rubber_the_strands_carry_all() {
     tube.rubber.law = tube.rubber.law.scaled(1e-9);
     tube.wall_mm = 1e-3;
     let m = muscle(BraidStiffness::NewtonPerMm(300.0)).with_tube(tube).unwrap();
-    let response = ThickWall::new(&m).response(0.3, 0.1).unwrap();
+    let response = ThickWall::new(&m).response(&mut Workspace::new(), 0.3, 0.1).unwrap();
     let d = response.bulged_diameter_mm.unwrap();
     let stretch =
         1.0 + response.braid_tension_n.unwrap() / (2.0 * PI * 19.0 * m.braid().angle_rad().cos() * 300.0);
@@ -91,19 +94,19 @@ fn without_rubber_the_strands_carry_all() {
 fn soft_strands_and_high_pressure_end_in_a_typed_error() {
     let model = ThickWall::new(&muscle(BraidStiffness::NewtonPerMm(1.0)));
     assert!(
-        matches!(model.force_n(1.0, 0.0), Err(ModelError::Overstretched { .. })),
+        matches!(model.force_n(&mut Workspace::new(), 1.0, 0.0), Err(ModelError::Overstretched { .. })),
         "{:?}",
-        model.force_n(1.0, 0.0)
+        model.force_n(&mut Workspace::new(), 1.0, 0.0)
     );
-    assert!(matches!(model.force_n(0.1, 1.0), Err(ModelError::Geometry { .. })));
-    assert!(matches!(model.force_n(0.1, f64::NAN), Err(ModelError::Geometry { .. })));
+    assert!(matches!(model.force_n(&mut Workspace::new(), 0.1, 1.0), Err(ModelError::Geometry { .. })));
+    assert!(matches!(model.force_n(&mut Workspace::new(), 0.1, f64::NAN), Err(ModelError::Geometry { .. })));
 }
 
 #[test]
 fn without_pressure_a_shortened_tube_leaves_the_braid_and_pushes() {
     for stiffness in [BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm(200.0)] {
         let model = ThickWall::new(&muscle(stiffness));
-        let response = model.response(0.0, 0.1).unwrap();
+        let response = model.response(&mut Workspace::new(), 0.0, 0.1).unwrap();
         // Uniaxial compression of the rubber alone: nominal stress × section.
         let law = MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 };
         let expected = law.uniaxial_stress_mpa(0.9) * PI * (9.5f64.powi(2) - 8.0f64.powi(2));

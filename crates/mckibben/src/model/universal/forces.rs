@@ -3,7 +3,7 @@
 use super::Universal;
 use super::coupled::{Root, Start};
 use crate::model::paper_batch::same;
-use crate::model::{LengthMismatch, ModelError};
+use crate::model::{LengthMismatch, ModelError, Workspace};
 use thiserror::Error;
 
 /// Farthest in ε from which a point starts from the one before it.
@@ -40,6 +40,7 @@ impl Universal {
         out: &mut [f64],
     ) -> Result<(), ForcesError> {
         same(out.len(), &[("pressures_mpa", pressures_mpa.len()), ("contractions", contractions.len())])?;
+        let mut workspace = Workspace::new();
         let mut last: Option<(f64, f64, Root)> = None;
         for (index, ((&p, &e), place)) in pressures_mpa.iter().zip(contractions).zip(out).enumerate() {
             let near = last.filter(|l| (l.1 - e).abs() < NEIGHBOUR && (l.0 - p).abs() < NEIGHBOUR * p.abs());
@@ -47,7 +48,9 @@ impl Universal {
             let root = self.coupled(p, e, from).or_else(|| from.and_then(|_| self.coupled(p, e, None)));
             *place = match root {
                 Some(root) => root.force,
-                None => self.searched_force(p, e).map_err(|error| ForcesError::Point { index, error })?,
+                None => self
+                    .searched_force(&mut workspace, p, e)
+                    .map_err(|error| ForcesError::Point { index, error })?,
             };
             last = root.map(|root| (p, e, root));
         }

@@ -23,7 +23,9 @@ mod tests;
 
 pub use forces::ForcesError;
 
-use super::{Accuracy, BlockedAt, ForceModel, ModelError, ModelRange, Response, ThickWall};
+use super::{
+    Accuracy, BlockedAt, ForceModel, ModelError, ModelId, ModelRange, Response, ThickWall, Workspace,
+};
 use crate::formula::UniversalFormula;
 use crate::muscle::{Bulk, Muscle};
 use crate::rubber::RubberLaw;
@@ -31,9 +33,11 @@ use end::EndZone;
 use form::Bound;
 use pushing::Zero;
 use search::{ITERATIONS, Middle};
-use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::Arc;
+
+/// Where the muscle ceases to pull, at the pressure (its bits) asked last: what a [`Universal`] keeps in its workspace.
+type Kept = Option<(u64, Zero)>;
 
 /// A universal formula with a muscle put in.
 #[derive(Debug, Clone)]
@@ -47,8 +51,7 @@ pub struct Universal {
     length: f64,
     /// ½π(Ro² − Ri²) μ over the square of the radius at mid wall: what a thin wall takes of a pressure, for first guesses
     wall_modulus: f64,
-    /// Where it ceases to pull, at the pressure asked last
-    zero: Cell<Option<(u64, Zero)>>,
+    id: ModelId,
     source: String,
 }
 
@@ -81,8 +84,8 @@ impl Universal {
         let deficit = Bound::new(&formula.deficit, ro, wall, angle, mu);
         let source = format!("endless muscle with computed ends; {}", formula.provenance.method);
         let wall_modulus = wall_modulus(ro, zone.wall.section(), mu);
-        let (length, zero, muscle) = (muscle.length_mm(), Cell::new(None), muscle.clone());
-        Self { zone, deficit, angle, length, wall_modulus, zero, source, muscle, formula }
+        let (length, id, muscle) = (muscle.length_mm(), ModelId::new(), muscle.clone());
+        Self { zone, deficit, angle, length, wall_modulus, id, source, muscle, formula }
     }
 
     /// The formula.
@@ -164,7 +167,7 @@ impl ForceModel for Universal {
         }
     }
 
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, _: &Workspace) -> Vec<String> {
         let mut notes = vec![];
         if let Bulk::Modulus(_) = self.muscle.tube().rubber.bulk {
             notes.push(format!(
@@ -178,9 +181,14 @@ impl ForceModel for Universal {
         notes
     }
 
-    fn response(&self, pressure_mpa: f64, contraction: f64) -> Result<Response, ModelError> {
+    fn response(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Response, ModelError> {
         let p = pressure_mpa;
-        let place = self.place(p, contraction)?;
+        let place = self.place(workspace, p, contraction)?;
         let s = &place.state;
         let response = Response {
             pressure_mpa,
@@ -197,10 +205,15 @@ impl ForceModel for Universal {
         response.with_braid_tension(s.tension, strands).finite(self.name())
     }
 
-    fn force_n(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+    fn force_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
         match self.coupled(pressure_mpa, contraction, None) {
             Some(root) => Ok(root.force),
-            None => self.searched_force(pressure_mpa, contraction),
+            None => self.searched_force(workspace, pressure_mpa, contraction),
         }
     }
 }

@@ -4,10 +4,10 @@
 //! tangent in λ at F = 0: ε = ε0 − (1 + (2/L0) ∂δ/∂λ)(λ − λ0). F and ∂F/∂ε are continuous, one ε has one λ, and where it pulls nothing changes.
 //! Answers there say where F = 0 lies, and that the muscle does not pull.
 
-use super::Universal;
 use super::search::{Middle, Place};
-use crate::model::ModelError;
+use super::{Kept, Universal};
 use crate::model::thick_wall::State;
+use crate::model::{ModelError, Workspace};
 use crate::rubber::RubberLaw;
 
 const ITERATIONS: usize = 60;
@@ -37,14 +37,15 @@ impl Zero {
 
 impl Universal {
     /// The same, from what is known of this pressure.
-    pub(super) fn zero(&self, p: f64) -> Option<Zero> {
-        if let Some((of, zero)) = self.zero.get()
+    pub(super) fn zero(&self, workspace: &mut Workspace, p: f64) -> Option<Zero> {
+        let kept = workspace.of::<Kept>(&self.id, || None);
+        if let Some((of, zero)) = *kept
             && of == p.to_bits()
         {
             return Some(zero);
         }
         let zero = self.sought_zero(p)?;
-        self.zero.set(Some((p.to_bits(), zero)));
+        *kept = Some((p.to_bits(), zero));
         Some(zero)
     }
 
@@ -88,10 +89,16 @@ impl Universal {
     }
 
     /// The middle at a λ along the tangent.
-    pub(super) fn pushed(&self, p: f64, contraction: f64, l: f64) -> Result<Place, ModelError> {
+    pub(super) fn pushed(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+        l: f64,
+    ) -> Result<Place, ModelError> {
         let missing = || Self::not_converged(p, contraction, f64::NAN);
         let state = self.zone.wall.state_near(p, l, None)?;
-        let zero = self.zero(p).ok_or_else(missing)?;
+        let zero = self.zero(workspace, p).ok_or_else(missing)?;
         let m = &zero.middle;
         let l_p = -m.state.force_p / m.state.force_l;
         let contraction_p = -(self.slope(m) * l_p + 2.0 * m.deficit.by[1] / self.length);

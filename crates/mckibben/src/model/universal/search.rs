@@ -5,7 +5,7 @@ use super::Universal;
 use super::coupled::LEAST_SLOPE;
 use super::dual::Dual;
 use crate::model::thick_wall::State;
-use crate::model::{ForceModel, ModelError};
+use crate::model::{ForceModel, ModelError, Workspace};
 
 /// Newton steps in λ; three are usual.
 pub(super) const ITERATIONS: usize = 60;
@@ -110,7 +110,12 @@ impl Universal {
     }
 
     /// Where the muscle pulls: the middle and the step that is left; `Err`: where it pushes or is slack, λ.
-    fn pulling(&self, p: f64, contraction: f64) -> Result<Result<(Middle, f64), f64>, ModelError> {
+    fn pulling(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<Result<(Middle, f64), f64>, ModelError> {
         if !(p.is_finite() && contraction.is_finite()) {
             return Err(ModelError::NotFinite { model: self.name().into(), pressure_mpa: p, contraction });
         }
@@ -124,7 +129,7 @@ impl Universal {
         {
             return Ok(Ok((*m, *step)));
         }
-        match self.zero(p) {
+        match self.zero(workspace, p) {
             Some(zero) if contraction >= zero.contraction => Ok(Err(zero.stretch(contraction))),
             Some(zero) => self.nested(p, contraction, zero.stretch(contraction), zero.middle.l).map(Ok),
             None => free.unwrap_or_else(|| self.nested(p, contraction, self.guess(contraction), 0.0)).map(Ok),
@@ -132,8 +137,13 @@ impl Universal {
     }
 
     /// F by this search.
-    pub(super) fn searched_force(&self, p: f64, contraction: f64) -> Result<f64, ModelError> {
-        let force_n = match self.pulling(p, contraction)? {
+    pub(super) fn searched_force(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        let force_n = match self.pulling(workspace, p, contraction)? {
             Ok((m, step)) => m.state.force + m.state.force_l * step,
             Err(l) => self.zone.wall.state_near(p, l, None)?.force,
         };
@@ -145,12 +155,17 @@ impl Universal {
     }
 
     /// The middle at a question, with its derivatives.
-    pub(super) fn place(&self, p: f64, contraction: f64) -> Result<Place, ModelError> {
+    pub(super) fn place(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+    ) -> Result<Place, ModelError> {
         let (l, near) = match self.coupled(p, contraction, None) {
             Some(root) => (root.l, Some(root.r)),
-            None => match self.pulling(p, contraction)? {
+            None => match self.pulling(workspace, p, contraction)? {
                 Ok((m, step)) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step)),
-                Err(l) => return self.pushed(p, contraction, l),
+                Err(l) => return self.pushed(workspace, p, contraction, l),
             },
         };
         let m = self.tried(p, l, near)?;

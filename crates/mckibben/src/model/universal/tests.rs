@@ -1,7 +1,7 @@
 //! Limits, which are identities; slopes; and that nothing jumps.
 
 use crate::formula::UniversalFormula;
-use crate::model::{ForceModel, ForcesError, Ideal, ModelKind, ThickWall, Universal};
+use crate::model::{ForceModel, ForcesError, Ideal, ModelKind, ThickWall, Universal, Workspace};
 use crate::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden};
 
@@ -18,7 +18,7 @@ fn mooney(mu: f64) -> Law {
 }
 
 fn force(kind: ModelKind, m: &Muscle, p: f64, e: f64) -> f64 {
-    kind.build(m).unwrap().force_n(p, e).unwrap()
+    kind.build(m).unwrap().force_n(&mut Workspace::new(), p, e).unwrap()
 }
 
 /// L0 → ∞: the thick-wall model, with an error that goes like 1/L0.
@@ -29,8 +29,8 @@ fn a_long_muscle_is_an_endless_one() {
             let off = |length: f64| {
                 let m = muscle(1.5, length, 25.0, mooney(0.3), stiffness);
                 let endless = ThickWall::new(&m);
-                (force(kind, &m, 0.3, e) - endless.force_n(0.3, e).unwrap()).abs()
-                    / endless.force_n(0.3, 0.0).unwrap()
+                (force(kind, &m, 0.3, e) - endless.force_n(&mut Workspace::new(), 0.3, e).unwrap()).abs()
+                    / endless.force_n(&mut Workspace::new(), 0.3, 0.0).unwrap()
             };
             assert!(off(2e9) < 1e-8, "{kind} {e}: {}", off(2e9));
             if e > 0.0 {
@@ -106,7 +106,7 @@ fn the_pull_falls_with_contraction_and_its_slopes_are_continuous() {
                 let mut list = vec![];
                 for i in 0..=steps {
                     let e = m.max_ideal_contraction() * f64::from(i) / f64::from(steps);
-                    let r = model.response(p, e).unwrap();
+                    let r = model.response(&mut Workspace::new(), p, e).unwrap();
                     if r.force_n > 0.0 {
                         list.push((r.stiffness_n_per_mm.unwrap(), r.force_per_pressure_mm2.unwrap()));
                     }
@@ -135,8 +135,8 @@ fn slopes_are_those_of_finite_differences() {
                 let m = muscle(1.5, 150.0, 25.0, law.clone(), stiffness);
                 let model = kind.build(&m).unwrap();
                 let (p, h) = (0.4, 1e-5);
-                let f = |p: f64, e: f64| model.force_n(p, e).unwrap();
-                let r = model.response(p, e).unwrap();
+                let f = |p: f64, e: f64| model.force_n(&mut Workspace::new(), p, e).unwrap();
+                let r = model.response(&mut Workspace::new(), p, e).unwrap();
                 let by_length = -(f(p, e + h) - f(p, e - h)) / (2.0 * h * m.length_mm());
                 let by_pressure = (f(p + h, e) - f(p - h, e)) / (2.0 * h);
                 let (s, q) = (r.stiffness_n_per_mm.unwrap(), r.force_per_pressure_mm2.unwrap());
@@ -157,11 +157,12 @@ fn maxwell_holds_within_the_correction() {
     let m = muscle(0.7, 150.0, 25.0, mooney(0.3), BraidStiffness::NewtonPerMm(300.0));
     let model = ModelKind::Universal.build(&m).unwrap();
     let (p, h) = (0.4, 1e-5);
-    let scale = model.response(p, 0.0).unwrap().force_per_pressure_mm2.unwrap();
+    let scale = model.response(&mut Workspace::new(), p, 0.0).unwrap().force_per_pressure_mm2.unwrap();
     for e in [0.02, 0.1, 0.2] {
-        let v = |e: f64| model.response(p, e).unwrap().volume_mm3.unwrap();
+        let v = |e: f64| model.response(&mut Workspace::new(), p, e).unwrap().volume_mm3.unwrap();
         let by_length = (v(e + h) - v(e - h)) / (2.0 * h * m.length_mm());
-        let by_pressure = model.response(p, e).unwrap().force_per_pressure_mm2.unwrap();
+        let by_pressure =
+            model.response(&mut Workspace::new(), p, e).unwrap().force_per_pressure_mm2.unwrap();
         assert!((by_length - by_pressure).abs() < 0.003 * scale, "{e}: {by_length} {by_pressure} {scale}");
     }
 }
@@ -203,11 +204,11 @@ fn the_coupled_root_is_that_of_the_nested_search() {
     let mut coupled = 0;
     for (m, p) in muscles() {
         let model = large(&m);
-        let blocked = model.force_n(p, 0.0).unwrap();
+        let blocked = model.force_n(&mut Workspace::new(), p, 0.0).unwrap();
         for i in 0..=60 {
             let e = m.max_ideal_contraction() * f64::from(i) / 60.0;
             let Some(root) = model.coupled(p, e, None) else { continue };
-            let searched = model.searched_force(p, e).unwrap();
+            let searched = model.searched_force(&mut Workspace::new(), p, e).unwrap();
             assert!((root.force - searched).abs() < 1e-9 * blocked, "{e}: {} {searched}", root.force);
             coupled += 1;
         }
@@ -225,8 +226,11 @@ fn a_list_of_points_is_answered_as_single_ones() {
         let mut out = vec![f64::NAN; 100];
         model.forces(&ps, &es, &mut out).unwrap();
         for ((&p, &e), f) in ps.iter().zip(&es).zip(&out) {
-            let blocked = other.force_n(p, 0.0).unwrap();
-            assert!((f - other.force_n(p, e).unwrap()).abs() < 1e-9 * blocked, "{p} {e}");
+            let blocked = other.force_n(&mut Workspace::new(), p, 0.0).unwrap();
+            assert!(
+                (f - other.force_n(&mut Workspace::new(), p, e).unwrap()).abs() < 1e-9 * blocked,
+                "{p} {e}"
+            );
         }
         assert!(matches!(model.forces(&ps, &es[1..], &mut out), Err(ForcesError::Length(_))));
     }
@@ -240,7 +244,9 @@ fn the_order_of_questions_does_not_matter() {
         let points: Vec<(f64, f64)> = (0..40)
             .flat_map(|i| [1.0, 0.3, 0.01].map(|s| (s * p, 0.026 * f64::from(i) * m.max_ideal_contraction())))
             .collect();
-        let bits = |model: &Universal, (p, e): (f64, f64)| model.force_n(p, e).unwrap().to_bits();
+        let bits = |model: &Universal, (p, e): (f64, f64)| {
+            model.force_n(&mut Workspace::new(), p, e).unwrap().to_bits()
+        };
         let forward: Vec<u64> = points.iter().map(|&q| bits(&one, q)).collect();
         let mut back: Vec<u64> = points.iter().rev().map(|&q| bits(&two, q)).collect();
         back.reverse();
@@ -254,8 +260,8 @@ fn the_order_of_questions_does_not_matter() {
 fn behind_the_end_of_the_pull_it_goes_on_smoothly() {
     for (m, p) in muscles().into_iter().chain([(Muscle::prototype(), 0.04208)]) {
         let model = large(&m);
-        let end = model.zero(p).unwrap().contraction;
-        let at = |e: f64| model.response(p, e).unwrap();
+        let end = model.zero(&mut Workspace::new(), p).unwrap().contraction;
+        let at = |e: f64| model.response(&mut Workspace::new(), p, e).unwrap();
         let (before, behind) = (at(end - 1e-7), at(end + 1e-7));
         let blocked = at(0.0).force_n;
         assert!(before.force_n > 0.0 && behind.force_n < 0.0, "{before:?} {behind:?}");
@@ -263,7 +269,7 @@ fn behind_the_end_of_the_pull_it_goes_on_smoothly() {
         let (a, b) = (before.stiffness_n_per_mm.unwrap(), behind.stiffness_n_per_mm.unwrap());
         assert!((a / b - 1.0).abs() < 1e-3, "{a} {b}");
         let (e, h) = (end + 0.02, 1e-5);
-        let f = |p: f64, e: f64| model.force_n(p, e).unwrap();
+        let f = |p: f64, e: f64| model.force_n(&mut Workspace::new(), p, e).unwrap();
         let by_length = -(f(p, e + h) - f(p, e - h)) / (2.0 * h * m.length_mm());
         let by_pressure = (f(p * (1.0 + h), e) - f(p * (1.0 - h), e)) / (2.0 * h * p);
         let (s, q) = (at(e).stiffness_n_per_mm.unwrap(), at(e).force_per_pressure_mm2.unwrap());
@@ -271,5 +277,5 @@ fn behind_the_end_of_the_pull_it_goes_on_smoothly() {
         assert!((by_pressure - q).abs() < 1e-4 * (q.abs() + blocked / p), "{by_pressure} {q}");
     }
     let model = large(&Muscle::prototype());
-    assert!(model.force_n(0.04208, 0.143).unwrap() < 0.0);
+    assert!(model.force_n(&mut Workspace::new(), 0.04208, 0.143).unwrap() < 0.0);
 }

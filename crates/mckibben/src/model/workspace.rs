@@ -1,0 +1,92 @@
+//! What changes while a model answers.
+
+use std::any::Any;
+use std::convert::Infallible;
+use std::fmt;
+use std::sync::Arc;
+
+/// Which model a workspace's content belongs to. Copies of a model share it.
+#[derive(Debug, Clone, Default)]
+pub struct ModelId(Arc<()>);
+
+impl ModelId {
+    /// One that no other model has.
+    pub fn new() -> Self {
+        Self::default()
+    }
+}
+
+impl PartialEq for ModelId {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+/// Memory in which a model works: states near which it looks for the next one, factorisations, counts.
+///
+/// A model is immutable and may be shared by threads; each thread, and each curve, holds a workspace of its own. It makes
+/// neighbouring questions cheap and never changes what is answered. One workspace serves one model at a time: used
+/// with another model it begins anew.
+///
+/// ```
+/// use mckibben::model::{ForceModel, ModelKind, Workspace};
+/// use mckibben::muscle::Muscle;
+///
+/// let model = ModelKind::Universal.build(&Muscle::prototype())?;
+/// std::thread::scope(|threads| {
+///     for contraction in [0.0, 0.1] {
+///         let model = &model;
+///         threads.spawn(move || model.force_n(&mut Workspace::new(), 0.2, contraction));
+///     }
+/// });
+/// # Ok::<(), mckibben::model::ModelError>(())
+/// ```
+#[derive(Default)]
+pub struct Workspace {
+    content: Option<(ModelId, Box<dyn Any + Send>)>,
+}
+
+impl Workspace {
+    /// An empty one.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The content that belongs to a model, made by `make` where this workspace has none of that model.
+    pub fn of<T: Any + Send>(&mut self, id: &ModelId, make: impl FnOnce() -> T) -> &mut T {
+        match self.try_of(id, || Ok::<T, Infallible>(make())) {
+            Ok(content) => content,
+            Err(never) => match never {},
+        }
+    }
+
+    /// The same where making it may fail.
+    ///
+    /// # Errors
+    /// Those of `make`.
+    pub fn try_of<T: Any + Send, E>(
+        &mut self,
+        id: &ModelId,
+        make: impl FnOnce() -> Result<T, E>,
+    ) -> Result<&mut T, E> {
+        if self.get::<T>(id).is_none() {
+            // What is not needed any more goes first: it may be large.
+            self.content = None;
+            self.content = Some((id.clone(), Box::new(make()?)));
+        }
+        let content = self.content.as_mut().and_then(|(_, content)| content.downcast_mut());
+        Ok(content.unwrap_or_else(|| unreachable!("the content was made or found just before")))
+    }
+
+    /// The content that belongs to a model, where this workspace has one.
+    pub fn get<T: Any>(&self, id: &ModelId) -> Option<&T> {
+        let (of, content) = self.content.as_ref()?;
+        (of == id).then(|| content.downcast_ref::<T>()).flatten()
+    }
+}
+
+impl fmt::Debug for Workspace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Workspace").field("of", &self.content.as_ref().map(|c| &c.0)).finish()
+    }
+}
