@@ -19,7 +19,7 @@ plan = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else root / "plans" / "pap
 COLUMNS = [
     "muscle", "outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "law", "c10_mpa", "c01_mpa",
     "braid_stiffness_n_per_mm", "pressure_mpa", "contraction", "force_n", "volume_mm3", "stiffness_n_per_mm",
-    "force_per_pressure_n_per_mpa", "status", "cause", "iterations",
+    "force_per_pressure_n_per_mpa", "braid_tension_n", "strand_tension_n", "bulged_diameter_mm", "max_stretch", "status", "cause", "iterations",
 ]
 
 with tempfile.TemporaryDirectory() as folder:
@@ -39,6 +39,8 @@ with tempfile.TemporaryDirectory() as folder:
     ok = table[table.status == "ok"]
     assert len(ok) > 2500 and not ok.force_n.isna().any(), "a point with an answer has a force"
     assert table[table.status != "ok"].force_n.isna().all(), "a failure has none"
+    assert (ok.bulged_diameter_mm > 0.9 * ok.outer_diameter_mm).all() and (ok.max_stretch >= 1 - 1e-9).all()
+    assert ok.strand_tension_n.isna().all(), "the paper's braid has no number of strands"
     assert (ok.cause == "").all() and (table[table.status != "ok"].cause != "").all()
     # 4 diameters x 5 walls x 5 contractions x 26 pressures, each once, in the order of the plan.
     keys = ["outer_diameter_mm", "wall_mm", "contraction", "pressure_mpa"]

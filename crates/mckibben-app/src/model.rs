@@ -2,8 +2,8 @@
 
 use crate::fields::{Direction, Keep, MeshFields, ModelFields, Terminal, TerminalMaterial, TextFile};
 use crate::problem::{Problem, ProblemKind};
-use mckibben::formula::{Document, Formula, FormulaModel, UniversalFormula};
-use mckibben::model::{ForceModel, ModelError, ModelKind, Universal};
+use mckibben::formula::{Document, Formula, UniversalFormula};
+use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
 use mckibben::nearest::nearest;
 use mckibben_fem::axisymmetric::MeshSpec;

@@ -27,7 +27,7 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     }
 
     // Which muscle pulls 700 N at a contraction of 15 % with 0.25 MPa? The smallest comes first.
-    let spec = Spec::new(700.0, 0.15, 0.25);
+    let spec = Spec::new(vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }], 0.25);
     let found = design(&spec, &|m| Ok(Box::new(ThickWall::new(m))))?;
     let best = found.candidates.first().ok_or("no muscle fits")?;
     println!(

@@ -5,7 +5,9 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod campaign;
+pub mod columns;
 pub mod fit;
+mod hash;
 mod row;
 
 pub use row::Row;

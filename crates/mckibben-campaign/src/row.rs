@@ -1,7 +1,10 @@
 //! One point of a campaign.
 
-/// A row of a campaign's table: a muscle, a question, and what came out. Failures are rows too.
-#[derive(Debug, Clone, PartialEq)]
+use mckibben::status::Status;
+
+/// A row of a campaign's table: a muscle, a question, and what came out. Failures are rows too. How each is called in
+/// tables, and its unit, says [`crate::columns`].
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
     /// Number of the muscle in the plan, from 0.
     pub muscle: u64,
@@ -31,10 +34,18 @@ pub struct Row {
     pub stiffness_n_per_mm: Option<f64>,
     /// ∂F/∂P in N/MPa.
     pub force_per_pressure_n_per_mpa: Option<f64>,
+    /// Tension of all strands together in N.
+    pub braid_tension_n: Option<f64>,
+    /// Tension of one strand in N, where the number of strands is known.
+    pub strand_tension_n: Option<f64>,
+    /// Largest outer diameter in mm.
+    pub bulged_diameter_mm: Option<f64>,
+    /// Largest principal stretch of the rubber.
+    pub max_stretch: Option<f64>,
     /// ∂F/∂(constant or measure) at fixed P and ε: key as in the muscle file, N per unit.
     pub sensitivities: Vec<(String, f64)>,
-    /// `ok`, `not_converged`, …
-    pub status: String,
+    /// How it ended.
+    pub status: Status,
     /// Why there is no answer; empty where there is one.
     pub cause: String,
     /// Newton iterations.

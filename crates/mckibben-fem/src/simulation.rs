@@ -7,10 +7,13 @@ use crate::solver::body::Body;
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
 use crate::solver::newton::Effort;
-use crate::three_dimensional::{BrickSpec, ThreeDimensional};
+use crate::three_dimensional::{BrickMesh, BrickSpec, ThreeDimensional};
 use mckibben::model::{ForceModel, ModelError, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use std::fmt;
+use std::str::FromStr;
+use thiserror::Error;
 
 /// A body that is a muscle: what its present equilibrium tells.
 pub trait MuscleBody: Body {
@@ -363,11 +366,48 @@ pub enum Elements {
 }
 
 impl Elements {
-    /// The model's name.
+    /// Their names.
+    pub const NAMES: [&'static str; 2] = ["fe", "fe3d"];
+
+    /// Its name.
     pub fn name(&self) -> &'static str {
+        let [section, bricks] = Self::NAMES;
         match self {
-            Self::Axisymmetric(_) => "fe",
-            Self::ThreeDimensional(_) => "fe3d",
+            Self::Axisymmetric(_) => section,
+            Self::ThreeDimensional(_) => bricks,
+        }
+    }
+
+    /// With the mesh that a text says, in the syntax of [`Elements::mesh_syntax`].
+    ///
+    /// # Errors
+    /// [`MeshTextError`].
+    pub fn with_mesh(self, text: &str) -> Result<Self, MeshTextError> {
+        let unreadable = || MeshTextError::Syntax(self.mesh_syntax());
+        match self {
+            Self::Axisymmetric(_) => {
+                let spec = MeshSpec::parse(text).ok_or_else(unreadable)?;
+                // Whether it is a mesh does not depend on the size of the muscle.
+                spec.resolve(10.0, 1.0, 100.0)?;
+                Ok(Self::Axisymmetric(spec))
+            }
+            Self::ThreeDimensional(old) => {
+                let spec = BrickSpec::parse(text).ok_or_else(unreadable)?;
+                BrickMesh::check(&spec)?;
+                Ok(Self::ThreeDimensional(BrickSpec { keep: old.keep, plug: old.plug, ..spec }))
+            }
+        }
+    }
+
+    /// How a mesh is written, in words.
+    pub fn mesh_syntax(&self) -> &'static str {
+        match self {
+            Self::Axisymmetric(_) => {
+                "elements along the half length (\"8\"), through the wall x along (\"2x8\"), or with a grading (\"2x8:2\")"
+            }
+            Self::ThreeDimensional(_) => {
+                "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")"
+            }
         }
     }
 
@@ -381,4 +421,40 @@ impl Elements {
             Self::ThreeDimensional(spec) => Box::new(ThreeDimensional::with_mesh(muscle, spec)?),
         })
     }
+}
+
+impl fmt::Display for Elements {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A word that names no finite elements.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("\"{word}\" is no finite-element model; there are {}", Elements::NAMES.join(" and "))]
+pub struct UnknownElements {
+    /// The word.
+    pub word: String,
+}
+
+impl FromStr for Elements {
+    type Err = UnknownElements;
+
+    /// By their name, with the usual mesh.
+    fn from_str(word: &str) -> Result<Self, UnknownElements> {
+        let all = [Self::Axisymmetric(MeshSpec::default()), Self::ThreeDimensional(BrickSpec::default())];
+        let named = all.into_iter().find(|e| e.name() == word.trim());
+        named.ok_or_else(|| UnknownElements { word: word.into() })
+    }
+}
+
+/// Why a text is no mesh.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MeshTextError {
+    /// It is not written as a mesh; what it should be.
+    #[error("expected {0}")]
+    Syntax(&'static str),
+    /// There is no such mesh.
+    #[error(transparent)]
+    Mesh(#[from] FemError),
 }

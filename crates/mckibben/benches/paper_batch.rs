@@ -1,7 +1,8 @@
 //! Throughput of the paper's formula over slices: sizes that fit the first cache, the second, and none.
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use mckibben::model::{BatchPath, Coefficients};
+use mckibben::formula::Coefficients;
+use mckibben::model::BatchPath;
 use std::hint::black_box;
 
 fn points(n: usize) -> [Vec<f64>; 4] {

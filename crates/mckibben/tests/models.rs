@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic)]
 
+use mckibben::formula::Coefficients;
 use mckibben::model::{
-    ChouHannaford, Coefficients, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall,
-    Workspace, smallest_pressure_mpa,
+    ChouHannaford, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall, Workspace,
+    smallest_pressure_mpa,
 };
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,

@@ -30,6 +30,12 @@ pub enum CampaignError {
         /// This version.
         ours: String,
     },
+    /// The store was made when tables had other columns.
+    #[error("{} has other columns than this version of mckibben writes", .path.display())]
+    OtherColumns {
+        /// The store, or the file in it.
+        path: PathBuf,
+    },
     /// Another process writes to the store.
     #[error("another process is writing to {}", .path.display())]
     Locked {
@@ -97,6 +103,9 @@ pub enum CampaignError {
     /// A table cannot be encoded.
     #[error("cannot write the table: {0}")]
     Encode(String),
+    /// The caller wanted it to end.
+    #[error("the campaign was stopped before its end")]
+    Stopped,
     /// No threads to be had.
     #[error("cannot start threads: {0}")]
     Threads(String),
@@ -113,7 +122,9 @@ impl CampaignError {
             Self::OtherPlan { .. } => {
                 "write to another place, or remove it; any change of a plan's text makes another plan"
             }
-            Self::OtherVersion { .. } => "write to another place, remove it, or go on with that version",
+            Self::OtherVersion { .. } | Self::OtherColumns { .. } => {
+                "write to another place, remove it, or go on with that version"
+            }
             Self::Locked { .. } => "wait for it to end, or write to another place",
             Self::Damaged { .. } => {
                 "parts of a folder are recomputed when the campaign is run again; any other file must be removed first"

@@ -3,6 +3,7 @@
 use super::CampaignError;
 use super::resume::belongs;
 use super::store::{Folder, Opened, Provenance, Table, Which, part_name, seal_of, sync, unfinished, whole};
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -25,12 +26,21 @@ impl Place {
 }
 
 /// What was merged.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Merged {
-    /// Where the parts come from.
-    pub provenance: Provenance,
+    /// The file.
+    pub output: PathBuf,
+    /// Muscles in it.
+    pub muscles: u64,
+    /// Points in it.
+    pub points: u64,
+    /// Parts that it was made of.
+    pub parts: u64,
     /// Parts that were found more than once, all alike.
+    #[serde(rename = "parts_found_twice")]
     pub doubles: u64,
+    /// SHA-256 of the plan's text.
+    pub plan_sha256: String,
 }
 
 /// The tables of parts in the order of the plan, each checked against the plan it must belong to.
@@ -122,5 +132,12 @@ pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Merged, CampaignError> {
     let (provenance, found, doubles) = gather(folders)?;
     let places = found.into_iter().map(|(n, path)| (n, Place::File(path))).collect();
     write_whole(&provenance, places, out)?;
-    Ok(Merged { provenance, doubles })
+    Ok(Merged {
+        output: out.into(),
+        muscles: provenance.muscles,
+        points: provenance.points(),
+        parts: provenance.parts(),
+        doubles,
+        plan_sha256: provenance.plan_sha256,
+    })
 }

@@ -3,27 +3,42 @@
 //! plan → blocks of muscles (each alone, on any thread) → part files → one table in the order of the plan.
 //!
 //! A row depends on its muscle alone and no time or host stands in the data, so that the bytes of a table are the same
-//! whatever the number of threads, shards and interruptions.
+//! whatever the number of threads, shards and interruptions. Without the feature `store` there are no files:
+//! [`compute`] gives the rows of a plan in memory.
 
 mod error;
+#[cfg(feature = "store")]
 mod merge;
 mod plan;
+#[cfg(feature = "store")]
 mod read;
+#[cfg(feature = "store")]
 mod resume;
+#[cfg(feature = "store")]
 mod run;
+#[cfg(feature = "store")]
 mod shard;
 mod solve;
+#[cfg(feature = "store")]
 mod store;
+#[cfg(feature = "store")]
 mod summary;
 
-#[cfg(test)]
+#[cfg(all(test, feature = "store"))]
 mod tests;
 
 pub use error::CampaignError;
+#[cfg(feature = "store")]
 pub use merge::{Merged, merge};
 pub use plan::{Axis, Inputs, Measure, Plan, Sampling, Testing};
+#[cfg(feature = "store")]
 pub use read::{Rows, read, rows};
-pub use run::{Outcome, Progress, RunOptions, run};
+#[cfg(feature = "store")]
+pub use run::{Counts, Outcome, Recomputed, RunOptions, run};
+#[cfg(feature = "store")]
 pub use shard::Shard;
+pub use solve::compute;
+#[cfg(feature = "store")]
 pub use store::Provenance;
-pub use summary::{Failed, Summary, summary};
+#[cfg(feature = "store")]
+pub use summary::{Extent, Failed, Summary, summary};

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 pub struct Rows {
     /// Where they come from.
     provenance: Provenance,
+    path: PathBuf,
     tables: Box<dyn Iterator<Item = Result<Table, CampaignError>>>,
     table: Option<Table>,
     at: usize,
@@ -36,7 +37,9 @@ impl Iterator for Rows {
         while !self.failed {
             if let Some(table) = self.table.as_ref().filter(|t| self.at < t.rows) {
                 self.at += 1;
-                return Some(Ok(table.row(self.at - 1)));
+                let row = table.row(self.at - 1).map_err(|e| CampaignError::damaged(&self.path, e));
+                self.failed = row.is_err();
+                return Some(row);
             }
             match self.tables.next()? {
                 Ok(table) => (self.table, self.at) = (Some(table), 0),
@@ -70,7 +73,7 @@ pub fn rows(path: impl AsRef<Path>) -> Result<Rows, CampaignError> {
         }
         (opened.provenance.clone(), Box::new((0..opened.groups()).map(move |g| opened.group(g))))
     };
-    Ok(Rows { provenance, tables, table: None, at: 0, failed: false })
+    Ok(Rows { provenance, path: path.into(), tables, table: None, at: 0, failed: false })
 }
 
 fn part_tables(of: &Provenance, number: u64, path: PathBuf) -> Vec<Result<Table, CampaignError>> {

@@ -2,7 +2,7 @@
 
 use super::CampaignError;
 use super::merge::Place;
-use super::run::{Outcome, Progress};
+use super::run::{Counts, Outcome, Recomputed};
 use super::store::{Folder, Opened, Provenance, Which};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -24,12 +24,12 @@ pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Res
         }
     }
     let of = provenance.muscles;
-    let progress = Progress { muscles: of, of, resumed: of, ..Progress::default() };
-    Ok(Outcome { progress, complete: true, recomputed: vec![], store: out.into() })
+    let counts = Counts { muscles: of, of, resumed: of, ..Counts::default() };
+    Ok(Outcome::new(provenance, out, out, counts))
 }
 
 /// The parts that are there and whole, and those that are damaged, with what is wrong with them.
-pub(super) type There = (BTreeMap<u64, Place>, Vec<(PathBuf, String)>);
+pub(super) type There = (BTreeMap<u64, Place>, Vec<Recomputed>);
 
 /// Looks through the parts in a folder, all of them with their bytes.
 pub(super) fn there(
@@ -55,7 +55,7 @@ pub(super) fn there(
         match checked? {
             None if mine(&number) => drop(whole.insert(number, Place::File(path))),
             None => {}
-            Some(why) if mine(&number) => damaged.push((path, why)),
+            Some(cause) if mine(&number) => damaged.push(Recomputed { file: path, cause }),
             Some(_) => {}
         }
     }
@@ -71,6 +71,9 @@ pub(super) fn belongs(theirs: &Provenance, ours: &Provenance, path: &Path) -> Re
     if theirs.version != ours.version {
         let (theirs, ours) = (theirs.version.clone(), ours.version.clone());
         return Err(CampaignError::OtherVersion { path: path.into(), theirs, ours });
+    }
+    if theirs.layout != ours.layout {
+        return Err(CampaignError::OtherColumns { path: path.into() });
     }
     if theirs == ours {
         Ok(())

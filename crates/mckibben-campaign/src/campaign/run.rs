@@ -5,9 +5,10 @@ use super::plan::Plan;
 use super::resume::{finished, there};
 use super::store::{Folder, Provenance, Table, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
+use mckibben::progress::Progress;
 use rayon::prelude::*;
+use serde::Serialize;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
@@ -22,36 +23,69 @@ pub struct RunOptions {
     pub shard: Option<Shard>,
     /// Threads; as many as there are cores where nothing is said.
     pub threads: Option<usize>,
-    /// Set by whoever wants the run to end early; the store is valid then.
-    pub stop: Arc<AtomicBool>,
 }
 
-/// How far a run is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Progress {
+/// How far a run came.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct Counts {
     /// Muscles that are done, those of earlier runs among them.
     pub muscles: u64,
     /// Muscles of the plan, or of the share of it.
+    #[serde(rename = "muscles_wanted")]
     pub of: u64,
     /// Muscles that were there already.
+    #[serde(rename = "muscles_resumed")]
     pub resumed: u64,
     /// Points of this run.
+    #[serde(rename = "points_computed")]
     pub points: u64,
     /// Points of this run without an answer.
+    #[serde(rename = "points_failed")]
     pub failed: u64,
 }
 
+/// A file that was damaged and has been computed anew.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Recomputed {
+    /// The file.
+    pub file: PathBuf,
+    /// What was wrong with it.
+    pub cause: String,
+}
+
 /// How a run ended.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Outcome {
-    /// How far it came.
-    pub progress: Progress,
+    /// What was to be written.
+    pub output: PathBuf,
     /// Whether all of the plan, or of the share of it, is there.
     pub complete: bool,
-    /// Files that were damaged and have been computed anew, with what was wrong.
-    pub recomputed: Vec<(PathBuf, String)>,
+    /// How far it came.
+    #[serde(flatten)]
+    pub counts: Counts,
+    /// Points that are there.
+    pub points: u64,
+    /// SHA-256 of the plan's text.
+    pub plan_sha256: String,
+    /// Files that were damaged and have been computed anew.
+    pub recomputed: Vec<Recomputed>,
     /// Where unfinished work lies.
+    #[serde(skip)]
     pub store: PathBuf,
+}
+
+impl Outcome {
+    pub(super) fn new(provenance: &Provenance, output: &Path, store: &Path, counts: Counts) -> Self {
+        Self {
+            output: output.into(),
+            complete: counts.muscles == counts.of,
+            counts,
+            points: counts.muscles * provenance.points_per_muscle,
+            plan_sha256: provenance.plan_sha256.clone(),
+            recomputed: vec![],
+            store: store.into(),
+        }
+    }
 }
 
 /// What a thread hands over.
@@ -70,7 +104,7 @@ pub(super) fn parts_of(file: &Path) -> PathBuf {
 }
 
 /// Runs a plan into `out`: one file if it ends in `.parquet`, else a folder of parts. What is there already is not
-/// computed again.
+/// computed again. It reports muscles; where the caller wants it to end, what is there is a valid store, and not complete.
 ///
 /// # Errors
 /// [`CampaignError`]; the store is valid whatever happens.
@@ -78,7 +112,7 @@ pub fn run(
     plan: &Plan,
     out: &Path,
     options: &RunOptions,
-    report: &mut dyn FnMut(Progress),
+    progress: &dyn Progress,
 ) -> Result<Outcome, CampaignError> {
     let provenance = Provenance::of(plan);
     let one_file = is_file_name(out);
@@ -109,20 +143,20 @@ pub fn run(
     let missing: Vec<u64> = wanted.iter().copied().filter(|p| !places.contains_key(p)).collect();
     let resumed = places.keys().map(|&p| muscles(p)).sum();
     let of = wanted.iter().map(|&p| muscles(p)).sum();
-    let mut progress = Progress { muscles: resumed, of, resumed, ..Progress::default() };
-    report(progress);
+    let mut counts = Counts { muscles: resumed, of, resumed, ..Counts::default() };
+    let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
+    report(&counts);
 
     let mut pending = vec![];
     // Its own flag, so that an error here does not look like the user's wish.
     let failed = &AtomicBool::new(false);
     let ended = std::thread::scope(|scope| {
         let (sender, receiver) = sync_channel::<Result<Done, CampaignError>>(4 * pool.current_num_threads());
-        let (provenance, stop, pool, missing) = (&provenance, &*options.stop, &pool, &missing);
+        let (provenance, pool, missing) = (&provenance, &pool, &missing);
         scope.spawn(move || {
-            let layout = Arc::new(provenance.layout.clone());
-            let halted = || stop.load(Ordering::Relaxed) || failed.load(Ordering::Relaxed);
+            let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
             let work = |sender: &mut SyncSender<_>, &number: &u64| {
-                if let Some(done) = compute(plan, provenance, &layout, number, &halted) {
+                if let Some(done) = compute(plan, provenance, number, &halted) {
                     let _ = sender.send(done);
                 }
             };
@@ -133,15 +167,15 @@ pub fn run(
         loop {
             match receiver.recv_timeout(Duration::from_millis(100)) {
                 Ok(Ok(done)) if error.is_none() => {
-                    progress.muscles += provenance.muscles_of(done.part).count() as u64;
-                    progress.points += done.points;
-                    progress.failed += done.failed;
+                    counts.muscles += provenance.muscles_of(done.part).count() as u64;
+                    counts.points += done.points;
+                    counts.failed += done.failed;
                     pending.push((done.part, done.bytes));
-                    report(progress);
+                    report(&counts);
                 }
                 Ok(Ok(_)) => {}
                 Ok(Err(e)) => error = error.or(Some(e)),
-                Err(RecvTimeoutError::Timeout) => report(progress),
+                Err(RecvTimeoutError::Timeout) => report(&counts),
                 Err(RecvTimeoutError::Disconnected) => break,
             }
             if error.is_none() && flushed.elapsed() > FLUSH {
@@ -161,26 +195,25 @@ pub fn run(
         error.map_or(Ok(()), Err)
     });
     ended?;
-    let complete = progress.muscles == progress.of;
-    if one_file && complete {
+    let outcome = Outcome { recomputed, ..Outcome::new(&provenance, out, &store, counts) };
+    if one_file && outcome.complete {
         places.extend(pending.into_iter().map(|(n, bytes)| (n, Place::Memory(bytes))));
         write_whole(&provenance, places, out)?;
         folder.remove()?;
     } else {
         folder.write(&mut pending)?;
     }
-    Ok(Outcome { progress, complete, recomputed, store })
+    Ok(outcome)
 }
 
 /// One part; `None` where the run is to end.
 fn compute(
     plan: &Plan,
     provenance: &Provenance,
-    layout: &Arc<super::store::Layout>,
     number: u64,
     halted: &impl Fn() -> bool,
 ) -> Option<Result<Done, CampaignError>> {
-    let mut table = Table::new(layout);
+    let mut table = Table::new(&provenance.layout);
     let (mut points, mut failed) = (0, 0);
     for muscle in provenance.muscles_of(number) {
         if halted() {
@@ -188,8 +221,8 @@ fn compute(
         }
         for row in solve::rows(plan, muscle) {
             points += 1;
-            failed += u64::from(row.status != solve::OK);
-            table.push(&row);
+            failed += u64::from(!row.status.is_ok());
+            table.push(row);
         }
     }
     Some(part(provenance, number, &table).map(|bytes| Done { part: number, bytes, points, failed }))

@@ -1,21 +1,34 @@
 //! The rows of one muscle. They depend on the plan and the muscle's number alone.
 
+use super::CampaignError;
 use super::plan::{Inputs, Plan, constants, rounded};
 use crate::Row;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::progress::Silent;
+use mckibben::progress::{Progress, Silent};
+use mckibben::status::Status;
 use mckibben_fem::FemError;
 use mckibben_fem::results::TangentPoint;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// There is an answer.
-pub(super) const OK: &str = "ok";
-/// No equilibrium where the endless muscle would push: the tube has collapsed.
-const COLLAPSED: &str = "collapsed";
-/// No equilibrium was found.
-const NOT_CONVERGED: &str = "not_converged";
-/// The measures make no muscle, or no mesh.
-const NO_MUSCLE: &str = "no_muscle";
+/// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
+///
+/// # Errors
+/// [`CampaignError::Stopped`] where the caller wanted it to end.
+pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, CampaignError> {
+    let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
+    let one = |number: u64| {
+        if progress.cancelled() {
+            return Err(CampaignError::Stopped);
+        }
+        let rows = rows(plan, number);
+        progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+        Ok(rows)
+    };
+    let all: Vec<Vec<Row>> = (0..plan.muscles()).into_par_iter().map(one).collect::<Result<_, _>>()?;
+    Ok(all.concat())
+}
 
 /// All rows of muscle `number`, contraction by contraction.
 pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
@@ -32,7 +45,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
         let blank = |p: f64| blank(number, &inputs, p, contraction);
         match &model {
             Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| Row {
-                status: NO_MUSCLE.into(),
+                status: Status::NoMuscle,
                 cause: why.clone(),
                 ..blank(p)
             })),
@@ -76,14 +89,7 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> R
         stiffness_of_braid_n_per_mm: inputs.family_stiffness_n_per_mm(),
         pressure_mpa,
         contraction,
-        force_n: None,
-        volume_mm3: None,
-        stiffness_n_per_mm: None,
-        force_per_pressure_n_per_mpa: None,
-        sensitivities: vec![],
-        status: String::new(),
-        cause: String::new(),
-        iterations: 0,
+        ..Row::default()
     }
 }
 
@@ -96,26 +102,34 @@ fn filled(row: Row, point: Result<TangentPoint, FemError>, muscle: &Muscle) -> R
                 volume_mm3: finite(r.volume_mm3),
                 stiffness_n_per_mm: finite(r.stiffness_n_per_mm),
                 force_per_pressure_n_per_mpa: finite(r.force_per_pressure_mm2),
+                braid_tension_n: finite(r.braid_tension_n),
+                strand_tension_n: finite(r.strand_tension_n),
+                bulged_diameter_mm: finite(r.bulged_diameter_mm),
+                max_stretch: finite(r.max_stretch),
                 sensitivities: sensitivities
                     .into_iter()
                     .filter(|s| s.force_n_per_unit.is_finite())
                     .map(|s| (s.name, s.force_n_per_unit))
                     .collect(),
-                status: OK.into(),
+                status: Status::Ok,
                 iterations: u32::try_from(iterations).unwrap_or(u32::MAX),
                 ..row
             }
         }
-        Ok(_) => Row { status: NOT_CONVERGED.into(), cause: "the pull is not finite".into(), ..row },
+        Ok(_) => Row { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
         Err(error) => {
             let push =
                 ThickWall::new(muscle).force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction);
-            let status = if push.map_or(true, |force| force <= 0.0) { COLLAPSED } else { NOT_CONVERGED };
+            let status = if push.map_or(true, |force| force <= 0.0) {
+                Status::Collapsed
+            } else {
+                Status::NotConverged
+            };
             let iterations = match &error {
                 FemError::Path { iterations, .. } => u32::try_from(*iterations).unwrap_or(u32::MAX),
                 _ => 0,
             };
-            Row { status: status.into(), cause: error.to_string(), iterations, ..row }
+            Row { status, cause: error.to_string(), iterations, ..row }
         }
     }
 }

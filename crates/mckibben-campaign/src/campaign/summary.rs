@@ -1,13 +1,16 @@
 //! What a campaign holds, in a few figures.
 
+use super::CampaignError;
 use super::store::{Folder, Opened, Provenance, Which};
-use super::{CampaignError, solve};
 use crate::Row;
+use crate::columns::{Field, Role};
+use mckibben::status::Status;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Rows that failed in the same way.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct Failed {
     /// How many.
     pub points: u64,
@@ -17,83 +20,94 @@ pub struct Failed {
     pub first_cause: String,
 }
 
+/// Smallest and largest value of a column.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Extent {
+    /// The column.
+    pub name: String,
+    /// Smallest value.
+    pub smallest: f64,
+    /// Largest value.
+    pub largest: f64,
+}
+
 /// What a campaign holds.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Summary {
-    /// Where it comes from.
-    pub provenance: Provenance,
     /// Muscles that are there.
     pub muscles: u64,
     /// Rows that are there.
     pub points: u64,
+    /// Rows that there will be.
+    pub points_wanted: u64,
+    /// Whether all of them are there.
+    pub complete: bool,
     /// Rows with an answer.
     pub answered: u64,
     /// Rows without an answer by their status.
-    pub failed: BTreeMap<String, Failed>,
-    /// Smallest and largest value of each input and of the pull, in the order of the columns.
-    pub ranges: Vec<(String, f64, f64)>,
+    pub failed: BTreeMap<Status, Failed>,
+    /// Newton iterations of all rows.
+    pub iterations: u64,
+    /// Smallest and largest value of what was asked and of what came out, in the order of the columns.
+    pub ranges: Vec<Extent>,
+    /// Bytes on the disk.
+    pub bytes: u64,
     /// Parts that are missing, of a folder.
     pub missing_parts: u64,
     /// Files that are damaged, with what is wrong.
     pub damaged: Vec<String>,
-    /// Bytes on the disk.
-    pub bytes: u64,
-    /// Newton iterations of all rows.
-    pub iterations: u64,
+    /// Where it comes from.
+    #[serde(flatten)]
+    pub provenance: Provenance,
 }
 
 impl Summary {
     fn new(provenance: Provenance) -> Self {
         Self {
-            provenance,
             muscles: 0,
             points: 0,
+            points_wanted: provenance.points(),
+            complete: false,
             answered: 0,
             failed: BTreeMap::new(),
+            iterations: 0,
             ranges: vec![],
+            bytes: 0,
             missing_parts: 0,
             damaged: vec![],
-            bytes: 0,
-            iterations: 0,
+            provenance,
         }
     }
 
-    fn add(&mut self, row: &Row) {
+    fn add(&mut self, mut row: Row, fields: &[Field]) {
         self.points += 1;
         self.iterations += u64::from(row.iterations);
-        if row.status == solve::OK {
+        if row.status.is_ok() {
             self.answered += 1;
         } else {
             let first = || Failed { points: 0, first_muscle: row.muscle, first_cause: row.cause.clone() };
-            self.failed.entry(row.status.clone()).or_insert_with(first).points += 1;
+            self.failed.entry(row.status).or_insert_with(first).points += 1;
         }
-        let measures = [
-            ("outer_diameter_mm", Some(row.outer_diameter_mm)),
-            ("wall_mm", Some(row.wall_mm)),
-            ("length_mm", Some(row.length_mm)),
-            ("angle_deg", Some(row.angle_deg)),
-        ];
-        let results = [
-            ("braid_stiffness_n_per_mm", row.stiffness_of_braid_n_per_mm),
-            ("pressure_mpa", Some(row.pressure_mpa)),
-            ("contraction", Some(row.contraction)),
-            ("force_n", row.force_n),
-        ];
-        let constants = row.constants.iter().map(|(k, v)| (k.as_str(), Some(*v)));
-        for (at, (name, value)) in measures.into_iter().chain(constants).chain(results).enumerate() {
-            if self.ranges.len() <= at {
-                self.ranges.push((name.to_owned(), f64::INFINITY, f64::NEG_INFINITY));
-            }
-            if let (Some(value), Some(range)) = (value, self.ranges.get_mut(at)) {
-                (range.1, range.2) = (range.1.min(value), range.2.max(value));
+        for (field, range) in fields.iter().zip(&mut self.ranges) {
+            if let Some(value) = field.number(&mut row) {
+                (range.smallest, range.largest) = (range.smallest.min(value), range.largest.max(value));
             }
         }
     }
 
     fn add_file(&mut self, opened: &Opened, path: &Path) -> Result<(), CampaignError> {
+        let fields = opened.provenance.layout.fields();
+        let fields: Vec<Field> = fields.into_iter().filter(|f| f.column.role != Role::Note).collect();
+        if self.ranges.is_empty() {
+            let (smallest, largest) = (f64::INFINITY, f64::NEG_INFINITY);
+            let range = |f: &Field| Extent { name: f.name.clone(), smallest, largest };
+            self.ranges = fields.iter().map(range).collect();
+        }
         for group in 0..opened.groups() {
             let table = opened.group(group)?;
-            (0..table.rows).for_each(|i| self.add(&table.row(i)));
+            for i in 0..table.rows {
+                self.add(opened.row(&table, i)?, &fields);
+            }
         }
         self.bytes += std::fs::metadata(path).map_err(CampaignError::read(path))?.len();
         Ok(())
@@ -102,7 +116,8 @@ impl Summary {
     fn finished(mut self) -> Self {
         self.muscles = self.points / self.provenance.points_per_muscle.max(1);
         // What no row has.
-        self.ranges.retain(|r| r.1 <= r.2);
+        self.ranges.retain(|r| r.smallest <= r.largest);
+        self.complete = self.points == self.points_wanted;
         self
     }
 }

@@ -11,12 +11,14 @@
 use super::data::{CONTRACTIONS, DIAMETERS, FULL_PRESSURE, FitPoint, PRESSURES, WALLS, compute_with, same};
 use super::error::FitError;
 use mckibben::compare::MeasuredPoint;
+use mckibben::formula::Coefficients;
 use mckibben::identify::{DataPoint, Parameter, Request, Section, Target, identify};
 use mckibben::least_squares::Loss;
-use mckibben::model::{Coefficients, ForceModel, ModelError};
+use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, BraidStiffness, Direction, Muscle, Rubber};
 use mckibben::rubber::{Law, MooneyRivlin};
 use mckibben_fem::axisymmetric::Axisymmetric;
+use serde::Serialize;
 
 /// Table 1 of the paper: P in MPa, and a, b, c in N of F = a ε² + b ε + c at D0 50, s 1.
 pub const TABLE_1: [[f64; 4]; 5] = [
@@ -37,7 +39,7 @@ pub fn table_1(pressure_mpa: f64, contraction: f64) -> Option<f64> {
 }
 
 /// C10 and k = k₄₀ (D0/40)ⁿ.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Constants {
     /// C10 in MPa.
     pub c10_mpa: f64,

@@ -7,6 +7,7 @@ use mckibben::progress::Silent;
 use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use rayon::prelude::*;
+use serde::Serialize;
 
 /// The diameters of the paper's campaign in mm.
 pub const DIAMETERS: [f64; 4] = [30.0, 40.0, 45.0, 50.0];
@@ -22,7 +23,7 @@ pub const HELD_OUT: f64 = 35.0;
 pub const FULL_PRESSURE: f64 = 0.25;
 
 /// The pull of one muscle at a pressure and contraction.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FitPoint {
     /// D0 in mm.
     pub outer_diameter_mm: f64,
@@ -43,7 +44,7 @@ pub struct FitPoint {
 impl FitPoint {
     /// The point of a row, where it has an answer.
     pub fn of(row: &Row) -> Option<Self> {
-        let force_n = row.force_n.filter(|f| f.is_finite() && row.status == "ok")?;
+        let force_n = row.force_n.filter(|f| f.is_finite() && row.status.is_ok())?;
         Some(Self {
             outer_diameter_mm: row.outer_diameter_mm,
             wall_mm: row.wall_mm,

@@ -45,6 +45,9 @@ pub enum FitError {
         /// s in mm.
         wall_mm: f64,
     },
+    /// The caller wanted it to end.
+    #[error("the fit was stopped before its end")]
+    Stopped,
     /// Least squares without a finite answer.
     #[error("least squares have no finite answer for {0}")]
     Singular(String),

@@ -2,23 +2,29 @@
 
 use super::data::{FitPoint, distinct, same};
 use super::error::FitError;
+use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Errors {
     /// Points where the muscle pulls.
     pub points: usize,
     /// Root mean square as a share of the muscle's blocked force at the highest pressure.
+    #[serde(rename = "rms_of_blocked")]
     pub rms: f64,
     /// The share that 95 % of the points do not exceed.
+    #[serde(rename = "p95_of_blocked")]
     pub p95: f64,
     /// Largest, likewise.
+    #[serde(rename = "max_of_blocked")]
     pub max: f64,
     /// Largest difference in N.
     pub max_n: f64,
     /// Largest by the paper's (12): as a share of the largest force of the same isobaric curve.
+    #[serde(rename = "max_of_isobar")]
     pub max_12: f64,
     /// Where the largest share is.
+    #[serde(flatten)]
     pub worst: FitPoint,
 }
 

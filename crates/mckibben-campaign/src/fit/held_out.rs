@@ -3,10 +3,9 @@
 
 use super::data::{CONTRACTIONS, FitPoint, HELD_OUT, PRESSURES, WALLS, compute, paper_campaign};
 use super::errors::{compared, errors};
-use super::make::Method;
+use super::make::{Method, fitted};
 use super::paper_method::Rules;
-use super::results::fitted;
-use mckibben::model::Coefficients;
+use mckibben::formula::Coefficients;
 use mckibben::muscle::Muscle;
 use mckibben_fem::verification::{Kind, Row};
 

@@ -2,11 +2,14 @@
 
 use super::error::FitError;
 use crate::Row;
-use mckibben::formula::{Made, MadeBraid};
+use mckibben::formula::{Made, MadeBraid, MadeRubber, NamedBraid};
 use mckibben::muscle::Muscle;
 
+/// Constants and stiffnesses within this, relative, are the same.
+const TOLERANCE: f64 = 1e-9;
+
 fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= 1e-9 * a.abs().max(b.abs())
+    (a - b).abs() <= TOLERANCE * a.abs().max(b.abs())
 }
 
 /// Rubber and braid of a table's muscles; length and angle are those of its first row.
@@ -15,29 +18,27 @@ fn close(a: f64, b: f64) -> bool {
 /// [`FitError::MixedMake`] where they have more than one, [`FitError::Empty`] without rows.
 pub fn made_for(rows: &[Row]) -> Result<Made, FitError> {
     let first = rows.first().ok_or(FitError::Empty(""))?;
-    let same_constants = |r: &Row| {
-        r.constants.len() == first.constants.len()
-            && r.constants.iter().zip(&first.constants).all(|(a, b)| a.0 == b.0 && close(a.1, b.1))
+    let rubber = |r: &Row| MadeRubber {
+        name: None,
+        law: r.law.clone(),
+        constants: r.constants.iter().cloned().collect(),
+        bulk_modulus_mpa: None,
     };
-    if !rows.iter().all(|r| r.law == first.law && same_constants(r)) {
+    let ours = rubber(first);
+    if !rows.iter().all(|r| rubber(r).is_like(&ours, TOLERANCE)) {
         return Err(FitError::MixedMake("rubber"));
     }
-    let paper = Made::of(&Muscle::prototype());
-    let named = paper.law == first.law
-        && paper.constants.len() == first.constants.len()
-        && paper.constants.iter().zip(&first.constants).all(|(a, b)| a.0 == b.0 && close(a.1, b.1));
+    let paper = Made::of(&Muscle::prototype()).rubber;
+    let name = paper.name.clone().filter(|_| paper.is_like(&ours, TOLERANCE));
     let made = Made {
         length_mm: first.length_mm,
         angle_deg: first.angle_deg,
-        rubber: if named { paper.rubber.clone() } else { None },
-        law: first.law.clone(),
-        constants: first.constants.clone(),
-        bulk_modulus_mpa: None,
-        braid: MadeBraid::Inextensible,
+        rubber: MadeRubber { name, ..ours },
+        braid: MadeBraid::Named(NamedBraid::Inextensible),
     };
     // The simplest description of the braid that holds for every row.
     let k = first.stiffness_of_braid_n_per_mm;
-    let mut choices = vec![MadeBraid::Paper, MadeBraid::Inextensible];
+    let mut choices = vec![MadeBraid::Named(NamedBraid::Paper), MadeBraid::Named(NamedBraid::Inextensible)];
     choices.extend(k.map(MadeBraid::Stiffness));
     choices.extend(k.map(|k| MadeBraid::TimesDiameter(k * first.outer_diameter_mm)));
     for braid in choices {

@@ -5,9 +5,11 @@ use super::error::FitError;
 use super::errors::{Compared, Errors, compared, errors, regions};
 use super::global::{GlobalFit, MOST_TERMS, global};
 use super::paper_method::{PaperMethod, Rules, SlackRule, ThinRule, paper_method};
+use crate::hash;
 use mckibben::formula::{
     Body, ErrorSummary, Formula, FormulaErrors, FormulaRange, HeldOut, Made, Provenance, RegionErrors,
 };
+use mckibben::muscle::Muscle;
 
 /// Which method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,13 +118,13 @@ pub fn make(request: &Request<'_>) -> Result<Fitted, FitError> {
             held_out: None,
         },
         provenance: Provenance {
-            version: env!("CARGO_PKG_VERSION").into(),
             method: request.method.text(),
             points: fitted.len(),
-            data_hash: hash(&fitted),
+            data_hash: hash::of_numbers(numbers(&fitted)),
             table: request.table.clone(),
             plan_hash: request.plan_hash.clone(),
             seed: request.seed,
+            ..Provenance::default()
         },
     };
     let list = compared(&points, |p| {
@@ -191,22 +193,30 @@ fn summary(e: Option<Errors>) -> ErrorSummary {
     })
 }
 
-/// FNV-1a over the bits of all numbers, in their order.
-fn hash(points: &[FitPoint]) -> String {
-    let numbers =
-        points.iter().flat_map(|p| {
-            let FitPoint {
-                outer_diameter_mm,
-                wall_mm,
-                length_mm,
-                angle_deg,
-                pressure_mpa,
-                contraction,
-                force_n,
-            } = *p;
-            [outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n]
-        });
-    let bytes = numbers.flat_map(f64::to_le_bytes);
-    let sum = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
-    format!("fnv1a:{sum:016x}")
+/// All numbers of the points, in their order.
+fn numbers(points: &[FitPoint]) -> impl Iterator<Item = f64> {
+    points.iter().flat_map(|p| {
+        let FitPoint { outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n } = *p;
+        [outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n]
+    })
+}
+
+/// A formula of the paper's muscles from points.
+///
+/// # Errors
+/// [`FitError`].
+pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula, FitError> {
+    let made_for = Made::of(&Muscle::prototype());
+    let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };
+    let request = Request {
+        points,
+        made_for,
+        method,
+        hold_out,
+        name: name.into(),
+        table: None,
+        plan_hash: None,
+        seed: None,
+    };
+    Ok(make(&request)?.formula)
 }

@@ -10,7 +10,7 @@
 use super::data::{FitPoint, distinct, same};
 use super::error::FitError;
 use super::polynomial::{Fitted, fit};
-use mckibben::model::Coefficients;
+use mckibben::formula::Coefficients;
 
 /// What becomes of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε ≤ .05 alone: two of its
 /// five contractions, too few for a quadratic, and the paper does not say how it went on.

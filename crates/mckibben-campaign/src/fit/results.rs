@@ -9,46 +9,45 @@ use super::data::{
 };
 use super::error::FitError;
 use super::errors::{Errors, compared, errors};
-use super::make::{Method, Request, make};
+use super::make::{Method, fitted};
 use super::paper_method::{Rules, SlackRule, ThinRule};
 use super::universal::{HeldOutRow, held_out, held_out_samples};
-use mckibben::formula::{Formula, Made};
-use mckibben::model::Coefficients;
+use mckibben::formula::{Body, Coefficients, Formula};
 use mckibben::muscle::Muscle;
+use mckibben::progress::Progress;
+use serde::Serialize;
 
 /// One comparison.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Finding {
     /// What is compared with what.
     pub comparison: String,
     /// The largest share that was set as a goal, where there is one.
+    #[serde(rename = "at_most_of_blocked")]
     pub at_most: Option<f64>,
+    /// Whether the goal is met.
+    pub ok: bool,
     /// What came out.
+    #[serde(flatten)]
     pub errors: Errors,
 }
 
-impl Finding {
-    /// Whether the goal is met.
-    pub fn ok(&self) -> bool {
-        self.at_most.is_none_or(|most| self.errors.max <= most)
-    }
-}
-
 /// Everything that came out.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Results {
     /// The comparisons.
     pub findings: Vec<Finding>,
     /// The fitted constants of the paper's finite elements.
+    #[serde(rename = "fitted_constants")]
     pub constants: Constants,
-    /// Seconds from nothing to the paper's formula with its errors: campaign, fit, report.
-    pub seconds: f64,
     /// Terms of the `global` formula.
     pub global_terms: usize,
     /// Models on random muscles that no fit has seen.
     pub random_muscles: Vec<HeldOutRow>,
 }
 
+/// Steps that are reported.
+const STEPS: usize = 6;
 /// Random muscles of the last table, and their seed.
 const RANDOM: (usize, u64) = (500, 7);
 
@@ -72,54 +71,50 @@ impl Findings {
         chosen: impl Fn(&FitPoint) -> bool,
     ) -> Result<(), FitError> {
         let errors = errors(&compared(points, difference)?, chosen).ok_or(FitError::Empty(" to compare"))?;
-        self.0.push(Finding { comparison: comparison.into(), at_most, errors });
+        let ok = at_most.is_none_or(|most| errors.max <= most);
+        self.0.push(Finding { comparison: comparison.into(), at_most, ok, errors });
         Ok(())
     }
 }
 
-/// A formula of the paper's muscles from points.
+/// The paper's campaign and the formula by the paper's method, with its errors: what a front end may take the time of.
 ///
 /// # Errors
 /// [`FitError`].
-pub fn fitted(points: &[FitPoint], method: Method, hold_out: &[f64]) -> Result<Formula, FitError> {
-    let made_for = Made::of(&Muscle::prototype());
-    let name = if method == Method::Paper(Rules::default()) { "paper-method" } else { "global" };
-    let request = Request {
-        points,
-        made_for,
-        method,
-        hold_out,
-        name: name.into(),
-        table: None,
-        plan_hash: None,
-        seed: None,
-    };
-    Ok(make(&request)?.formula)
+pub fn paper_formula() -> Result<(Vec<FitPoint>, Formula), FitError> {
+    let campaign = paper_campaign(&Muscle::prototype());
+    let formula = fitted(&campaign, Method::Paper(Rules::default()), &[])?;
+    Ok((campaign, formula))
 }
 
-/// Computes everything anew.
+/// Computes everything else anew from [`paper_formula`].
 ///
 /// # Errors
-/// [`FitError`].
-pub fn results() -> Result<Results, FitError> {
+/// [`FitError`], also where the caller wanted it to end.
+pub fn results(
+    (campaign, ours): &(Vec<FitPoint>, Formula),
+    progress: &dyn Progress,
+) -> Result<Results, FitError> {
     let base = Muscle::prototype();
     let published = Coefficients::published();
-    let start = std::time::Instant::now();
-    let campaign = paper_campaign(&base);
-    let ours = fitted(&campaign, Method::Paper(Rules::default()), &[])?;
-    let seconds = start.elapsed().as_secs_f64();
-
+    let step = |done: usize| {
+        progress.report(done, STEPS);
+        if progress.cancelled() { Err(FitError::Stopped) } else { Ok(()) }
+    };
+    step(0)?;
     let mut out = Findings(vec![]);
     let is_table = |p: &FitPoint| same(p.outer_diameter_mm, 50.0) && same(p.wall_mm, 1.0);
     let to_table =
         |p: &FitPoint| table_1(p.pressure_mpa, p.contraction).map_or(0.0, |force| force - p.force_n);
     let constants = fit_constants()?;
+    step(1)?;
     let good = constants.campaign();
     out.add("FE with fitted constants vs Table 1 (D0 50, s 1)", Some(0.015), &good, to_table, is_table)?;
-    out.add("FE as shipped vs Table 1", None, &campaign, to_table, is_table)?;
+    out.add("FE as shipped vs Table 1", None, campaign, to_table, is_table)?;
 
     let held = compute(&base, &[HELD_OUT], &WALLS, &CONTRACTIONS, &PRESSURES);
     let all = [campaign.clone(), held].concat();
+    step(2)?;
     let wide = |p: &FitPoint| p.outer_diameter_mm > 34.0 && p.wall_mm < 4.5;
     let slim = |p: &FitPoint| p.outer_diameter_mm < 34.0;
     let variants = [
@@ -133,7 +128,7 @@ pub fn results() -> Result<Results, FitError> {
         (" (zero where it would push)", Rules { slack: SlackRule::Zero, ..Rules::default() }),
     ];
     for (i, (text, rules)) in variants.into_iter().enumerate() {
-        let f = fitted(&campaign, Method::Paper(rules), &[])?;
+        let f = fitted(campaign, Method::Paper(rules), &[])?;
         let difference = |p: &FitPoint| of_formula(&f, p) - force(published, p);
         let goal = |v| (i == 0).then_some(v);
         let name = format!("paper's method on our FE vs published, D0 35-50, s 1-4{text}");
@@ -149,6 +144,7 @@ pub fn results() -> Result<Results, FitError> {
     out.add(name, Some(0.025), &all_good, difference, wide)?;
     out.add("the same, D0 30, s 1-5", Some(0.09), &all_good, difference, slim)?;
 
+    step(3)?;
     let steps = pressure_steps(1);
     let full = compute(&base, &DIAMETERS, &WALLS, &CONTRACTIONS, &steps);
     let global = fitted(&full, Method::GLOBAL, &[])?;
@@ -157,6 +153,7 @@ pub fn results() -> Result<Results, FitError> {
     out.add("global vs FE, all of the range (P by .01 MPa)", Some(0.004), &full, difference, |_| true)?;
     out.add("global vs FE, D0 35 held out", Some(0.004), &held, difference, |_| true)?;
 
+    step(4)?;
     // Between the points: half steps of D0, s and ε.
     let half = |low: f64, step: f64, n: u32| (0..=n).map(|i| low + step * f64::from(i)).collect::<Vec<f64>>();
     let halves = half(0.0, 0.025, 8);
@@ -169,26 +166,28 @@ pub fn results() -> Result<Results, FitError> {
     out.add(name, Some(0.004), &between, difference, |_| true)?;
 
     let difference = |p: &FitPoint| force(published, p) - p.force_n;
-    out.add("published formula vs FE, the campaign", None, &campaign, difference, |_| true)?;
+    out.add("published formula vs FE, the campaign", None, campaign, difference, |_| true)?;
     out.add("published formula vs FE, between the points too", None, &between, difference, |p| {
         p.pressure_mpa > 0.045
     })?;
     out.add("published formula vs FE, D0 35", None, &all, difference, |p| {
         same(p.outer_diameter_mm, HELD_OUT)
     })?;
-    let difference = |p: &FitPoint| of_formula(&ours, p) - p.force_n;
-    out.add("paper's method on our FE vs FE, the campaign", None, &campaign, difference, |_| true)?;
+    let difference = |p: &FitPoint| of_formula(ours, p) - p.force_n;
+    out.add("paper's method on our FE vs FE, the campaign", None, campaign, difference, |_| true)?;
     out.add("paper's method on our FE vs FE, D0 35", None, &all, difference, |p| {
         same(p.outer_diameter_mm, HELD_OUT)
     })?;
+    step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
     let global_terms = terms(&global);
-    Ok(Results { findings: out.0, constants, seconds, global_terms, random_muscles })
+    progress.report(STEPS, STEPS);
+    Ok(Results { findings: out.0, constants, global_terms, random_muscles })
 }
 
 fn terms(f: &Formula) -> usize {
     match &f.body {
-        mckibben::formula::Body::Paper(_) => 48,
-        mckibben::formula::Body::Global(t) => t.terms.len(),
+        Body::Paper(_) => 48,
+        Body::Global(t) => t.terms.len(),
     }
 }

@@ -3,9 +3,9 @@ use super::errors::{compared, errors};
 use super::paper_method::{Rules, SlackRule, ThinRule, paper_method};
 use super::*;
 use crate::Row;
-use mckibben::formula::{Body, Formula, Made};
-use mckibben::model::Coefficients;
+use mckibben::formula::{Body, Coefficients, Formula, Made};
 use mckibben::muscle::Muscle;
+use mckibben::status::Status;
 
 /// Points of the paper's campaign with a force of our choice.
 fn synthetic(force: impl Fn(f64, f64, f64, f64) -> f64) -> Vec<FitPoint> {
@@ -137,7 +137,7 @@ fn errors_by_hand() {
     assert_eq!(e.points, 500);
 }
 
-fn row(force_n: Option<f64>, status: &str) -> Row {
+fn row(force_n: Option<f64>, status: Status) -> Row {
     Row {
         muscle: 0,
         outer_diameter_mm: 30.0,
@@ -150,20 +150,19 @@ fn row(force_n: Option<f64>, status: &str) -> Row {
         pressure_mpa: 0.1,
         contraction: 0.05,
         force_n,
-        volume_mm3: None,
-        stiffness_n_per_mm: None,
-        force_per_pressure_n_per_mpa: None,
-        sensitivities: vec![],
-        status: status.into(),
-        cause: String::new(),
-        iterations: 0,
+        status,
+        ..Row::default()
     }
 }
 
 #[test]
 fn failed_rows_are_no_points() {
-    let rows =
-        [row(Some(1.0), "ok"), row(None, "not_converged"), row(Some(f64::NAN), "ok"), row(Some(2.0), "x")];
+    let rows = [
+        row(Some(1.0), Status::Ok),
+        row(None, Status::NotConverged),
+        row(Some(f64::NAN), Status::Ok),
+        row(Some(2.0), Status::Collapsed),
+    ];
     assert_eq!(points(&rows).len(), 1);
 }
 
@@ -203,18 +202,21 @@ fn signs_and_tables_are_complete() {
 
 #[test]
 fn the_make_of_a_table_is_found_or_refused() {
-    use mckibben::formula::MadeBraid;
+    use mckibben::formula::{MadeBraid, NamedBraid};
     let with = |d: f64, k: Option<f64>, c10: f64| Row {
         outer_diameter_mm: d,
         stiffness_of_braid_n_per_mm: k,
         constants: vec![("c10_mpa".into(), c10), ("c01_mpa".into(), 0.0)],
-        ..row(Some(1.0), "ok")
+        ..row(Some(1.0), Status::Ok)
     };
     let paper = |d: f64| Made::of(&Muscle::prototype()).stiffness_n_per_mm(d);
     let braid = |rows: &[Row]| made_for(rows).map(|m| m.braid);
     let found = made_for(&[with(30.0, paper(30.0), 0.112), with(50.0, paper(50.0), 0.112)]).unwrap();
     assert_eq!(found, Made::of(&Muscle::prototype()));
-    assert_eq!(braid(&[with(30.0, None, 0.1), with(50.0, None, 0.1)]), Ok(MadeBraid::Inextensible));
+    assert_eq!(
+        braid(&[with(30.0, None, 0.1), with(50.0, None, 0.1)]),
+        Ok(MadeBraid::Named(NamedBraid::Inextensible))
+    );
     assert_eq!(
         braid(&[with(30.0, Some(7.0), 0.1), with(50.0, Some(7.0), 0.1)]),
         Ok(MadeBraid::Stiffness(7.0))

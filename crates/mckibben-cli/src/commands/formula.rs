@@ -7,14 +7,14 @@ use crate::output::text::{number, pairs, table};
 use crate::output::{csv, emit, json};
 use mckibben::formula::{Body, Document, Formula, UniversalFormula, paper_terms};
 use mckibben::model::ModelKind;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 /// Runs the command.
 pub fn show(args: &FormulaShowArgs) -> Result<u8, Failure> {
     let document = document(args)?;
     let (value, latex): (Value, String) = match &document {
-        Document::Section(f) => (f.to_value(), f.to_latex()),
-        Document::Universal(f) => (f.to_value(), f.to_latex()),
+        Document::Section(f) => (json!(f), f.to_latex()),
+        Document::Universal(f) => (json!(f), f.to_latex()),
     };
     let text = match args.output.format {
         _ if args.latex => latex,

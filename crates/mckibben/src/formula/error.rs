@@ -28,15 +28,13 @@ pub enum Problem {
         /// Which.
         key: String,
     },
-    /// A value of another sort.
-    #[error("`{key}` must be {expected}, it is {found}")]
-    Expected {
+    /// A value that is not what belongs there.
+    #[error("`{key}`: {message}")]
+    Wrong {
         /// Which key.
         key: String,
-        /// What it must be.
-        expected: String,
-        /// What stands there, shortened.
-        found: String,
+        /// What is wrong, and where in the text.
+        message: String,
     },
     /// A word that is none of those known.
     #[error("`{key}` says `{given}`, which is none of {known}")]
@@ -49,13 +47,37 @@ pub enum Problem {
         known: String,
     },
     /// A term that stands twice.
-    #[error("`{key}`: the term {term} stands there twice")]
+    #[error("`terms`: the term {term} stands there twice")]
     Twice {
-        /// Which key.
-        key: String,
         /// Which term.
         term: String,
     },
+}
+
+impl Problem {
+    /// What serde says of the value at a path.
+    pub(super) fn of(path: &str, error: &serde_json::Error) -> Self {
+        if !error.is_data() {
+            return Self::Json(error.to_string());
+        }
+        let mut message = error.to_string();
+        let missing = message.strip_prefix("missing field `").and_then(|rest| rest.split_once('`'));
+        if let Some((key, _)) = missing {
+            let key = if path == "." { key.to_owned() } else { format!("{path}.{key}") };
+            return Self::Missing { key };
+        }
+        // Words of the language this is written in, in those of its users.
+        for (theirs, ours) in [
+            ("f64", "a number"),
+            ("usize", "a whole number"),
+            ("u64", "a whole number"),
+            ("u8", "a whole number"),
+        ] {
+            message = message.replace(&format!("expected {theirs}"), &format!("expected {ours}"));
+        }
+        let key = if path == "." { "the file".into() } else { path.to_owned() };
+        Self::Wrong { key, message }
+    }
 }
 
 impl FormulaError {

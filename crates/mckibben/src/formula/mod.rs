@@ -1,4 +1,5 @@
-//! Formulas as data: fitted force formulas that are files, and answer like any other model.
+//! Formulas as data: fitted force formulas that are files. [`crate::model::FormulaModel`] and [`crate::model::Universal`] answer
+//! with them like any other model.
 //!
 //! A file says its terms, for which muscles they were made, over which range, how wrong they are, and where they come
 //! from. Two kinds:
@@ -11,23 +12,24 @@
 
 mod error;
 mod errors;
+mod file;
 mod made;
-mod model;
-mod node;
-mod read;
+mod paper;
 mod show;
 mod terms;
 mod universal;
-mod write;
 
 pub use error::FormulaError;
 pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
-pub use made::{Made, MadeBraid};
-pub use model::FormulaModel;
-pub use terms::{GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
-pub use universal::{UniversalErrors, UniversalFormula, UniversalSummary};
+pub use made::{Made, MadeBraid, MadeRubber, NamedBraid};
+pub use paper::{Coefficients, Section};
+pub use terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
+pub use universal::{
+    Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
+};
 
-use crate::model::Coefficients;
+use file::interval;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// The terms of a formula.
@@ -40,21 +42,30 @@ pub enum Body {
 }
 
 /// Where a formula was fitted; both ends belong to it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
 pub struct FormulaRange {
     /// D0 in mm.
+    #[serde(deserialize_with = "interval")]
     pub outer_diameter_mm: (f64, f64),
     /// s in mm.
+    #[serde(deserialize_with = "interval")]
     pub wall_mm: (f64, f64),
     /// P in MPa.
+    #[serde(deserialize_with = "interval")]
     pub pressure_mpa: (f64, f64),
     /// ε
+    #[serde(deserialize_with = "interval")]
     pub contraction: (f64, f64),
 }
 
 /// Where a formula comes from.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
 pub struct Provenance {
+    /// The program that made it.
+    #[serde(default)]
+    pub program: String,
     /// Version of the program that made it.
     pub version: String,
     /// The method with its rules, in words.
@@ -71,8 +82,25 @@ pub struct Provenance {
     pub seed: Option<u64>,
 }
 
+impl Default for Provenance {
+    /// By this version of this program, from nothing yet.
+    fn default() -> Self {
+        Self {
+            program: "mckibben".into(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            method: String::new(),
+            points: 0,
+            data_hash: String::new(),
+            table: None,
+            plan_hash: None,
+            seed: None,
+        }
+    }
+}
+
 /// A formula with all that is known of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(into = "file::File")]
 pub struct Formula {
     /// Its name, which answers carry.
     pub name: String,
@@ -89,7 +117,8 @@ pub struct Formula {
 }
 
 /// What a formula's file holds.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum Document {
     /// A formula for muscles of one make.
     Section(Formula),

@@ -1,17 +1,24 @@
 //! The terms of a formula.
 
-use crate::model::Coefficients;
+use super::Coefficients;
+use super::file::positive;
+use serde::{Deserialize, Serialize};
 
 /// What the variables of a `global` formula are divided by.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
 pub struct Scales {
     /// Of x = s/D0.
+    #[serde(deserialize_with = "positive")]
     pub wall_ratio: f64,
     /// Of p = P, in MPa.
+    #[serde(deserialize_with = "positive")]
     pub pressure_mpa: f64,
     /// Of e = ε.
+    #[serde(deserialize_with = "positive")]
     pub contraction: f64,
     /// Of d = D0, in mm.
+    #[serde(deserialize_with = "positive")]
     pub outer_diameter_mm: f64,
 }
 

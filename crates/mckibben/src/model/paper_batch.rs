@@ -5,7 +5,7 @@
 //! arrays; at run time the widest vectors of the machine are taken (AVX-512F, AVX2 with FMA), with a portable fallback.
 //! Multiply-adds are fused only where the machine has them, so the paths agree to rounding and not to the bit.
 
-use super::{Coefficients, Section};
+use crate::formula::{Coefficients, Section};
 use thiserror::Error;
 
 /// Slices of different length.

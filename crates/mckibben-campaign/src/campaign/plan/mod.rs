@@ -22,12 +22,13 @@ pub(super) use axis::rounded;
 pub use axis::{Axis, Inputs, Measure};
 pub use sampling::Sampling;
 
+use crate::columns::Layout;
+use crate::hash;
 use mckibben::muscle::file::{FileError, read_text};
 use mckibben::muscle::{Braid, Muscle, MuscleError};
 use mckibben::rubber::Law;
 use mckibben_fem::simulation::Elements;
 use sampling::Design;
-use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// What every muscle is asked.
@@ -82,7 +83,7 @@ impl Plan {
 
     /// SHA-256 of its text, in hexadecimal digits.
     pub fn hash(&self) -> String {
-        hash(&self.text)
+        hash::hex(self.text.as_bytes())
     }
 
     /// Its name, where it has one.
@@ -158,6 +159,11 @@ impl Plan {
         constants(&self.base.tube().rubber.law).into_iter().map(|c| c.0).collect()
     }
 
+    /// The columns of its table.
+    pub fn layout(&self) -> Layout {
+        Layout::new(self.constants(), self.sensitivities())
+    }
+
     /// Keys of the sensitivities that rows carry.
     pub fn sensitivities(&self) -> Vec<String> {
         if !self.testing.sensitivities {
@@ -179,11 +185,6 @@ impl Plan {
 /// Constants of a law with the names of their columns.
 pub(super) fn constants(law: &Law) -> Vec<(String, f64)> {
     law.constants().into_iter().map(|c| (c.column(), c.value)).collect()
-}
-
-/// SHA-256 in hexadecimal digits.
-pub(super) fn hash(text: &str) -> String {
-    Sha256::digest(text.as_bytes()).iter().map(|b| format!("{b:02x}")).collect()
 }
 
 impl Inputs {

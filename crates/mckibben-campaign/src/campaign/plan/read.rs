@@ -4,9 +4,7 @@ use super::sampling::{Design, MOST_MUSCLES, MOST_SOBOL, Sampling};
 use super::{Plan, Testing, axis, vary};
 use mckibben::muscle::file::{FileError, Problem, Section, Source, parse_muscle_beside};
 use mckibben::units::{Dimension, Values};
-use mckibben_fem::axisymmetric::MeshSpec;
-use mckibben_fem::simulation::Elements;
-use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec};
+use mckibben_fem::simulation::{Elements, MeshTextError};
 use std::sync::LazyLock;
 
 const TABLES: &[&str] = &["sampling", "vary", "test"];
@@ -132,12 +130,7 @@ fn testing(section: &Section<'_>) -> Result<Testing, FileError> {
         let why = format!("make {points} points a muscle with the contractions, more than {MOST_POINTS}");
         return Err(section.error("pressures", Problem::Said(why)));
     }
-    let expected = "a finite-element model: fe or fe3d";
-    let elements = match section.text("model", expected)?.map_or("fe", str::trim) {
-        "fe" => Elements::Axisymmetric(mesh(section)?),
-        "fe3d" => Elements::ThreeDimensional(bricks(section)?),
-        _ => return Err(section.error("model", Problem::Word { suggestion: None, expected })),
-    };
+    let elements = elements(section)?;
     let sensitivities = section.boolean("sensitivities")?.unwrap_or(false);
     if sensitivities && matches!(elements, Elements::ThreeDimensional(_)) {
         let why = "is true, and fe3d has none: take model = \"fe\", or leave it out";
@@ -160,25 +153,17 @@ fn levels(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Vec<
     }
 }
 
-fn mesh(section: &Section<'_>) -> Result<MeshSpec, FileError> {
-    let expected = "elements along the half length (\"8\"), through the wall x along (\"2x8\"), or with a grading (\"2x8:2\")";
-    let Some(text) = section.text("mesh", expected)? else { return Ok(MeshSpec::default()) };
-    let wrong = || section.error("mesh", Problem::Word { suggestion: None, expected });
-    let spec = MeshSpec::parse(text).ok_or_else(wrong)?;
-    match spec.resolve(10.0, 1.0, 100.0) {
-        Ok(_) => Ok(spec),
-        Err(error) => Err(section.error("mesh", Problem::Said(error.to_string()))),
-    }
-}
-
-fn bricks(section: &Section<'_>) -> Result<BrickSpec, FileError> {
-    let expected =
-        "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")";
-    let Some(text) = section.text("mesh", expected)? else { return Ok(BrickSpec::default()) };
-    let wrong = || section.error("mesh", Problem::Word { suggestion: None, expected });
-    let spec = BrickSpec::parse(text).ok_or_else(wrong)?;
-    match BrickMesh::check(&spec) {
-        Ok(()) => Ok(spec),
-        Err(error) => Err(section.error("mesh", Problem::Said(error.to_string()))),
-    }
+fn elements(section: &Section<'_>) -> Result<Elements, FileError> {
+    let expected = "a finite-element model: fe or fe3d";
+    let word = section.text("model", expected)?;
+    let unknown = || section.error("model", Problem::Word { suggestion: None, expected });
+    let elements: Elements = word.unwrap_or(Elements::NAMES[0]).parse().map_err(|_| unknown())?;
+    let Some(text) = section.text("mesh", elements.mesh_syntax())? else { return Ok(elements) };
+    elements.with_mesh(text).map_err(|error| {
+        let problem = match error {
+            MeshTextError::Syntax(expected) => Problem::Word { suggestion: None, expected },
+            MeshTextError::Mesh(error) => Problem::Said(error.to_string()),
+        };
+        section.error("mesh", problem)
+    })
 }

@@ -1,10 +1,11 @@
 //! Parquet → tables.
 
-use super::layout::{Kind, Layout};
 use super::provenance::{Provenance, Which};
 use super::seal::{self, Broken};
 use super::table::{Column, Table};
+use crate::Row;
 use crate::campaign::CampaignError;
+use crate::columns::Field;
 use bytes::Bytes;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{DataType, DoubleType};
@@ -19,7 +20,7 @@ pub(crate) struct Opened {
     pub(crate) provenance: Provenance,
     pub(crate) which: Which,
     path: PathBuf,
-    layout: Arc<Layout>,
+    fields: Arc<[Field]>,
     reader: Box<dyn FileReader>,
 }
 
@@ -50,14 +51,20 @@ impl Opened {
         let metadata = reader.metadata().file_metadata();
         let pairs = metadata.key_value_metadata().cloned().unwrap_or_default();
         let none = |why| CampaignError::NoCampaign { path: path.into(), why };
-        let (provenance, which) = Provenance::read(&pairs).map_err(none)?;
+        let (mut provenance, which) = Provenance::read(&pairs).map_err(none)?;
+        let schema = metadata.schema_descr();
+        let names: Vec<&str> = schema.columns().iter().map(|c| c.name()).collect();
+        provenance.layout.found(&names).map_err(|name| CampaignError::NoCampaign {
+            path: path.into(),
+            why: format!("its table lacks the column {name}; run the plan again"),
+        })?;
         let rows = provenance.rows_of(which);
         if u64::try_from(metadata.num_rows()) != Ok(rows) {
             let why = format!("it holds {} rows instead of {rows}", metadata.num_rows());
             return Err(CampaignError::damaged(path, why));
         }
-        let layout = Arc::new(provenance.layout.clone());
-        Ok(Self { provenance, which, path: path.into(), layout, reader })
+        let fields = provenance.layout.fields().into();
+        Ok(Self { provenance, which, path: path.into(), fields, reader })
     }
 
     /// Number of row groups.
@@ -77,21 +84,32 @@ impl Opened {
         let group = self.reader.get_row_group(index)?;
         let rows = usize::try_from(group.metadata().num_rows())
             .map_err(|_| ParquetError::General("a group without rows".into()))?;
+        let schema = group.metadata().schema_descr();
         let mut columns = vec![];
-        for (at, (_, kind)) in self.layout.columns().into_iter().enumerate() {
-            columns.push(column(kind, group.get_column_reader(at)?, rows)?);
+        for field in self.fields.iter() {
+            let at = schema.columns().iter().position(|c| c.name() == field.name);
+            let at = at.ok_or_else(|| ParquetError::General(format!("no column {}", field.name)))?;
+            columns.push(column(&Column::new(field), group.get_column_reader(at)?, rows)?);
         }
-        Ok(Table { layout: self.layout.clone(), columns, rows })
+        Ok(Table::of(&self.fields, columns, rows))
+    }
+
+    /// A row of a table of this file.
+    ///
+    /// # Errors
+    /// [`CampaignError::Damaged`].
+    pub(crate) fn row(&self, table: &Table, i: usize) -> std::result::Result<Row, CampaignError> {
+        table.row(i).map_err(|e| CampaignError::damaged(&self.path, e))
     }
 }
 
-fn column(kind: Kind, reader: ColumnReader, rows: usize) -> Result<Column> {
+fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
     Ok(match (kind, reader) {
-        (Kind::Int64, ColumnReader::Int64ColumnReader(r)) => Column::Int64(values(r, rows)?),
-        (Kind::Int32, ColumnReader::Int32ColumnReader(r)) => Column::Int32(values(r, rows)?),
-        (Kind::Double, ColumnReader::DoubleColumnReader(r)) => Column::Double(values(r, rows)?),
-        (Kind::Text, ColumnReader::ByteArrayColumnReader(r)) => Column::Text(values(r, rows)?),
-        (Kind::Optional, ColumnReader::DoubleColumnReader(r)) => Column::Optional(optional(r, rows)?),
+        (Column::Int64(_), ColumnReader::Int64ColumnReader(r)) => Column::Int64(values(r, rows)?),
+        (Column::Int32(_), ColumnReader::Int32ColumnReader(r)) => Column::Int32(values(r, rows)?),
+        (Column::Double(_), ColumnReader::DoubleColumnReader(r)) => Column::Double(values(r, rows)?),
+        (Column::Text(_), ColumnReader::ByteArrayColumnReader(r)) => Column::Text(values(r, rows)?),
+        (Column::Optional(_), ColumnReader::DoubleColumnReader(r)) => Column::Optional(optional(r, rows)?),
         _ => return Err(ParquetError::General("a column is of another kind".into())),
     })
 }

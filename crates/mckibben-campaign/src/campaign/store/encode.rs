@@ -1,16 +1,17 @@
 //! Tables → Parquet.
 
-use super::layout::Layout;
 use super::provenance::{Provenance, VERSION, Which};
 use super::seal::{SEAL, Sealing};
 use super::table::{Column, Table};
 use crate::campaign::CampaignError;
+use crate::columns::{Field, Role};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
-use parquet::schema::types::ColumnPath;
+use parquet::schema::parser::parse_message_type;
+use parquet::schema::types::{ColumnPath, TypePtr};
 use std::fs::File;
 use std::io::{Cursor, Seek, Write};
 use std::path::Path;
@@ -24,21 +25,31 @@ fn writer<W: Write + Send>(
     provenance: &Provenance,
     which: Which,
 ) -> Result<SerializedFileWriter<Sealing<W>>> {
-    let schema = provenance.layout.schema().map_err(ParquetError::General)?;
+    let fields = provenance.layout.fields();
     let mut properties = WriterProperties::builder()
         .set_created_by(format!("mckibben {VERSION}"))
         .set_compression(Compression::ZSTD(ZstdLevel::try_new(3)?))
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_offset_index_disabled(true)
         .set_key_value_metadata(Some(provenance.write(which)));
-    for (name, _) in provenance.layout.columns() {
-        if !Layout::repeats(&name) {
-            properties = properties.set_column_dictionary_enabled(ColumnPath::from(name), false);
-        }
+    // What was asked repeats few values, so that a dictionary of them is worth its bytes.
+    for field in fields.iter().filter(|f| f.column.role == Role::Answer) {
+        properties = properties.set_column_dictionary_enabled(ColumnPath::from(field.name.as_str()), false);
     }
-    let mut out = SerializedFileWriter::new(Sealing::new(inner), schema, Arc::new(properties.build()))?;
+    let properties = Arc::new(properties.build());
+    let mut out = SerializedFileWriter::new(Sealing::new(inner), schema(&fields)?, properties)?;
     out.write_all(&[0; SEAL])?;
     Ok(out)
+}
+
+/// The columns as a schema of Parquet.
+fn schema(fields: &[Field]) -> Result<TypePtr> {
+    let line = |f: &Field| {
+        let (before, behind) = Column::new(f).schema();
+        format!("  {before} {}{behind};\n", f.name)
+    };
+    let lines: String = fields.iter().map(line).collect();
+    parse_message_type(&format!("message campaign {{\n{lines}}}")).map(Arc::new)
 }
 
 fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
@@ -95,8 +106,7 @@ pub(crate) fn whole(
 ) -> std::result::Result<File, CampaignError> {
     let failed = |e: ParquetError| unwritten(e, path);
     let mut out = writer(file, provenance, Which::Whole).map_err(failed)?;
-    let layout = Arc::new(provenance.layout.clone());
-    let mut group = Table::new(&layout);
+    let mut group = Table::new(&provenance.layout);
     for table in tables {
         let table = table?;
         let mut from = 0;
@@ -106,7 +116,7 @@ pub(crate) fn whole(
             from = to;
             if group.rows == GROUP {
                 write_group(&mut out, &group).map_err(failed)?;
-                group = Table::new(&layout);
+                group = Table::new(&provenance.layout);
             }
         }
     }

@@ -1,14 +1,16 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
-use super::layout::Layout;
-use crate::campaign::plan::{Plan, hash};
+use crate::campaign::plan::Plan;
+use crate::columns::Layout;
+use crate::hash;
 use parquet::file::metadata::KeyValue;
+use serde::Serialize;
 
 /// This version of the program.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Where a table comes from. No time and no host: the same plan gives the same bytes.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Provenance {
     /// Version of the program.
     pub version: String,
@@ -23,11 +25,14 @@ pub struct Provenance {
     /// Seed of the sampling, where it has one.
     pub seed: Option<u64>,
     /// Number of muscles of the whole plan.
+    #[serde(rename = "muscles_wanted")]
     pub muscles: u64,
     /// Points each muscle is asked.
     pub points_per_muscle: u64,
     /// Muscles of one part.
+    #[serde(rename = "muscles_per_part")]
     pub block: u64,
+    #[serde(skip)]
     pub(crate) layout: Layout,
 }
 
@@ -55,7 +60,7 @@ impl Provenance {
             muscles: plan.muscles(),
             points_per_muscle: plan.points_per_muscle() as u64,
             block: plan.block(),
-            layout: Layout { constants: plan.constants(), sensitivities: plan.sensitivities() },
+            layout: plan.layout(),
         }
     }
 
@@ -124,12 +129,9 @@ impl Provenance {
             muscles: number(text("muscles")?)?,
             points_per_muscle: number(text("points_per_muscle")?)?,
             block: number(text("muscles_per_part")?)?.max(1),
-            layout: Layout {
-                constants: list(text("constants")?),
-                sensitivities: list(text("sensitivities")?),
-            },
+            layout: Layout::new(list(text("constants")?), list(text("sensitivities")?)),
         };
-        if hash(&out.plan) != out.plan_sha256 {
+        if hash::hex(out.plan.as_bytes()) != out.plan_sha256 {
             return Err("the plan in its metadata is not the one whose hash stands beside it".into());
         }
         let which = find("part").map(number).transpose()?.map_or(Which::Whole, Which::Part);

@@ -1,11 +1,11 @@
 //! Rows as columns in memory.
 
-use super::layout::{Kind, Layout};
 use crate::Row;
+use crate::columns::{Field, Layout, Slot};
 use parquet::data_type::ByteArray;
 use std::sync::Arc;
 
-/// A column.
+/// A column, of the kind that Parquet knows.
 #[derive(Debug, Clone)]
 pub(crate) enum Column {
     Int64(Vec<i64>),
@@ -16,13 +16,25 @@ pub(crate) enum Column {
 }
 
 impl Column {
-    pub(crate) fn new(kind: Kind) -> Self {
-        match kind {
-            Kind::Int64 => Self::Int64(vec![]),
-            Kind::Int32 => Self::Int32(vec![]),
-            Kind::Double => Self::Double(vec![]),
-            Kind::Optional => Self::Optional(vec![]),
-            Kind::Text => Self::Text(vec![]),
+    /// An empty column for what a field holds.
+    pub(crate) fn new(field: &Field) -> Self {
+        match field.slot(&mut Row::default()) {
+            Slot::Whole(_) => Self::Int64(vec![]),
+            Slot::Count(_) => Self::Int32(vec![]),
+            Slot::Number(_) | Slot::Constants(_) => Self::Double(vec![]),
+            Slot::Optional(_) | Slot::Sensitivities(_) => Self::Optional(vec![]),
+            Slot::Text(_) | Slot::Status(_) => Self::Text(vec![]),
+        }
+    }
+
+    /// Its type in a schema of Parquet, before and behind its name.
+    pub(super) fn schema(&self) -> (&'static str, &'static str) {
+        match self {
+            Self::Int64(_) => ("REQUIRED INT64", ""),
+            Self::Int32(_) => ("REQUIRED INT32", ""),
+            Self::Double(_) => ("REQUIRED DOUBLE", ""),
+            Self::Optional(_) => ("OPTIONAL DOUBLE", ""),
+            Self::Text(_) => ("REQUIRED BYTE_ARRAY", " (UTF8)"),
         }
     }
 
@@ -37,86 +49,66 @@ impl Column {
         }
     }
 
-    fn number(&self, i: usize) -> Option<f64> {
-        match self {
-            Self::Int64(v) => v.get(i).map(|x| *x as f64),
-            Self::Int32(v) => v.get(i).map(|x| f64::from(*x)),
-            Self::Double(v) => v.get(i).copied(),
-            Self::Optional(v) => v.get(i).copied().flatten(),
-            Self::Text(_) => None,
+    /// Adds what a row has in a field.
+    fn push(&mut self, field: &Field, row: &mut Row) {
+        match (self, field.slot(row)) {
+            (Self::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
+            (Self::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
+            (Self::Double(c), Slot::Number(v)) => c.push(*v),
+            (Self::Double(c), Slot::Constants(list)) => c.push(field.of(list).unwrap_or(0.0)),
+            (Self::Optional(c), Slot::Optional(v)) => c.push(*v),
+            (Self::Optional(c), Slot::Sensitivities(list)) => c.push(field.of(list)),
+            (Self::Text(c), Slot::Text(v)) => c.push(ByteArray::from(v.as_str())),
+            (Self::Text(c), Slot::Status(v)) => c.push(ByteArray::from(v.to_string().as_str())),
+            _ => {}
         }
     }
 
-    fn text(&self, i: usize) -> &str {
-        match self {
-            Self::Text(v) => v.get(i).and_then(|t| t.as_utf8().ok()).unwrap_or(""),
-            _ => "",
+    /// Puts line `i` into a row; what is wrong with it otherwise.
+    fn fill(&self, i: usize, field: &Field, row: &mut Row) -> Option<Result<(), String>> {
+        let text = |c: &[ByteArray]| Some(c.get(i)?.as_utf8().unwrap_or("").to_owned());
+        match (self, field.slot(row)) {
+            (Self::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
+            (Self::Int32(c), Slot::Count(v)) => *v = u32::try_from(*c.get(i)?).unwrap_or(0),
+            (Self::Double(c), Slot::Number(v)) => *v = *c.get(i)?,
+            (Self::Double(c), Slot::Constants(list)) => list.push((field.key().to_owned(), *c.get(i)?)),
+            (Self::Optional(c), Slot::Optional(v)) => *v = *c.get(i)?,
+            (Self::Optional(c), Slot::Sensitivities(list)) => {
+                list.extend(c.get(i)?.map(|v| (field.key().to_owned(), v)));
+            }
+            (Self::Text(c), Slot::Text(v)) => *v = text(c)?,
+            (Self::Text(c), Slot::Status(v)) => match text(c)?.parse() {
+                Ok(status) => *v = status,
+                Err(error) => return Some(Err(format!("{}: {error}", field.name))),
+            },
+            _ => return None,
         }
+        Some(Ok(()))
     }
-}
-
-/// A value on its way into a column.
-enum Cell<'a> {
-    Number(Option<f64>),
-    Text(&'a str),
 }
 
 /// Some rows of a campaign.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
-    pub(crate) layout: Arc<Layout>,
+    fields: Arc<[Field]>,
     pub(crate) columns: Vec<Column>,
     pub(crate) rows: usize,
 }
 
 impl Table {
-    pub(crate) fn new(layout: &Arc<Layout>) -> Self {
-        let columns = layout.columns().into_iter().map(|c| Column::new(c.1)).collect();
-        Self { layout: layout.clone(), columns, rows: 0 }
+    pub(crate) fn new(layout: &Layout) -> Self {
+        let fields: Arc<[Field]> = layout.fields().into();
+        Self { columns: fields.iter().map(Column::new).collect(), fields, rows: 0 }
     }
 
-    /// Adds a row; constants and sensitivities stand in the order of the layout, or are looked up.
-    pub(crate) fn push(&mut self, row: &Row) {
-        let find = |list: &[(String, f64)], at: usize, key: &str| match list.get(at) {
-            Some((k, v)) if k == key => Some(*v),
-            _ => list.iter().find(|c| c.0 == key).map(|c| c.1),
-        };
-        let layout = self.layout.clone();
-        let number = |v: f64| Cell::Number(Some(v));
-        let mut cells = vec![
-            number(row.muscle as f64),
-            number(row.outer_diameter_mm),
-            number(row.wall_mm),
-            number(row.length_mm),
-            number(row.angle_deg),
-            Cell::Text(&row.law),
-        ];
-        let constants = layout.constants.iter().enumerate();
-        cells.extend(constants.map(|(i, k)| Cell::Number(find(&row.constants, i, k))));
-        cells.extend(
-            [
-                row.stiffness_of_braid_n_per_mm,
-                Some(row.pressure_mpa),
-                Some(row.contraction),
-                row.force_n,
-                row.volume_mm3,
-                row.stiffness_n_per_mm,
-                row.force_per_pressure_n_per_mpa,
-            ]
-            .map(Cell::Number),
-        );
-        let sensitivities = layout.sensitivities.iter().enumerate();
-        cells.extend(sensitivities.map(|(i, k)| Cell::Number(find(&row.sensitivities, i, k))));
-        cells.extend([Cell::Text(&row.status), Cell::Text(&row.cause), number(f64::from(row.iterations))]);
-        for (column, cell) in self.columns.iter_mut().zip(cells) {
-            match (column, cell) {
-                (Column::Int64(v), Cell::Number(x)) => v.push(x.unwrap_or(0.0) as i64),
-                (Column::Int32(v), Cell::Number(x)) => v.push(x.unwrap_or(0.0) as i32),
-                (Column::Double(v), Cell::Number(x)) => v.push(x.unwrap_or(0.0)),
-                (Column::Optional(v), Cell::Number(x)) => v.push(x),
-                (Column::Text(v), Cell::Text(t)) => v.push(ByteArray::from(t)),
-                _ => {}
-            }
+    pub(super) fn of(fields: &Arc<[Field]>, columns: Vec<Column>, rows: usize) -> Self {
+        Self { fields: fields.clone(), columns, rows }
+    }
+
+    /// Adds a row.
+    pub(crate) fn push(&mut self, mut row: Row) {
+        for (column, field) in self.columns.iter_mut().zip(self.fields.iter()) {
+            column.push(field, &mut row);
         }
         self.rows += 1;
     }
@@ -129,37 +121,12 @@ impl Table {
         self.rows += to - from;
     }
 
-    /// Row `i`.
-    pub(crate) fn row(&self, i: usize) -> Row {
-        let (c, s) = (self.layout.constants.len(), self.layout.sensitivities.len());
-        let option = |at: usize| self.columns.get(at).and_then(|x| x.number(i));
-        let number = |at: usize| option(at).unwrap_or(0.0);
-        let text = |at: usize| self.columns.get(at).map_or("", |x| x.text(i)).to_owned();
-        // Where the columns behind the constants, and those behind the sensitivities, begin.
-        let (middle, tail) = (6 + c, 13 + c + s);
-        let constants = self.layout.constants.iter().enumerate();
-        let sensitivities = self.layout.sensitivities.iter().enumerate();
-        Row {
-            muscle: number(0) as u64,
-            outer_diameter_mm: number(1),
-            wall_mm: number(2),
-            length_mm: number(3),
-            angle_deg: number(4),
-            law: text(5),
-            constants: constants.map(|(k, name)| (name.clone(), number(6 + k))).collect(),
-            stiffness_of_braid_n_per_mm: option(middle),
-            pressure_mpa: number(middle + 1),
-            contraction: number(middle + 2),
-            force_n: option(middle + 3),
-            volume_mm3: option(middle + 4),
-            stiffness_n_per_mm: option(middle + 5),
-            force_per_pressure_n_per_mpa: option(middle + 6),
-            sensitivities: sensitivities
-                .filter_map(|(k, key)| Some((key.clone(), option(middle + 7 + k)?)))
-                .collect(),
-            status: text(tail),
-            cause: text(tail + 1),
-            iterations: number(tail + 2) as u32,
+    /// Row `i`, or what is wrong with it.
+    pub(crate) fn row(&self, i: usize) -> Result<Row, String> {
+        let mut row = Row::default();
+        for (column, field) in self.columns.iter().zip(self.fields.iter()) {
+            column.fill(i, field, &mut row).unwrap_or_else(|| Err(format!("{}: no value", field.name)))?;
         }
+        Ok(row)
     }
 }

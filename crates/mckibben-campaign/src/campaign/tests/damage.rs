@@ -1,8 +1,7 @@
 //! Cut, changed, missing and foreign files are named: recomputed by a run, refused by everything else.
 
 use super::*;
-use crate::campaign::store::{Layout, Opened, Provenance, Table, Which, part as encode};
-use std::sync::Arc;
+use crate::campaign::store::{Opened, Provenance, Table, Which, part as encode};
 
 fn is_refused(path: &Path) -> String {
     match Opened::file(path).map(drop) {
@@ -60,10 +59,10 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     assert_eq!((shown.muscles, shown.missing_parts, shown.damaged.len()), (7, 5, 5));
 
     let outcome = run_to(&store);
-    let named: Vec<_> = outcome.recomputed.iter().map(|d| d.0.file_name().unwrap().to_owned()).collect();
+    let named: Vec<_> = outcome.recomputed.iter().map(|d| d.file.file_name().unwrap().to_owned()).collect();
     let expected_names = [2, 5, 7, 8, 9].map(|n| part(&store, n).file_name().unwrap().to_owned());
     assert_eq!(named, expected_names);
-    assert_eq!(outcome.progress.points, 5 * 6);
+    assert_eq!(outcome.counts.points, 5 * 6);
     merge(&[store], &merged).unwrap();
     assert!(bytes(&merged) == expected);
 }
@@ -74,8 +73,8 @@ fn a_shard_touches_only_its_own_damaged_parts() {
     run_to(dir.path());
     std::fs::write(part(dir.path(), 4), b"").unwrap();
     std::fs::write(part(dir.path(), 5), b"").unwrap();
-    let outcome = run(&plan(), dir.path(), &share("1/2"), &mut |_| {}).unwrap();
-    assert_eq!(outcome.recomputed.iter().map(|d| d.0.clone()).collect::<Vec<_>>(), [part(dir.path(), 4)]);
+    let outcome = run(&plan(), dir.path(), &share("1/2"), &Silent).unwrap();
+    assert_eq!(outcome.recomputed.iter().map(|d| d.file.clone()).collect::<Vec<_>>(), [part(dir.path(), 4)]);
     assert_eq!(bytes(&part(dir.path(), 5)), b"");
 }
 
@@ -91,7 +90,7 @@ fn missing_parts_are_counted_and_named() {
         "{error}"
     );
     assert_eq!(summary(dir.path()).unwrap().missing_parts, 2);
-    assert_eq!(run_to(dir.path()).progress.points, 12);
+    assert_eq!(run_to(dir.path()).counts.points, 12);
     assert_eq!(read(dir.path()).unwrap().len(), 72);
 }
 
@@ -104,7 +103,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
     let before = (bytes(&part(&store, 0)), bytes(&file));
     let other = Plan::parse(&PLAN.replace("seed = 2", "seed = 3")).unwrap();
     for out in [&store, &file] {
-        let error = run(&other, out, &RunOptions::default(), &mut |_| {}).unwrap_err();
+        let error = run(&other, out, &RunOptions::default(), &Silent).unwrap_err();
         assert!(matches!(error, CampaignError::OtherPlan { .. }), "{error}");
         assert!(error.hint().contains("write to another place"));
     }
@@ -113,16 +112,15 @@ fn another_plan_or_version_is_refused_with_a_hint() {
     let older = Provenance { version: "0.0.9".into(), ..Provenance::of(&plan()) };
     let bytes = encode(&older, 0, &table_of(&plan(), 0)).unwrap();
     std::fs::write(part(&store, 0), bytes).unwrap();
-    let error = run(&plan(), &store, &RunOptions::default(), &mut |_| {}).unwrap_err();
+    let error = run(&plan(), &store, &RunOptions::default(), &Silent).unwrap_err();
     assert!(error.to_string().contains("was made by mckibben 0.0.9"), "{error}");
     // Parts of two versions make no table either.
     assert!(read(&store).is_err() && merge(&[store], &dir.path().join("m.parquet")).is_err());
 }
 
 fn table_of(plan: &Plan, muscle: u64) -> Table {
-    let layout = Layout { constants: plan.constants(), sensitivities: plan.sensitivities() };
-    let mut table = Table::new(&Arc::new(layout));
-    crate::campaign::solve::rows(plan, muscle).iter().for_each(|row| table.push(row));
+    let mut table = Table::new(&plan.layout());
+    crate::campaign::solve::rows(plan, muscle).into_iter().for_each(|row| table.push(row));
     table
 }
 
@@ -147,7 +145,7 @@ fn what_is_no_campaign_is_not_read_and_not_overwritten() {
     for content in [&b""[..], b"PAR1", b"PAR1PAR1", b"outer_diameter_mm,wall_mm\n30,3\n", &[0; 5000]] {
         std::fs::write(&file, content).unwrap();
         assert!(read(&file).is_err() && summary(&file).is_err());
-        assert!(run(&plan(), &file, &RunOptions::default(), &mut |_| {}).is_err());
+        assert!(run(&plan(), &file, &RunOptions::default(), &Silent).is_err());
         assert_eq!(bytes(&file), content);
     }
     assert!(matches!(read(dir.path()), Err(CampaignError::NoCampaign { .. })), "a folder without parts");
@@ -160,7 +158,7 @@ fn what_is_no_campaign_is_not_read_and_not_overwritten() {
     // A folder where a file of another kind stands.
     let text = dir.path().join("notes.txt");
     std::fs::write(&text, "notes").unwrap();
-    assert!(run(&plan(), &text, &RunOptions::default(), &mut |_| {}).is_err());
+    assert!(run(&plan(), &text, &RunOptions::default(), &Silent).is_err());
     assert_eq!(bytes(&text), b"notes");
 }
 
@@ -172,11 +170,11 @@ fn a_run_killed_before_it_removed_its_parts_is_tidied_up() {
     run_to(&parts);
     std::fs::write(&file, &expected).unwrap();
     let outcome = run_to(&file);
-    assert_eq!((outcome.complete, outcome.progress.points, parts.exists()), (true, 0, false));
+    assert_eq!((outcome.complete, outcome.counts.points, parts.exists()), (true, 0, false));
     // A part under the file's name is not the table.
     run_to(&parts);
     std::fs::copy(part(&parts, 0), &file).unwrap();
-    assert!(run(&plan(), &file, &RunOptions::default(), &mut |_| {}).is_err());
+    assert!(run(&plan(), &file, &RunOptions::default(), &Silent).is_err());
 }
 
 #[test]
@@ -187,4 +185,38 @@ fn what_a_killed_run_left_unfinished_is_swept_away() {
     run_to(dir.path());
     assert!(!left.exists());
     assert_eq!(read(dir.path()).unwrap().len(), 72);
+}
+
+#[test]
+fn parts_of_an_older_program_are_read_and_merged_and_not_gone_on_with() {
+    let dir = folder();
+    let store = dir.path().join("store");
+    run_to(&store);
+    let newer = read(&store).unwrap();
+    let mut older = Provenance::of(&plan());
+    older.layout.lacking = vec!["braid_tension_n", "strand_tension_n", "bulged_diameter_mm", "max_stretch"];
+    for number in 0..12 {
+        let mut table = Table::new(&older.layout);
+        newer.iter().filter(|r| r.muscle == number).for_each(|row| table.push(row.clone()));
+        std::fs::write(part(&store, number), encode(&older, number, &table).unwrap()).unwrap();
+    }
+    let rows = read(&store).unwrap();
+    for (row, newer) in rows.iter().zip(&newer) {
+        assert_eq!((row.bulged_diameter_mm, row.max_stretch, row.force_n), (None, None, newer.force_n));
+    }
+    let merged = dir.path().join("merged.parquet");
+    merge(std::slice::from_ref(&store), &merged).unwrap();
+    assert_eq!(read(&merged).unwrap(), rows);
+    assert!(summary(&merged).unwrap().complete);
+    for out in [&store, &merged] {
+        let error = run(&plan(), out, &RunOptions::default(), &Silent).unwrap_err();
+        assert!(matches!(error, CampaignError::OtherColumns { .. }), "{error}");
+        assert!(error.hint().contains("write to another place"));
+    }
+    // A part of each makes no table.
+    std::fs::remove_file(part(&store, 3)).unwrap();
+    let (number, mut table) = (3, Table::new(&plan().layout()));
+    newer.iter().filter(|r| r.muscle == number).for_each(|row| table.push(row.clone()));
+    std::fs::write(part(&store, number), encode(&Provenance::of(&plan()), number, &table).unwrap()).unwrap();
+    assert!(read(&store).is_err());
 }

@@ -5,8 +5,9 @@ mod rows;
 mod same_bytes;
 
 use super::*;
+use mckibben::progress::{Progress, Silent};
+use mckibben::status::Status;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
 use tempfile::TempDir;
 
 /// Twelve muscles on a coarse mesh, six points each, one part each.
@@ -23,7 +24,7 @@ fn folder() -> TempDir {
 }
 
 fn run_to(out: &Path) -> Outcome {
-    run(&plan(), out, &RunOptions::default(), &mut |_| {}).unwrap()
+    run(&plan(), out, &RunOptions::default(), &Silent).unwrap()
 }
 
 fn share(text: &str) -> RunOptions {

@@ -7,7 +7,7 @@ use mckibben::model::Workspace;
 fn run_plan(text: &str) -> Vec<Row> {
     let dir = folder();
     let out = dir.path().join("c.parquet");
-    run(&Plan::parse(text).unwrap(), &out, &RunOptions::default(), &mut |_| {}).unwrap();
+    run(&Plan::parse(text).unwrap(), &out, &RunOptions::default(), &Silent).unwrap();
     read(&out).unwrap()
 }
 
@@ -36,7 +36,7 @@ fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
             assert!((value - s.force_n_per_unit).abs() < 1e-6 * s.force_n_per_unit.abs().max(1.0), "{key}");
         }
         assert!(here.volume_mm3.unwrap() > muscle.rest_volume_mm3());
-        assert_eq!((here.status.as_str(), here.cause.as_str()), ("ok", ""));
+        assert_eq!((here.status, here.cause.as_str()), (Status::Ok, ""));
         assert_eq!(
             (here.law.as_str(), here.constants[0].clone()),
             ("mooney-rivlin", ("c10_mpa".into(), 0.112))
@@ -51,12 +51,12 @@ fn failures_are_rows() {
          [test]\ncontractions = \"0,0.6\"\npressures = \"0,0.2\"\nmesh = \"3\"\n",
     );
     assert_eq!(rows.len(), 16);
-    assert!(rows.iter().all(|r| (r.status == "ok") == r.force_n.is_some()));
-    assert!(rows.iter().all(|r| (r.status == "ok") == r.cause.is_empty()));
-    assert!(rows[8..].iter().all(|r| r.status == "no_muscle" && r.cause.contains("wall_thickness")));
+    assert!(rows.iter().all(|r| r.status.is_ok() == r.force_n.is_some()));
+    assert!(rows.iter().all(|r| r.status.is_ok() == r.cause.is_empty()));
+    assert!(rows[8..].iter().all(|r| r.status == Status::NoMuscle && r.cause.contains("wall_thickness")));
     assert_eq!(rows[8].wall_mm, 15.0);
-    assert!(rows[..8].iter().any(|r| ["collapsed", "not_converged"].contains(&r.status.as_str())));
-    assert_eq!((rows[0].status.as_str(), rows[0].force_n.is_some()), ("ok", true));
+    assert!(rows[..8].iter().any(|r| [Status::Collapsed, Status::NotConverged].contains(&r.status)));
+    assert_eq!((rows[0].status, rows[0].force_n.is_some()), (Status::Ok, true));
 }
 
 #[test]
@@ -107,13 +107,9 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let dir = folder();
     let mut files = vec![];
     for cut in [1000, 33_333] {
-        let layout = std::sync::Arc::new(crate::campaign::store::Layout {
-            constants: plan.constants(),
-            sensitivities: vec![],
-        });
         let tables = (0..77_000_u64).step_by(cut).map(|from| {
-            let mut table = Table::new(&layout);
-            (from..77_000.min(from + cut as u64)).for_each(|i| table.push(&row(i)));
+            let mut table = Table::new(&plan.layout());
+            (from..77_000.min(from + cut as u64)).for_each(|i| table.push(row(i)));
             Ok(table)
         });
         let path = dir.path().join(format!("{cut}.parquet"));
@@ -142,7 +138,7 @@ fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     for row in rows {
         let muscle = plan.inputs(row.muscle).muscle(plan.base()).unwrap();
         let model = plan.testing().elements.build(&muscle).unwrap();
-        assert_eq!((model.name(), row.status.as_str()), ("fe3d", "ok"));
+        assert_eq!((model.name(), row.status), ("fe3d", Status::Ok));
         let force = model.force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction).unwrap();
         assert!((row.force_n.unwrap() / force - 1.0).abs() < 1e-8);
     }

@@ -1,6 +1,7 @@
 //! Threads, shards and interruptions cannot be told from a table.
 
 use super::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 #[test]
 fn any_number_of_threads_gives_the_same_bytes() {
@@ -9,8 +10,8 @@ fn any_number_of_threads_gives_the_same_bytes() {
     for threads in [1, 2, 3, 8] {
         let path = dir.path().join(format!("{threads}.parquet"));
         let options = RunOptions { threads: Some(threads), ..RunOptions::default() };
-        let outcome = run(&plan(), &path, &options, &mut |_| {}).unwrap();
-        assert_eq!((outcome.progress.points, outcome.complete), (72, true));
+        let outcome = run(&plan(), &path, &options, &Silent).unwrap();
+        assert_eq!((outcome.counts.points, outcome.complete), (72, true));
         assert!(bytes(&path) == expected, "{threads} threads");
     }
     let left: Vec<_> = std::fs::read_dir(dir.path()).unwrap().collect();
@@ -25,9 +26,9 @@ fn shards_in_one_folder_or_many_merge_to_the_same_bytes() {
         let place = |i: u64| dir.path().join(format!("{count}-{}", if apart { i } else { 0 }));
         let mut muscles = 0;
         for i in 1..=count {
-            let outcome = run(&plan(), &place(i), &share(&format!("{i}/{count}")), &mut |_| {}).unwrap();
+            let outcome = run(&plan(), &place(i), &share(&format!("{i}/{count}")), &Silent).unwrap();
             assert!(outcome.complete);
-            muscles += outcome.progress.of;
+            muscles += outcome.counts.of;
         }
         assert_eq!(muscles, 12, "each muscle is in one share");
         let mut folders: Vec<PathBuf> = (1..=count).map(place).collect();
@@ -43,6 +44,37 @@ fn shards_in_one_folder_or_many_merge_to_the_same_bytes() {
     }
 }
 
+/// Wants the end once so many muscles are there.
+struct StopsAfter {
+    muscles: usize,
+    reached: AtomicBool,
+}
+
+impl StopsAfter {
+    fn new(muscles: usize) -> Self {
+        Self { muscles, reached: AtomicBool::new(false) }
+    }
+}
+
+impl Progress for StopsAfter {
+    fn report(&self, done: usize, _: usize) {
+        self.reached.store(done >= self.muscles, Ordering::Relaxed);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.reached.load(Ordering::Relaxed)
+    }
+}
+
+#[test]
+fn rows_in_memory_are_those_of_the_file_and_a_wish_to_stop_ends_them() {
+    let dir = folder();
+    let path = dir.path().join("c.parquet");
+    run_to(&path);
+    assert_eq!(compute(&plan(), &Silent).unwrap(), read(&path).unwrap());
+    assert!(matches!(compute(&plan(), &StopsAfter::new(1)), Err(CampaignError::Stopped)));
+}
+
 #[test]
 fn a_run_that_was_stopped_goes_on_and_computes_only_what_is_missing() {
     let dir = folder();
@@ -50,17 +82,15 @@ fn a_run_that_was_stopped_goes_on_and_computes_only_what_is_missing() {
     for (name, after) in [("a.parquet", 1), ("b.parquet", 5), ("c.parquet", 11)] {
         let path = dir.path().join(name);
         let options = RunOptions { threads: Some(1), ..RunOptions::default() };
-        let stop = options.stop.clone();
-        let stopping = &mut |p: Progress| stop.store(p.muscles >= after, Ordering::Relaxed);
-        let first = run(&plan(), &path, &options, stopping).unwrap();
+        let first = run(&plan(), &path, &options, &StopsAfter::new(after)).unwrap();
         assert!(!path.exists() || first.complete);
         let second = run_to(&path);
         assert!(second.complete);
-        assert_eq!(second.progress.resumed, first.progress.muscles);
-        assert_eq!(second.progress.points + first.progress.points, 72);
+        assert_eq!(second.counts.resumed, first.counts.muscles);
+        assert_eq!(second.counts.points + first.counts.points, 72);
         assert!(bytes(&path) == expected);
         // A third time there is nothing to do.
-        assert_eq!(run_to(&path).progress.points, 0);
+        assert_eq!(run_to(&path).counts.points, 0);
         assert!(bytes(&path) == expected);
     }
 }
@@ -71,7 +101,7 @@ fn parts_that_were_computed_twice_are_the_same_bytes() {
     let expected = reference(&dir);
     let (one, other) = (dir.path().join("one"), dir.path().join("other"));
     run_to(&one);
-    run(&plan(), &other, &share("2/3"), &mut |_| {}).unwrap();
+    run(&plan(), &other, &share("2/3"), &Silent).unwrap();
     assert_eq!(bytes(&part(&one, 4)), bytes(&part(&other, 4)));
     let out = dir.path().join("merged.parquet");
     assert_eq!(merge(&[other, one], &out).unwrap().doubles, 4);
@@ -89,7 +119,7 @@ fn one_process_writes_to_a_store_or_several_with_different_shards() {
         let _whole = Folder::for_writing(&path, None).unwrap();
         assert!(locked(Folder::for_writing(&path, None)));
         assert!(locked(Folder::for_writing(&path, shard("1/2"))));
-        let error = run(&plan(), &path, &RunOptions::default(), &mut |_| {}).unwrap_err();
+        let error = run(&plan(), &path, &RunOptions::default(), &Silent).unwrap_err();
         assert!(error.to_string().starts_with("another process is writing to"), "{error}");
     }
     let _first = Folder::for_writing(&path, shard("1/2")).unwrap();
@@ -108,6 +138,6 @@ fn a_shard_is_one_of_a_number() {
         assert_eq!(shards.iter().filter(|s| s.holds(block)).count(), 1);
     }
     let file = Path::new("x.parquet");
-    let error = run(&plan(), file, &share("1/2"), &mut |_| {}).unwrap_err();
+    let error = run(&plan(), file, &share("1/2"), &Silent).unwrap_err();
     assert!(matches!(error, CampaignError::ShardOfFile { .. }));
 }

@@ -9,6 +9,7 @@ use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::axisymmetric::sweep::Random;
 use rayon::prelude::*;
+use serde::Serialize;
 
 /// Contractions a muscle is asked, as tenths of the ideal muscle's largest.
 const STEPS: u32 = 10;
@@ -72,11 +73,12 @@ fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {
 }
 
 /// A model and its errors.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct HeldOutRow {
     /// The model, in words.
     pub model: String,
     /// Its errors.
+    #[serde(flatten)]
     pub errors: UniversalSummary,
 }
 

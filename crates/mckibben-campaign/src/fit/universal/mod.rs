@@ -23,8 +23,13 @@ pub use points::{PullPoint, Sample, samples};
 pub use terms::products;
 
 use super::error::FitError;
-use mckibben::formula::{Provenance, UniversalErrors, UniversalFormula, UniversalSummary};
-use mckibben::model::{Deficit, EndPoint, ForceModel, Form, Universal, UniversalRange, UniversalTerm};
+use crate::hash;
+use mckibben::formula::{
+    Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
+    UniversalTerm,
+};
+use mckibben::model::{EndPoint, ForceModel, Universal};
+use mckibben::progress::Progress;
 use mckibben::rubber::RubberLaw;
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -72,8 +77,18 @@ struct Equation {
 /// Fits a formula.
 ///
 /// # Errors
-/// [`FitError`] where the table has no point that pulls inside of the box, or too few.
-pub fn universal(samples: &[Sample], request: &UniversalRequest) -> Result<UniversalFormula, FitError> {
+/// [`FitError`] where the table has no point that pulls inside of the box, or too few, and where the caller wanted it to
+/// end.
+pub fn universal(
+    samples: &[Sample],
+    request: &UniversalRequest,
+    progress: &dyn Progress,
+) -> Result<UniversalFormula, FitError> {
+    let steps = FOLDS as usize + 2;
+    let step = |done: usize| {
+        progress.report(done, steps);
+        if progress.cancelled() { Err(FitError::Stopped) } else { Ok(()) }
+    };
     let products = products(request.form);
     let method = match request.form {
         Form::Membrane => "membrane ends with a fitted correction for the wall",
@@ -89,16 +104,17 @@ pub fn universal(samples: &[Sample], request: &UniversalRequest) -> Result<Unive
             left_out: UniversalSummary::default(),
         },
         provenance: Provenance {
-            version: env!("CARGO_PKG_VERSION").into(),
             method: format!("universal ({method}; {} terms)", products.len()),
-            points: 0,
-            data_hash: hash(samples),
+            data_hash: hash::of_numbers(numbers(samples)),
             table: request.table.clone(),
             plan_hash: request.plan_hash.clone(),
             seed: request.seed,
+            ..Provenance::default()
         },
     };
+    step(0)?;
     let equations = equations(samples, &empty, &products);
+    step(1)?;
     let with = |terms: Vec<UniversalTerm>| {
         let deficit = Deficit { form: request.form, terms };
         Arc::new(UniversalFormula { deficit, ..empty.clone() })
@@ -114,6 +130,7 @@ pub fn universal(samples: &[Sample], request: &UniversalRequest) -> Result<Unive
     let fit = summary(&errors_of(&formula, &|_| true));
     let mut left_out = vec![];
     for fold in 0..FOLDS {
+        step(2 + fold as usize)?;
         let kept = equations.iter().filter(|e| e.muscle % FOLDS != fold);
         let of_others = with(solve(&products, kept)?);
         left_out.extend(errors_of(&of_others, &|number| number % FOLDS == fold));
@@ -122,6 +139,7 @@ pub fn universal(samples: &[Sample], request: &UniversalRequest) -> Result<Unive
     done.errors.fit = fit;
     done.errors.left_out = summary(&left_out);
     done.provenance.points = equations.len();
+    progress.report(steps, steps);
     Ok(done)
 }
 
@@ -202,15 +220,12 @@ fn solve<'a>(
         .collect())
 }
 
-/// FNV-1a over the bits of all numbers, in their order.
-fn hash(samples: &[Sample]) -> String {
-    let numbers = samples.iter().flat_map(|s| {
+/// All numbers of the muscles and their points, in their order.
+fn numbers(samples: &[Sample]) -> impl Iterator<Item = f64> {
+    samples.iter().flat_map(|s| {
         let m = &s.muscle;
         let own = [m.outer_diameter_mm(), m.wall_mm(), m.length_mm(), m.braid().angle_deg];
         let points = s.points.iter().flat_map(|p| [p.pressure_mpa, p.contraction, p.force_n, p.blocked_n]);
         own.into_iter().chain(points)
-    });
-    let bytes = numbers.flat_map(f64::to_le_bytes);
-    let sum = bytes.fold(0xcbf2_9ce4_8422_2325_u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
-    format!("fnv1a:{sum:016x}")
+    })
 }

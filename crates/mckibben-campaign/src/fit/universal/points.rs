@@ -52,7 +52,7 @@ fn muscle(row: &Row) -> Option<Muscle> {
 /// # Errors
 /// [`FitError::Empty`] where nothing pulls.
 pub fn samples(rows: &[Row]) -> Result<Vec<Sample>, FitError> {
-    let known = |r: &&Row| r.status == "ok" && r.force_n.is_some_and(f64::is_finite);
+    let known = |r: &&Row| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
     let mut out = vec![];
     for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
         let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else { continue };

@@ -1,6 +1,6 @@
 //! The products that the forms are sums of.
 
-use mckibben::model::Form;
+use mckibben::formula::Form;
 
 /// S, A, B, M, L: chosen one by one on a campaign with muscles left out (forward selection among the products up to the
 /// third degree), then kept.

@@ -8,10 +8,11 @@ use crate::failure::{Failure, NOT_CONVERGED};
 use crate::flags::Format;
 use crate::output::text::number;
 use crate::output::{emit, json, warn};
-use mckibben_campaign::campaign::{self, Outcome, Plan, RunOptions};
-use progress::Bar;
-use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use mckibben::progress::Progress;
+use mckibben_campaign::campaign::{self, Outcome, Plan, Recomputed, RunOptions};
+use progress::Watch;
+use serde_json::json;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -44,26 +45,24 @@ fn plan(args: &CampaignRunArgs) -> Result<u8, Failure> {
     let path = args.plan.as_deref().ok_or_else(|| missing("the plan"))?;
     let out = args.output.as_deref().ok_or_else(|| missing("--output"))?;
     let plan = Plan::read(path)?;
-    let stop = stopped_by_signals();
-    let options =
-        RunOptions { shard: args.shard, threads: args.threads.map(usize::from), stop: stop.clone() };
-    let bar = Bar::new(args.quiet);
+    let options = RunOptions { shard: args.shard, threads: args.threads.map(usize::from) };
+    let watch = Watch::new(args.quiet, stopped_by_signals());
     let from = Instant::now();
-    let outcome = campaign::run(&plan, out, &options, &mut |p| bar.show(p));
-    bar.clear();
+    let outcome = campaign::run(&plan, out, &options, &watch);
+    watch.clear();
     let outcome = outcome?;
-    for (path, why) in &outcome.recomputed {
-        warn(format!("{} was damaged and is recomputed: {why}", path.display()));
+    for Recomputed { file, cause } in &outcome.recomputed {
+        warn(format!("{} was damaged and is recomputed: {cause}", file.display()));
     }
     if !args.quiet {
         let text = match args.format {
-            Format::Json => json::print(&as_json(&plan, &outcome, out)),
-            _ => as_text(&outcome, out, from.elapsed()),
+            Format::Json => json::print(&json!(outcome)),
+            _ => as_text(&outcome, from.elapsed()),
         };
         emit(&text, None)?;
     }
-    let p = outcome.progress;
-    Ok(if stop.load(Ordering::Relaxed) && !outcome.complete {
+    let p = outcome.counts;
+    Ok(if watch.cancelled() && !outcome.complete {
         INTERRUPTED
     } else if p.points > 0 && p.failed == p.points {
         NOT_CONVERGED
@@ -86,23 +85,12 @@ fn stopped_by_signals() -> Arc<AtomicBool> {
     stop
 }
 
-fn as_json(plan: &Plan, outcome: &Outcome, out: &Path) -> Value {
-    let p = outcome.progress;
-    let recomputed = outcome.recomputed.iter().map(|(path, why)| json!({ "file": path, "cause": why }));
-    json!({
-        "output": out, "complete": outcome.complete, "muscles": p.muscles, "muscles_wanted": p.of,
-        "muscles_resumed": p.resumed, "points_computed": p.points, "points_failed": p.failed,
-        "points": p.muscles * plan.points_per_muscle() as u64, "plan_sha256": plan.hash(),
-        "recomputed": recomputed.collect::<Vec<_>>(),
-    })
-}
-
-fn as_text(outcome: &Outcome, out: &Path, time: Duration) -> String {
-    let p = outcome.progress;
+fn as_text(outcome: &Outcome, time: Duration) -> String {
+    let p = outcome.counts;
     let seconds = time.as_secs_f64();
     let mut text = format!("{} of {} muscles are in {}", p.muscles, p.of, outcome.store.display());
     if outcome.complete {
-        text = format!("{} muscles are in {}", p.muscles, out.display());
+        text = format!("{} muscles are in {}", p.muscles, outcome.output.display());
     }
     if p.resumed > 0 {
         text.push_str(&format!(", {} of them from before", p.resumed));
@@ -126,13 +114,14 @@ fn merge(args: &CampaignMergeArgs) -> Result<u8, Failure> {
     no_csv(args.format)?;
     let folders: Vec<PathBuf> = args.folders.clone();
     let merged = campaign::merge(&folders, &args.output)?;
-    let p = &merged.provenance;
     let text = match args.format {
-        Format::Json => json::print(&json!({
-            "output": args.output, "muscles": p.muscles, "points": p.points(), "parts": p.parts(),
-            "parts_found_twice": merged.doubles, "plan_sha256": p.plan_sha256,
-        })),
-        _ => format!("{} points of {} muscles are in {}\n", p.points(), p.muscles, args.output.display()),
+        Format::Json => json::print(&json!(merged)),
+        _ => format!(
+            "{} points of {} muscles are in {}\n",
+            merged.points,
+            merged.muscles,
+            args.output.display()
+        ),
     };
     emit(&text, None)?;
     Ok(0)

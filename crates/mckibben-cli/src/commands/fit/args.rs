@@ -2,7 +2,7 @@
 
 use crate::flags::{Format, MuscleFlags, OutputFlags};
 use clap::{Args, ValueEnum};
-use mckibben::model::Form;
+use mckibben::formula::Form;
 use mckibben_campaign::fit::{Method, Rules, SlackRule, ThinRule};
 use std::path::PathBuf;
 

@@ -73,8 +73,8 @@ pub fn run(args: &FitArgs) -> Result<u8, Failure> {
         save(file, fitted.formula.to_json().as_bytes())?;
     }
     let text = match args.format {
-        Format::Json => json::print(&fitted.formula.to_value()),
-        Format::Csv => csv::rows(&terms(&fitted.formula.to_value()))?,
+        Format::Json => json::print(&json!(fitted.formula)),
+        Format::Csv => csv::rows(&terms(&json!(fitted.formula)))?,
         Format::Text => present::as_text(&fitted, table.failed, args.output.as_deref()),
     };
     emit(&text, None)?;

@@ -86,7 +86,7 @@ pub fn made_text(formula: &Formula) -> String {
         "L0 {} mm, θ0 {}°, rubber {}, braid {}",
         number(m.length_mm, 5),
         number(m.angle_deg, 4),
-        m.rubber_text(),
+        m.rubber.text(),
         m.braid_text()
     )
 }

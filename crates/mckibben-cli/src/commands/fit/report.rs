@@ -5,48 +5,33 @@ use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
 use crate::output::text::{number, table};
 use crate::output::{csv, emit, json};
+use mckibben::progress::Silent;
 use mckibben_campaign::fit::constants::Constants;
-use mckibben_campaign::fit::results::{Finding, Results, results};
+use mckibben_campaign::fit::results::{Results, paper_formula, results};
 use serde_json::{Value, json};
 use std::path::Path;
+use std::time::Instant;
 
 pub fn run(format: Format, output: Option<&Path>) -> Result<u8, Failure> {
-    let r = results()?;
-    let list: Vec<Value> = r.findings.iter().map(as_json).collect();
+    let start = Instant::now();
+    let formula = paper_formula()?;
+    let seconds = start.elapsed().as_secs_f64();
+    let r = results(&formula, &Silent)?;
+    let list: Vec<Value> = r.findings.iter().map(|f| json!(f)).collect();
     let text = match format {
-        Format::Json => json::print(&json!({
-            "findings": list,
-            "fitted_constants": {
-                "c10_mpa": r.constants.c10_mpa,
-                "stiffness_at_40_n_per_mm": r.constants.stiffness_at_40_n_per_mm,
-                "exponent": r.constants.exponent,
-            },
-            "seconds_to_the_papers_formula": r.seconds,
-            "global_terms": r.global_terms,
-            "random_muscles": r.random_muscles.iter().map(|row| json!({
-                "model": row.model, "muscles": row.errors.muscles, "points": row.errors.points,
-                "rms_of_blocked": row.errors.rms, "p95_of_blocked": row.errors.p95,
-                "p99_of_blocked": row.errors.p99, "max_of_blocked": row.errors.max,
-            })).collect::<Vec<_>>(),
-        })),
+        Format::Json => {
+            let mut all = json!(r);
+            all["seconds_to_the_papers_formula"] = json!(seconds);
+            json::print(&all)
+        }
         Format::Csv => csv::rows(&list)?,
-        Format::Text => as_text(&r),
+        Format::Text => as_text(&r, seconds),
     };
     emit(&text, output)?;
-    Ok(if r.findings.iter().all(Finding::ok) { 0 } else { NO_ANSWER })
+    Ok(if r.findings.iter().all(|f| f.ok) { 0 } else { NO_ANSWER })
 }
 
-fn as_json(f: &Finding) -> Value {
-    let (e, w) = (&f.errors, &f.errors.worst);
-    json!({
-        "comparison": f.comparison, "at_most_of_blocked": f.at_most, "ok": f.ok(), "points": e.points,
-        "max_of_blocked": e.max, "rms_of_blocked": e.rms, "max_of_isobar": e.max_12, "max_n": e.max_n,
-        "outer_diameter_mm": w.outer_diameter_mm, "wall_mm": w.wall_mm, "pressure_mpa": w.pressure_mpa,
-        "contraction": w.contraction,
-    })
-}
-
-fn as_text(r: &Results) -> String {
+fn as_text(r: &Results, seconds: f64) -> String {
     let rows = r.findings.iter().map(|f| {
         let (e, w) = (&f.errors, &f.errors.worst);
         vec![
@@ -83,7 +68,7 @@ fn as_text(r: &Results) -> String {
     ));
     out.push_str(&format!(
         "From nothing to the paper's formula with its errors: {:.3} s; global has {} terms\n",
-        r.seconds, r.global_terms
+        seconds, r.global_terms
     ));
     out.push_str(
         "\nRandom muscles of every make, where they pull, in % of the blocked force at the same pressure\n\n",

@@ -5,10 +5,11 @@ use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::text::{number, pairs, table};
 use crate::output::{csv, emit, json, save};
-use mckibben::formula::{UniversalFormula, UniversalSummary};
-use mckibben::model::Form;
+use mckibben::formula::{Form, UniversalFormula, UniversalSummary, UniversalTerm};
+use mckibben::progress::Silent;
 use mckibben_campaign::campaign::rows;
 use mckibben_campaign::fit::universal::{UniversalRequest, samples, universal};
+use serde_json::json;
 use std::path::Path;
 
 pub fn run(args: &FitArgs, path: &Path, form: Form) -> Result<u8, Failure> {
@@ -47,14 +48,14 @@ pub fn run(args: &FitArgs, path: &Path, form: Form) -> Result<u8, Failure> {
         plan_hash,
         seed,
     };
-    let fitted = samples(&rows).and_then(|samples| universal(&samples, &request));
+    let fitted = samples(&rows).and_then(|samples| universal(&samples, &request, &Silent));
     let formula = fitted.map_err(|e| Failure::input("fit", format!("{}: {e}", path.display()), ""))?;
     if let Some(file) = &args.output {
         save(file, formula.to_json().as_bytes())?;
     }
     let text = match args.format {
-        Format::Json => json::print(&formula.to_value()),
-        Format::Csv => csv::rows(&terms(&formula.to_value()))?,
+        Format::Json => json::print(&json!(formula)),
+        Format::Csv => csv::rows(&terms(&json!(formula)))?,
         Format::Text => {
             let mut text = as_text(&formula);
             if let Some(path) = &args.output {
@@ -86,7 +87,7 @@ pub fn as_text(f: &UniversalFormula) -> String {
     );
     let mut out = pairs(&[
         ("name", f.name.clone()),
-        ("kind", format!("universal, {}", f.deficit.form.name())),
+        ("kind", format!("universal, {}", f.deficit.form)),
         ("equation", f.equation()),
         ("range", range),
         ("method", p.method.clone()),
@@ -95,7 +96,7 @@ pub fn as_text(f: &UniversalFormula) -> String {
         ("program", format!("mckibben {}", p.version)),
     ]);
     out.push_str("\nTerms\n\n");
-    let row = |t: &mckibben::model::UniversalTerm| vec![format!("{:+.6e}", t.value), f.term_name(t)];
+    let row = |t: &UniversalTerm| vec![format!("{:+.6e}", t.value), f.term_name(t)];
     out.push_str(&table(&["value", "times"], f.deficit.terms.iter().map(row).collect()));
     out.push_str("\nErrors in % of the muscle's blocked force at the same pressure\n\n");
     let header = ["points that pull", "number", "muscles", "rms %", "95 % of them %", "99 % %", "max %"];

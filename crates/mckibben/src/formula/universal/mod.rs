@@ -1,30 +1,41 @@
 //! A universal formula as a file: the terms of the end deficit, the dimensionless range, the errors, the origin.
 
-mod json;
+mod form;
+mod range;
+
+pub use form::{Deficit, Form, UniversalTerm};
+pub use range::UniversalRange;
 
 use super::Provenance;
-use crate::model::{Deficit, UniversalRange, UniversalTerm};
+use super::file::{File, share};
+use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 
 /// Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same pressure.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
 pub struct UniversalSummary {
     /// How many points.
     pub points: usize,
     /// Of how many muscles.
     pub muscles: usize,
     /// Root mean square.
+    #[serde(rename = "rms_of_blocked", deserialize_with = "share")]
     pub rms: f64,
     /// The share that 95 % of the points do not exceed.
+    #[serde(rename = "p95_of_blocked", deserialize_with = "share")]
     pub p95: f64,
     /// The share that 99 % of the points do not exceed.
+    #[serde(rename = "p99_of_blocked", deserialize_with = "share")]
     pub p99: f64,
     /// Largest.
+    #[serde(rename = "max_of_blocked", deserialize_with = "share")]
     pub max: f64,
 }
 
 /// How wrong a universal formula is.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
 pub struct UniversalErrors {
     /// Against what, in words.
     pub against: String,
@@ -42,7 +53,8 @@ impl UniversalErrors {
 }
 
 /// A universal formula with all that is known of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(into = "File")]
 pub struct UniversalFormula {
     /// Its name, which answers carry.
     pub name: String,
@@ -90,7 +102,6 @@ impl UniversalFormula {
 
     /// The equation in one line.
     pub fn equation(&self) -> String {
-        use crate::model::Form;
         let deficit = match self.deficit.form {
             Form::Membrane => {
                 "delta = delta_membrane + Ro (l_s0 - l) S/sqrt(t) sum(value S^a A^b N^c M^d E^e); S = s/Ro, A = 4 sin^2(theta0), \
@@ -108,7 +119,6 @@ impl UniversalFormula {
 
     /// The equation with its numbers as LaTeX (amsmath).
     pub fn to_latex(&self) -> String {
-        use crate::model::Form;
         let sum: Vec<String> = self
             .deficit
             .terms

@@ -1,13 +1,14 @@
 //! A formula as a force model.
 
-use super::terms::GlobalSection;
-use super::{Body, Formula};
-use crate::model::{
-    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response,
-    Section, Workspace,
+use super::{
+    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response, Workspace,
 };
+use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
 use std::sync::Arc;
+
+/// Constants and stiffnesses within this, relative, are the same.
+const TOLERANCE: f64 = 1e-6;
 
 #[derive(Debug, Clone)]
 enum Bound {
@@ -66,19 +67,18 @@ impl ForceModel for FormulaModel {
 
     fn range(&self) -> ModelRange {
         let (r, m) = (&self.formula.range, &self.muscle);
-        let make = self.formula.made_for.differences(m);
+        let made = &self.formula.made_for;
         let range = ModelRange {
             pressure_mpa: r.pressure_mpa,
             contraction: r.contraction,
-            make,
+            make: differences(made, m),
             ..ModelRange::open()
         };
-        let [length, angle] = self.formula.made_for.measures(m);
         range.with_measures(&[
             (Interval::new(Quantity::OuterDiameter, r.outer_diameter_mm), m.outer_diameter_mm()),
             (Interval::new(Quantity::WallThickness, r.wall_mm), m.wall_mm()),
-            length,
-            angle,
+            (Interval::only(Quantity::Length, made.length_mm), m.length_mm()),
+            (Interval::only(Quantity::BraidAngle, made.angle_deg), m.braid().angle_deg),
         ])
     }
 
@@ -124,4 +124,27 @@ impl ForceModel for FormulaModel {
             Bound::Global(_) => None,
         }
     }
+}
+
+/// What of a muscle's parts differs from those of a formula, in words.
+fn differences(made: &Made, muscle: &Muscle) -> Vec<String> {
+    let theirs = Made::of(muscle);
+    let mut parts = vec![];
+    if !made.rubber.is_like(&theirs.rubber, TOLERANCE) {
+        let (ours, theirs) = (made.rubber.text(), theirs.rubber.text());
+        parts.push(format!("the rubber is {theirs}, the formula is for {ours}"));
+    }
+    let (ours, theirs) =
+        (made.stiffness_n_per_mm(muscle.outer_diameter_mm()), muscle.family_stiffness_n_per_mm());
+    let same = match (ours, theirs) {
+        (None, None) => true,
+        (Some(a), Some(b)) => (a - b).abs() <= TOLERANCE * a.abs().max(b.abs()),
+        _ => false,
+    };
+    if !same {
+        let text = |k: Option<f64>| k.map_or_else(|| "inextensible".into(), |k| format!("{k:.4} N/mm"));
+        let (ours, theirs) = (text(ours), text(theirs));
+        parts.push(format!("the braid's stiffness is {theirs}, the formula is for {ours}"));
+    }
+    parts
 }

@@ -1,0 +1,244 @@
+//! The columns of a campaign's table, declared once: Parquet's schema and its encoding, `campaign show` and the table in
+//! `docs/commands.md` follow from [`COLUMNS`].
+
+use crate::Row;
+use mckibben::status::Status;
+use std::fmt::Write as _;
+
+/// What a column tells.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// What was asked.
+    Question,
+    /// What came out.
+    Answer,
+    /// What went on.
+    Note,
+}
+
+/// Where a row keeps what stands in a column.
+#[derive(Debug)]
+pub enum Slot<'a> {
+    /// A large whole number.
+    Whole(&'a mut u64),
+    /// A whole number.
+    Count(&'a mut u32),
+    /// A number.
+    Number(&'a mut f64),
+    /// A number or nothing.
+    Optional(&'a mut Option<f64>),
+    /// A text.
+    Text(&'a mut String),
+    /// How the point ended.
+    Status(&'a mut Status),
+    /// One column for each constant of the law; a number each.
+    Constants(&'a mut Vec<(String, f64)>),
+    /// One column for each sensitivity; a number or nothing each.
+    Sensitivities(&'a mut Vec<(String, f64)>),
+}
+
+/// A column, or a group of columns whose number depends on the plan.
+#[derive(Debug)]
+pub struct Column {
+    /// Its name, with the unit; an example of it where it stands for a group.
+    pub name: &'static str,
+    /// Its unit; empty where it has none.
+    pub unit: &'static str,
+    /// What stands in it, in a few words.
+    pub meaning: &'static str,
+    /// What it tells.
+    pub role: Role,
+    /// Where it stands in a row.
+    pub slot: fn(&mut Row) -> Slot<'_>,
+}
+
+const fn column(
+    role: Role,
+    name: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    slot: fn(&mut Row) -> Slot<'_>,
+) -> Column {
+    Column { name, unit, meaning, role, slot }
+}
+
+/// All columns in their order.
+pub static COLUMNS: [Column; 22] = {
+    use Role::{Answer, Note, Question};
+    use Slot::{Constants, Count, Number, Optional, Sensitivities, Text, Whole};
+    [
+        column(Note, "muscle", "", "number of the muscle in the plan, from 0", |r| Whole(&mut r.muscle)),
+        column(Question, "outer_diameter_mm", "mm", "D0", |r| Number(&mut r.outer_diameter_mm)),
+        column(Question, "wall_mm", "mm", "s", |r| Number(&mut r.wall_mm)),
+        column(Question, "length_mm", "mm", "L0", |r| Number(&mut r.length_mm)),
+        column(Question, "angle_deg", "deg", "θ0", |r| Number(&mut r.angle_deg)),
+        column(Note, "law", "", "law of the rubber", |r| Text(&mut r.law)),
+        column(Question, "c10_mpa", "MPa", "constants of the law, a column each", |r| {
+            Constants(&mut r.constants)
+        }),
+        column(
+            Question,
+            "braid_stiffness_n_per_mm",
+            "N/mm",
+            "k of one strand family; nothing for inextensible strands",
+            |r| Optional(&mut r.stiffness_of_braid_n_per_mm),
+        ),
+        column(Question, "pressure_mpa", "MPa", "P", |r| Number(&mut r.pressure_mpa)),
+        column(Question, "contraction", "", "ε", |r| Number(&mut r.contraction)),
+        column(Answer, "force_n", "N", "F, two-sided", |r| Optional(&mut r.force_n)),
+        column(Answer, "volume_mm3", "mm³", "V of the cavity", |r| Optional(&mut r.volume_mm3)),
+        column(Answer, "stiffness_n_per_mm", "N/mm", "∂F/∂L at fixed P", |r| {
+            Optional(&mut r.stiffness_n_per_mm)
+        }),
+        column(Answer, "force_per_pressure_n_per_mpa", "N/MPa", "∂F/∂P at fixed ε", |r| {
+            Optional(&mut r.force_per_pressure_n_per_mpa)
+        }),
+        column(Answer, "braid_tension_n", "N", "tension of all strands together", |r| {
+            Optional(&mut r.braid_tension_n)
+        }),
+        column(Answer, "strand_tension_n", "N", "tension of one strand, where their number is known", |r| {
+            Optional(&mut r.strand_tension_n)
+        }),
+        column(Answer, "bulged_diameter_mm", "mm", "largest outer diameter", |r| {
+            Optional(&mut r.bulged_diameter_mm)
+        }),
+        column(Answer, "max_stretch", "", "largest principal stretch of the rubber", |r| {
+            Optional(&mut r.max_stretch)
+        }),
+        column(
+            Answer,
+            "d_force_d_tube_outer_diameter",
+            "N per mm, MPa, deg, N/mm",
+            "∂F at fixed P and ε by measures and constants, a column each, where the plan asks for them",
+            |r| Sensitivities(&mut r.sensitivities),
+        ),
+        column(
+            Note,
+            "status",
+            "",
+            "`ok`; `collapsed` (no equilibrium where the endless muscle would push), `not_converged`, `no_muscle` (the measures make none)",
+            |r| Slot::Status(&mut r.status),
+        ),
+        column(Note, "cause", "", "why there is no answer", |r| Text(&mut r.cause)),
+        column(Note, "iterations", "", "of Newton's method", |r| Count(&mut r.iterations)),
+    ]
+};
+
+/// The columns as a table in Markdown.
+pub fn documentation() -> String {
+    let mut out = String::from("| column | unit | |\n|---|---|---|\n");
+    for c in &COLUMNS {
+        let more = match (c.slot)(&mut Row::default()) {
+            Slot::Constants(_) | Slot::Sensitivities(_) => ", …",
+            _ => "",
+        };
+        // Writing to a text does not fail.
+        let _ = writeln!(out, "| `{}`{more} | {} | {} |", c.name, c.unit, c.meaning);
+    }
+    out
+}
+
+/// Which columns a table has: those of the plan, less those that a table of an older program lacks.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Layout {
+    /// Constants of the law: `c10_mpa`.
+    pub(crate) constants: Vec<String>,
+    /// Keys of the sensitivities: `tube.material.c10`.
+    pub(crate) sensitivities: Vec<String>,
+    /// Columns that it does not have; they read as nothing.
+    pub(crate) lacking: Vec<&'static str>,
+}
+
+/// One column of a layout.
+#[derive(Debug, Clone)]
+pub(crate) struct Field {
+    pub(crate) name: String,
+    pub(crate) column: &'static Column,
+    /// Which of a group.
+    key: Option<String>,
+}
+
+impl Field {
+    /// Where it stands in a row.
+    pub(crate) fn slot<'a>(&self, row: &'a mut Row) -> Slot<'a> {
+        (self.column.slot)(row)
+    }
+
+    /// Its key in a group.
+    pub(crate) fn key(&self) -> &str {
+        self.key.as_deref().unwrap_or(&self.name)
+    }
+
+    /// Its value in one of the lists of a row.
+    pub(crate) fn of(&self, list: &[(String, f64)]) -> Option<f64> {
+        list.iter().find(|(key, _)| key == self.key()).map(|(_, value)| *value)
+    }
+
+    /// The number that a row has in it; of groups, the constants alone.
+    pub(crate) fn number(&self, row: &mut Row) -> Option<f64> {
+        match self.slot(row) {
+            Slot::Number(v) => Some(*v),
+            Slot::Optional(v) => *v,
+            Slot::Constants(list) => self.of(list),
+            _ => None,
+        }
+    }
+}
+
+impl Layout {
+    pub(crate) fn new(constants: Vec<String>, sensitivities: Vec<String>) -> Self {
+        Self { constants, sensitivities, lacking: vec![] }
+    }
+
+    /// All columns.
+    pub(crate) fn fields(&self) -> Vec<Field> {
+        let of = |column: &'static Column| {
+            let one = |name: String, key: Option<String>| Field { name, column, key };
+            match (column.slot)(&mut Row::default()) {
+                Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
+                Slot::Sensitivities(_) => {
+                    let name = |k: &String| format!("d_force_d_{}", k.replace('.', "_"));
+                    self.sensitivities.iter().map(|k| one(name(k), Some(k.clone()))).collect()
+                }
+                _ => vec![one(column.name.into(), None)],
+            }
+        };
+        let there = COLUMNS.iter().filter(|c| !self.lacking.contains(&c.name));
+        there.flat_map(of).collect()
+    }
+
+    /// Notes which columns a table lacks that has those of `names`.
+    ///
+    /// # Errors
+    /// The name of a column that no table may lack.
+    pub(crate) fn found(&mut self, names: &[&str]) -> Result<(), String> {
+        for field in self.fields().into_iter().filter(|f| !names.contains(&f.name.as_str())) {
+            match field.slot(&mut Row::default()) {
+                Slot::Optional(_) => self.lacking.push(field.column.name),
+                _ => return Err(field.name),
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_documentation_has_every_column() {
+        let text = include_str!("../../../docs/commands.md");
+        assert!(text.contains(&documentation()), "docs/commands.md is to have\n{}", documentation());
+    }
+
+    #[test]
+    fn a_table_may_lack_answers_and_nothing_else() {
+        let mut layout = Layout::new(vec!["c10_mpa".into()], vec![]);
+        let fields = layout.fields();
+        let names = |but: &str| fields.iter().map(|f| f.name.as_str()).filter(|n| *n != but).collect::<Vec<_>>();
+        assert_eq!(layout.found(&names("wall_mm")), Err("wall_mm".into()));
+        assert_eq!(layout.found(&names("c10_mpa")), Err("c10_mpa".into()));
+        assert_eq!((layout.found(&names("max_stretch")), layout.lacking), (Ok(()), vec!["max_stretch"]));
+    }
+}

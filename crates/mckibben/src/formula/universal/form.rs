@@ -1,0 +1,54 @@
+//! What a universal formula says of an end: its form and the terms of it. [`crate::model::Universal`] computes with them.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// What a correction is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Form {
+    /// The membrane's end with a correction for the wall.
+    Membrane,
+    /// A polynomial in the bulge, for hand calculation.
+    Bulge,
+}
+
+impl Form {
+    /// Both.
+    pub const ALL: [Form; 2] = [Form::Membrane, Form::Bulge];
+
+    /// Highest power of a variable.
+    pub const HIGHEST: u8 = 6;
+
+    /// Letters of its variables.
+    pub fn letters(self) -> [&'static str; 5] {
+        match self {
+            Form::Membrane => ["S", "A", "N", "M", "E"],
+            Form::Bulge => ["S", "A", "B", "M", "L"],
+        }
+    }
+}
+
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
+}
+
+/// One term of a form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UniversalTerm {
+    /// Powers of the form's five variables.
+    pub powers: [u8; 5],
+    /// Its coefficient.
+    pub value: f64,
+}
+
+/// A form with its coefficients.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Deficit {
+    /// Which.
+    pub form: Form,
+    /// The terms; none: the membrane alone, or no deficit.
+    pub terms: Vec<UniversalTerm>,
+}
