@@ -4,6 +4,8 @@ use crate::problem::{Problem, ProblemKind};
 use crate::*;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
+#[cfg(feature = "files")]
+use mckibben_campaign::campaign::{Merged, Outcome, Summary};
 use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -32,7 +34,7 @@ macro_rules! command {
     };
 }
 
-/// Every command that needs no file system.
+/// Every command; those on campaigns need the feature `files`.
 pub const COMMANDS: &[CommandEntry] = &[
     command!("design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
     command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
@@ -45,6 +47,15 @@ pub const COMMANDS: &[CommandEntry] = &[
     command!("sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
     command!("compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
     command!("identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
+    command!("fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
+    command!("fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
+    command!("formula-show", FormulaShowRequest => FormulaShowAnswer, |r, _progress| formula_show(&r)),
+    #[cfg(feature = "files")]
+    command!("campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
+    #[cfg(feature = "files")]
+    command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
+    #[cfg(feature = "files")]
+    command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
     command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
     command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),
     command!("rubber-show", RubberShowRequest => RubberShowAnswer, |r, _progress| rubber_show(&r)),

@@ -23,12 +23,15 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+#[cfg(feature = "files")]
+mod campaign;
 mod commands;
 mod compare;
 mod curve;
 mod design;
 mod fields;
 mod figure;
+mod fit;
 mod identify;
 mod model;
 mod models;
@@ -44,11 +47,14 @@ mod study;
 mod validate;
 pub mod words;
 
+#[cfg(feature = "files")]
+pub use campaign::*;
 pub use commands::{COMMANDS, CommandEntry, ask, schema};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
 pub use fields::*;
+pub use fit::*;
 pub use identify::*;
 pub use model::{Model, ModelEntry, Purpose};
 pub use models::*;

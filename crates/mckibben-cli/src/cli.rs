@@ -1,9 +1,12 @@
 //! The commands. Each command's flags stand in its own file; help, completions and parsing come from there.
 
 use crate::commands;
+use crate::commands::campaign::CampaignArgs;
 use crate::commands::compare::CompareArgs;
 use crate::commands::curve::CurveArgs;
 use crate::commands::design::DesignArgs;
+use crate::commands::fit::FitArgs;
+use crate::commands::formula::FormulaShowArgs;
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::muscle::MuscleShowArgs;
@@ -54,9 +57,9 @@ pub enum Command {
     /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),
-    //B     /// Many finite-element tests from a plan, resumable, into Parquet
-    //B     #[command(after_help = campaign::CAMPAIGN_EXAMPLES)]
-    //B     Campaign(Box<CampaignArgs>),
+    /// Many finite-element tests from a plan, resumable, into Parquet
+    #[command(after_help = commands::campaign::EXAMPLES)]
+    Campaign(Box<CampaignArgs>),
     /// Verification against exact values and validation against measured muscles
     #[command(after_help = commands::validate::EXAMPLES)]
     Validate(ValidateArgs),
@@ -66,12 +69,12 @@ pub enum Command {
     /// Constants of rubber, braid and friction from measured or published curves, with their uncertainty
     #[command(after_help = commands::identify::EXAMPLES)]
     Identify(Box<IdentifyArgs>),
-    //B     /// From a table of finite-element points to a formula, with its errors and where it holds
-    //B     #[command(after_help = FIT_EXAMPLES)]
-    //B     Fit(Box<FitArgs>),
-    //B     /// Fitted formulas
-    //B     #[command(subcommand)]
-    //B     Formula(FormulaCommand),
+    /// From a table of finite-element points to a formula, with its errors and where it holds
+    #[command(after_help = commands::fit::EXAMPLES)]
+    Fit(Box<FitArgs>),
+    /// Fitted formulas
+    #[command(subcommand)]
+    Formula(FormulaCommand),
     /// What was understood of a muscle, what follows from it, and a build sheet
     #[command(subcommand)]
     Muscle(MuscleCommand),
@@ -94,19 +97,6 @@ pub enum Command {
 
 // Lines of at most 78 characters, continued by a backslash: the help is wrapped to the terminal, and a wrapped command
 // cannot be pasted.
-//B const FIT_EXAMPLES: &str = "Examples:
-//B   mckibben fit data/campaign/paper.csv --method paper --hold-out 35 \\
-//B     -o formula.json --tables tables --plots plots
-//B   mckibben fit data/campaign/paper.csv --method global --hold-out 35 \\
-//B     -o global.json
-//B   mckibben force -D 35 -s 2 -p 2bar -e 10% --model global.json
-//B   mckibben fit --report";
-
-//B const FORMULA_EXAMPLES: &str = "Examples:
-//B   mckibben fit data/campaign/paper.csv --method global -o formula.json
-//B   mckibben formula show formula.json
-//B   mckibben formula show formula.json --latex";
-
 /// `muscle …`.
 #[derive(Debug, Subcommand)]
 pub enum MuscleCommand {
@@ -117,13 +107,13 @@ pub enum MuscleCommand {
     Show(Box<MuscleShowArgs>),
 }
 
-//B /// `formula …`.
-//B #[derive(Debug, Subcommand)]
-//B pub enum FormulaCommand {
-//B     /// Show a formula: its terms, where it holds, its errors, where it comes from
-//B     #[command(after_help = FORMULA_EXAMPLES)]
-//B     Show(FormulaShowArgs),
-//B }
+/// `formula …`.
+#[derive(Debug, Subcommand)]
+pub enum FormulaCommand {
+    /// Show a formula: its terms, where it holds, its errors, where it comes from
+    #[command(after_help = commands::formula::EXAMPLES)]
+    Show(FormulaShowArgs),
+}
 /// `rubber …`.
 #[derive(Debug, Subcommand)]
 pub enum RubberCommand {

@@ -20,6 +20,7 @@ const FLAGS: &[(&str, &str)] = &[
     ("points", "at"),
     ("up_to_stretch", "up-to"),
     ("laws", "law"),
+    ("figures", "plots"),
     ("area_mm2", "area"),
 ];
 
@@ -77,7 +78,12 @@ const FIELDS: &[&str] = &[
     "sweep",
     "seed",
     "method",
-    "hold_out",
+    "hold_out_mm",
+    "tables",
+    "muscle",
+    "name",
+    "shard",
+    "output",
 ];
 
 /// The flag of a request's field.
@@ -176,7 +182,10 @@ impl Failure {
 
 impl From<Problem> for Failure {
     fn from(mut problem: Problem) -> Self {
-        problem.message = in_flags(&problem.message);
+        // What stands in backquotes there are keys of a file.
+        if !matches!(problem.kind, ProblemKind::File | ProblemKind::Formula) {
+            problem.message = in_flags(&problem.message);
+        }
         if let Some(flag) = problem.field.as_deref().and_then(flag) {
             problem.message = format!("{flag}: {}", problem.message);
         }

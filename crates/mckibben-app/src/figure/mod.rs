@@ -3,6 +3,7 @@
 mod compare;
 mod curves;
 mod design;
+mod fit;
 mod identify;
 mod picture;
 mod simulate;
@@ -12,6 +13,7 @@ mod tension;
 pub(crate) use compare::compare;
 pub(crate) use curves::curves;
 pub(crate) use design::design;
+pub(crate) use fit::fitted;
 pub(crate) use identify::identified;
 pub(crate) use picture::picture;
 pub(crate) use simulate::simulate;

@@ -134,7 +134,7 @@ impl CampaignError {
             }
             Self::Conflict { .. } => "they come from different programs or machines: recompute one of them",
             Self::ShardOfFile { .. } => {
-                "give a folder (-o DIR/), then `mckibben campaign merge DIR -o FILE.parquet`"
+                "give a folder, and merge the parts into a file when all shards are there"
             }
             Self::Write { .. } | Self::Encode(_) => {
                 "what was written before is a valid store; the same command goes on from there"

@@ -27,6 +27,7 @@ impl Place {
 
 /// What was merged.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Merged {
     /// The file.
     pub output: PathBuf,

@@ -27,6 +27,7 @@ pub struct RunOptions {
 
 /// How far a run came.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Counts {
     /// Muscles that are done, those of earlier runs among them.
     pub muscles: u64,
@@ -46,6 +47,7 @@ pub struct Counts {
 
 /// A file that was damaged and has been computed anew.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Recomputed {
     /// The file.
     pub file: PathBuf,
@@ -55,6 +57,7 @@ pub struct Recomputed {
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Outcome {
     /// What was to be written.
     pub output: PathBuf,

@@ -11,6 +11,7 @@ use std::path::Path;
 
 /// Rows that failed in the same way.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Failed {
     /// How many.
     pub points: u64,
@@ -22,6 +23,7 @@ pub struct Failed {
 
 /// Smallest and largest value of a column.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Extent {
     /// The column.
     pub name: String,
@@ -33,6 +35,7 @@ pub struct Extent {
 
 /// What a campaign holds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Summary {
     /// Muscles that are there.
     pub muscles: u64,

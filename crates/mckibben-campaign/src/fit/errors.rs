@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// Errors over a set of points where the muscle pulls (reference force above zero).
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Errors {
     /// Points where the muscle pulls.
     pub points: usize,

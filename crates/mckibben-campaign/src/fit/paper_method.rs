@@ -11,24 +11,29 @@ use super::data::{FitPoint, distinct, same};
 use super::error::FitError;
 use super::polynomial::{Fitted, fit};
 use mckibben::formula::Coefficients;
+use serde::{Deserialize, Serialize};
 
 /// What becomes of the curve at .05 MPa of a muscle with D0 < 35 and s > 3, of which the paper takes ε ≤ .05 alone: two of its
 /// five contractions, too few for a quadratic, and the paper does not say how it went on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ThinRule {
-    /// The curve is left out; step 3 of that muscle has one pressure less.
+    /// They are left out: the fit over pressure has one less.
     #[default]
     LeaveOut,
-    /// A straight line through its two points: a = 0.
+    /// A straight line through their points at ε ≤ 0.05 (a = 0).
     Line,
-    /// No exception: all contractions, as for every other curve.
+    /// They are used like all others.
     Whole,
 }
 
 /// What becomes of points where the muscle would have to push.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum SlackRule {
-    /// The negative force of the finite elements counts like any other.
+    /// Their negative force counts.
     #[default]
     TwoSided,
     /// They are left out; a curve with fewer than three points left is left out whole.

@@ -19,6 +19,7 @@ use serde::Serialize;
 
 /// One comparison.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Finding {
     /// What is compared with what.
     pub comparison: String,
@@ -34,6 +35,7 @@ pub struct Finding {
 
 /// Everything that came out.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Results {
     /// The comparisons.
     pub findings: Vec<Finding>,

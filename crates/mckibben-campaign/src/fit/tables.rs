@@ -2,10 +2,12 @@
 
 use super::paper_method::PaperMethod;
 use super::signs::signs;
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde_json::{Map, Value};
 
 /// A table with its name; cells are numbers, texts, or empty (null).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Table {
     /// Name of the file without its ending.
     pub name: &'static str,
@@ -46,43 +48,61 @@ const FAMILIES: [&str; 3] = ["A", "B", "C"];
 /// Steps 1–2, 3, 4–5, 6–7, and the signs.
 pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let curves = m.curves.iter().map(|c| {
-        let abc = |k: usize| c.abc.map_or(Value::Null, |f| json!(f.coefficients[k]));
-        let r2 = c.abc.map_or(Value::Null, |f| json!(f.r2));
+        let abc = |k: usize| c.abc.map_or(Value::Null, |f| Value::from(f.coefficients[k]));
+        let r2 = c.abc.map_or(Value::Null, |f| Value::from(f.r2));
         let (d, s, p) = (c.outer_diameter_mm, c.wall_mm, c.pressure_mpa);
-        vec![json!(d), json!(s), json!(p), abc(0), abc(1), abc(2), r2, json!(c.points.len()), json!(c.rule)]
+        vec![
+            Value::from(d),
+            Value::from(s),
+            Value::from(p),
+            abc(0),
+            abc(1),
+            abc(2),
+            r2,
+            Value::from(c.points.len()),
+            Value::from(c.rule),
+        ]
     });
     let lines = m.lines.iter().map(|l| {
-        let mut row = vec![json!(l.outer_diameter_mm), json!(l.wall_mm), json!(l.pressures)];
-        row.extend(
-            l.lines.iter().flat_map(|f| [json!(f.coefficients[0]), json!(f.coefficients[1]), json!(f.r2)]),
-        );
+        let mut row =
+            vec![Value::from(l.outer_diameter_mm), Value::from(l.wall_mm), Value::from(l.pressures)];
+        row.extend(l.lines.iter().flat_map(|f| {
+            [Value::from(f.coefficients[0]), Value::from(f.coefficients[1]), Value::from(f.r2)]
+        }));
         row
     });
     let walls = m.walls.iter().flat_map(|w| {
         (0..3).map(move |k| {
-            let mut row = vec![json!(w.outer_diameter_mm), json!(FAMILIES[k])];
-            row.extend(w.x(k).map(|v| json!(v)));
-            row.extend(w.parabolas[k].iter().map(|f| json!(f.r2)));
+            let mut row = vec![Value::from(w.outer_diameter_mm), Value::from(FAMILIES[k])];
+            row.extend(w.x(k).map(|v| Value::from(v)));
+            row.extend(w.parabolas[k].iter().map(|f| Value::from(f.r2)));
             row
         })
     });
     let c = &m.coefficients;
     let diameters = [&c.a, &c.b, &c.c].into_iter().enumerate().flat_map(|(f, block)| {
         block.iter().enumerate().map(move |(k, x)| {
-            vec![json!(FAMILIES[f]), json!(k + 1), json!(x[0]), json!(x[1]), json!(x[2]), json!(m.r2[f][k])]
+            vec![
+                Value::from(FAMILIES[f]),
+                Value::from(k + 1),
+                Value::from(x[0]),
+                Value::from(x[1]),
+                Value::from(x[2]),
+                Value::from(m.r2[f][k]),
+            ]
         })
     });
     let signs = signs(m).into_iter().map(|s| {
         let way = if s.rises { "rises" } else { "falls" };
         let verdict = if s.holds() { "holds" } else { "does not hold" };
         vec![
-            json!(s.outer_diameter_mm),
-            json!(s.coefficient),
-            json!(s.with),
-            json!(way),
-            json!(s.holding),
-            json!(s.pairs),
-            json!(verdict),
+            Value::from(s.outer_diameter_mm),
+            Value::from(s.coefficient),
+            Value::from(s.with),
+            Value::from(way),
+            Value::from(s.holding),
+            Value::from(s.pairs),
+            Value::from(verdict),
         ]
     });
     vec![

@@ -1,44 +1,57 @@
 //! `formula show`: a fitted formula.
 
-use super::fit::{FormulaShowArgs, error_rows, errors_table, made_text, range_text, terms, universal_text};
+use super::fit::{error_rows, errors_table, made_text, range_text, universal_text};
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::files;
+use crate::flags::{Format, OutputFlags};
 use crate::output::text::{number, pairs, table};
-use crate::output::{csv, emit, json};
-use mckibben::formula::{Body, Document, Formula, UniversalFormula, paper_terms};
-use mckibben::model::ModelKind;
-use serde_json::{Value, json};
+use crate::output::{emit, show as print};
+use clap::Args;
+use mckibben::formula::{Body, Document, Formula, paper_terms};
+use mckibben_app::{FormulaShowRequest, Model, ProblemKind, formula_show};
+use std::path::PathBuf;
 
-/// Runs the command.
-pub fn show(args: &FormulaShowArgs) -> Result<u8, Failure> {
-    let document = document(args)?;
-    let (value, latex): (Value, String) = match &document {
-        Document::Section(f) => (json!(f), f.to_latex()),
-        Document::Universal(f) => (json!(f), f.to_latex()),
-    };
-    let text = match args.output.format {
-        _ if args.latex => latex,
-        Format::Json => json::print(&value),
-        Format::Csv => csv::rows(&terms(&value))?,
-        Format::Text => match &document {
-            Document::Section(f) => as_text(f),
-            Document::Universal(f) => universal_text(f),
-        },
-    };
-    emit(&text, args.output.output.as_deref())?;
+pub const EXAMPLES: &str = "Examples:
+  mckibben fit data/campaign/paper.csv --method global -o formula.json
+  mckibben formula show formula.json
+  mckibben formula show formula.json --latex";
+
+/// `formula show`.
+#[derive(Debug, Args)]
+pub struct FormulaShowArgs {
+    /// The formula (JSON), or the built-in `universal` or `universal-small`
+    #[arg(value_name = "FILE.json")]
+    pub file: PathBuf,
+    /// The equation with its numbers as LaTeX
+    #[arg(long)]
+    pub latex: bool,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// Shows a formula.
+pub fn show(args: &FormulaShowArgs, format: Format) -> Result<u8, Failure> {
+    let word = args.file.to_string_lossy();
+    let built_in = Model::is_taken(&word);
+    let file = if built_in { None } else { files::formula(&word)? };
+    if file.is_none() && !built_in {
+        let message = format!("{word}: cannot be read: there is no such file");
+        return Err(Failure::input(ProblemKind::Formula, message, "`mckibben fit` writes such files"));
+    }
+    let request = FormulaShowRequest { file, name: built_in.then(|| word.into_owned()), latex: args.latex };
+    let answer = formula_show(&request)?;
+    let output = args.output.output.as_deref();
+    match &answer.latex {
+        Some(latex) => emit(latex, output)?,
+        None => print(&answer, format, "terms", || text(&answer.formula), output)?,
+    }
     Ok(0)
 }
 
-/// A file, or a built-in formula by its name.
-fn document(args: &FormulaShowArgs) -> Result<Document, Failure> {
-    let built_in = match args.file.to_str() {
-        Some(name) if name == ModelKind::Universal.name() => UniversalFormula::large(),
-        Some(name) if name == ModelKind::UniversalSmall.name() => UniversalFormula::small(),
-        _ => None,
-    };
-    match built_in {
-        Some(formula) => Ok(Document::Universal((*formula).clone())),
-        None => Ok(Document::read(&args.file)?),
+fn text(formula: &Document) -> String {
+    match formula {
+        Document::Section(f) => as_text(f),
+        Document::Universal(f) => universal_text(f),
     }
 }
 

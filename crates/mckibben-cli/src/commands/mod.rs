@@ -1,8 +1,11 @@
 //! One file a command.
 
+pub mod campaign;
 pub mod compare;
 pub mod curve;
 pub mod design;
+pub mod fit;
+pub mod formula;
 pub mod identify;
 pub mod models;
 pub mod muscle;
@@ -14,7 +17,7 @@ pub mod simulate;
 mod study;
 pub mod validate;
 
-use crate::cli::{Cli, Command, MuscleCommand, RubberCommand};
+use crate::cli::{Cli, Command, FormulaCommand, MuscleCommand, RubberCommand};
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::emit;
@@ -31,6 +34,9 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Simulate(args) => simulate::run(&args, format),
         Command::Validate(args) => validate::run(&args, format),
         Command::Compare(args) => compare::run(&args, format),
+        Command::Campaign(args) => campaign::run(&args, format),
+        Command::Fit(args) => fit::run(&args, format),
+        Command::Formula(FormulaCommand::Show(args)) => formula::show(&args, format),
         Command::Identify(args) => identify::run(&args, format),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),

@@ -9,6 +9,7 @@ use serde::de::{DeserializeOwned, Error, IgnoredAny, Unexpected};
 use serde::{Deserialize, Deserializer, Serialize};
 
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 enum Format {
     #[serde(rename = "mckibben formula 1")]
     One,
@@ -16,6 +17,7 @@ enum Format {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 enum Kind {
     Paper,
     Global,
@@ -36,6 +38,7 @@ struct Head {
 /// A formula's file.
 #[derive(Debug, Clone, Serialize)]
 #[serde(untagged)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) enum File {
     Paper(SectionFile<PaperTerm>),
     Global(SectionFile<GlobalTerm>),
@@ -45,6 +48,7 @@ pub(super) enum File {
 /// The file of a formula for muscles of one make.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct SectionFile<T> {
     format: Format,
     #[serde(deserialize_with = "name")]
@@ -63,6 +67,7 @@ pub(super) struct SectionFile<T> {
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct PaperTerm {
     name: String,
     #[serde(skip_deserializing)]
@@ -72,6 +77,7 @@ pub(super) struct PaperTerm {
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct GlobalTerm {
     #[serde(skip_deserializing)]
     name: String,
@@ -84,6 +90,7 @@ pub(super) struct GlobalTerm {
 /// Powers of x, p, e, d; those of zero are left out.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct Powers {
     #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
     wall_ratio: u8,
@@ -98,6 +105,7 @@ struct Powers {
 /// The file of a universal formula.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct UniversalFile {
     format: Format,
     #[serde(deserialize_with = "name")]
@@ -114,6 +122,7 @@ pub(super) struct UniversalFile {
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct EndTerm {
     #[serde(skip_deserializing)]
     name: String,
@@ -126,6 +135,7 @@ struct EndTerm {
 /// Powers of the variables of both forms; those of zero are left out.
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 struct EndPowers {
     #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
     wall: u8,
@@ -221,6 +231,17 @@ pub(super) fn open_interval<'de, D: Deserializer<'de>>(d: D) -> Result<(f64, f64
         Ok((low, high))
     } else {
         Err(D::Error::custom("expected [low, high] with low ≤ high"))
+    }
+}
+
+#[cfg(feature = "schema")]
+impl schemars::JsonSchema for Document {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Formula".into()
+    }
+
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        File::json_schema(generator)
     }
 }
 

@@ -44,6 +44,7 @@ pub enum Body {
 /// Where a formula was fitted; both ends belong to it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FormulaRange {
     /// D0 in mm.
     #[serde(deserialize_with = "interval")]
@@ -62,6 +63,7 @@ pub struct FormulaRange {
 /// Where a formula comes from.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Provenance {
     /// The program that made it.
     #[serde(default)]

@@ -1,22 +1,17 @@
 //! `campaign show`.
 
-use crate::cli::CampaignShowArgs;
+use super::CampaignShowArgs;
 use crate::failure::Failure;
 use crate::flags::Format;
+use crate::output::show;
 use crate::output::text::{number, pairs, table};
-use crate::output::{csv, emit, json};
-use mckibben_campaign::campaign::{self, Summary};
-use serde_json::json;
+use mckibben_app::{CampaignShowRequest, campaign_show};
+use mckibben_campaign::campaign::Summary;
 
 /// Runs the command.
-pub fn run(args: &CampaignShowArgs) -> Result<u8, Failure> {
-    let s = campaign::summary(&args.campaign)?;
-    let text = match args.output.format {
-        Format::Json => json::print(&json!(s)),
-        Format::Csv => csv::rows(&s.ranges.iter().map(|r| json!(r)).collect::<Vec<_>>())?,
-        Format::Text => as_text(&s),
-    };
-    emit(&text, args.output.output.as_deref())?;
+pub fn run(args: &CampaignShowArgs, format: Format) -> Result<u8, Failure> {
+    let summary = campaign_show(&CampaignShowRequest { campaign: args.campaign.clone() })?;
+    show(&summary, format, "ranges", || as_text(&summary), args.output.output.as_deref())?;
     Ok(0)
 }
 

@@ -1,37 +1,23 @@
 //! `fit --report`: the paper's campaign computed anew, and how everything compares.
 
-use super::universal::errors_row;
+use super::text::errors_row;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
+use crate::output::show;
 use crate::output::text::{number, table};
-use crate::output::{csv, emit, json};
-use mckibben::progress::Silent;
+use crate::progress::Bar;
+use mckibben_app::{FitReportAnswer, FitReportRequest, fit_report};
 use mckibben_campaign::fit::constants::Constants;
-use mckibben_campaign::fit::results::{Results, paper_formula, results};
-use serde_json::{Value, json};
 use std::path::Path;
-use std::time::Instant;
 
 pub fn run(format: Format, output: Option<&Path>) -> Result<u8, Failure> {
-    let start = Instant::now();
-    let formula = paper_formula()?;
-    let seconds = start.elapsed().as_secs_f64();
-    let r = results(&formula, &Silent)?;
-    let list: Vec<Value> = r.findings.iter().map(|f| json!(f)).collect();
-    let text = match format {
-        Format::Json => {
-            let mut all = json!(r);
-            all["seconds_to_the_papers_formula"] = json!(seconds);
-            json::print(&all)
-        }
-        Format::Csv => csv::rows(&list)?,
-        Format::Text => as_text(&r, seconds),
-    };
-    emit(&text, output)?;
-    Ok(if r.findings.iter().all(|f| f.ok) { 0 } else { NO_ANSWER })
+    let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
+    show(&answer, format, "findings", || text(&answer), output)?;
+    Ok(if answer.ok() { 0 } else { NO_ANSWER })
 }
 
-fn as_text(r: &Results, seconds: f64) -> String {
+fn text(answer: &FitReportAnswer) -> String {
+    let (r, seconds) = (&answer.results, answer.seconds.unwrap_or_default());
     let rows = r.findings.iter().map(|f| {
         let (e, w) = (&f.errors, &f.errors.worst);
         vec![

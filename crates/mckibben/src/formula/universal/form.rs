@@ -6,6 +6,7 @@ use std::fmt;
 /// What a correction is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Form {
     /// The membrane's end with a correction for the wall.
     Membrane,

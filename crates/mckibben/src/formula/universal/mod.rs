@@ -14,6 +14,7 @@ use std::sync::{Arc, LazyLock};
 /// Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same pressure.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UniversalSummary {
     /// How many points.
     pub points: usize,
@@ -36,6 +37,7 @@ pub struct UniversalSummary {
 /// How wrong a universal formula is.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct UniversalErrors {
     /// Against what, in words.
     pub against: String,

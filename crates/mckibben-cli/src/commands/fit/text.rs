@@ -1,7 +1,8 @@
 //! What `fit` tells people.
 
 use crate::output::text::{number, pairs, table};
-use mckibben::formula::{ErrorSummary, Formula};
+use mckibben::formula::{Document, ErrorSummary, Formula, UniversalFormula, UniversalSummary, UniversalTerm};
+use mckibben_app::FitAnswer;
 use mckibben_campaign::fit::signs::signs;
 use mckibben_campaign::fit::{Fitted, PaperMethod};
 use std::path::Path;
@@ -41,7 +42,21 @@ pub fn errors_table(rows: Vec<Vec<String>>) -> String {
 /// Rows of the table of regions that people see at once; the file has all.
 const SHOWN: usize = 40;
 
-pub fn as_text(f: &Fitted, failed: usize, output: Option<&Path>) -> String {
+/// A fitted formula, and where it was written.
+pub fn of(answer: &FitAnswer, output: Option<&Path>) -> String {
+    let mut out = match (&answer.formula, &answer.fitted) {
+        (_, Some(fitted)) => section(fitted, answer.failed),
+        (Document::Universal(formula), None) => universal(formula),
+        // Formulas for muscles of one make come with what was found on the way.
+        (Document::Section(_), None) => String::new(),
+    };
+    if let Some(path) = output {
+        out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", path.display()));
+    }
+    out
+}
+
+fn section(f: &Fitted, failed: usize) -> String {
     let formula = &f.formula;
     let (p, r) = (&formula.provenance, &formula.range);
     let interval = |(low, high): (f64, f64)| format!("{} to {}", number(low, 4), number(high, 4));
@@ -66,9 +81,6 @@ pub fn as_text(f: &Fitted, failed: usize, output: Option<&Path>) -> String {
     out.push_str(&errors_table(rows));
     if let Some(method) = &f.paper {
         out.push_str(&signs_text(method));
-    }
-    if let Some(path) = output {
-        out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", path.display()));
     }
     out
 }
@@ -120,4 +132,49 @@ fn signs_text(m: &PaperMethod) -> String {
     });
     out.push_str(&table(&["", "statement", "pairs", "verdict"], rows.collect()));
     out
+}
+
+/// A universal formula for people.
+pub fn universal(f: &UniversalFormula) -> String {
+    let (p, r) = (&f.provenance, &f.range);
+    let known = |v: &Option<String>| v.clone().unwrap_or_else(|| "–".into());
+    let interval = |(low, high): (f64, f64)| match high {
+        h if h.is_infinite() => format!("from {}", number(low, 4)),
+        h => format!("{} to {}", number(low, 4), number(h, 4)),
+    };
+    let range = format!(
+        "s/D0 {}, L0/D0 {}, θ0 {}°, P/μ {}, strand strain up to {}, ε {} of the ideal muscle's largest",
+        interval(r.wall_ratio),
+        interval(r.length_ratio),
+        interval(r.angle_deg),
+        interval(r.pressure_per_modulus),
+        number(r.strand_strain, 3),
+        interval(r.contraction_of_ideal),
+    );
+    let mut out = pairs(&[
+        ("name", f.name.clone()),
+        ("kind", format!("universal, {}", f.deficit.form)),
+        ("equation", f.equation()),
+        ("range", range),
+        ("method", p.method.clone()),
+        ("table", format!("{} ({} points, {})", known(&p.table), p.points, p.data_hash)),
+        ("plan", known(&p.plan_hash)),
+        ("program", format!("mckibben {}", p.version)),
+    ]);
+    out.push_str("\nTerms\n\n");
+    let row = |t: &UniversalTerm| vec![format!("{:+.6e}", t.value), f.term_name(t)];
+    out.push_str(&table(&["value", "times"], f.deficit.terms.iter().map(row).collect()));
+    out.push_str("\nErrors in % of the muscle's blocked force at the same pressure\n\n");
+    let header = ["points that pull", "number", "muscles", "rms %", "95 % of them %", "99 % %", "max %"];
+    let rows = [("all fitted", f.errors.fit), ("muscles left out, a fifth at a time", f.errors.left_out)];
+    out.push_str(&table(&header, rows.map(|(name, e)| errors_row(name, &e)).to_vec()));
+    out
+}
+
+/// Name, points, muscles, errors in per cent.
+pub fn errors_row(name: &str, e: &UniversalSummary) -> Vec<String> {
+    let percent = |v: f64| format!("{:.3}", 100.0 * v);
+    let mut row = vec![name.to_owned(), e.points.to_string(), e.muscles.to_string()];
+    row.extend([e.rms, e.p95, e.p99, e.max].map(percent));
+    row
 }

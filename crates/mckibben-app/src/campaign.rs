@@ -1,0 +1,94 @@
+//! `campaign`, `campaign show` and `campaign merge`: many finite-element tests from a plan, on disk.
+
+use crate::fields::TextFile;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::progress::Progress;
+use mckibben_campaign::campaign::{self, CampaignError, Merged, Outcome, Plan, RunOptions, Shard, Summary};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+
+/// A plan, and where its table goes.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct CampaignRequest {
+    /// The plan (TOML).
+    pub plan: Option<TextFile>,
+    /// Where the table goes: one file that ends in .parquet, or a folder of parts. The same request resumes it.
+    pub output: Option<PathBuf>,
+    /// Only share i of n of the plan, as i/n, as parts in a folder.
+    pub shard: Option<String>,
+    /// Threads; as many as cores where it is left out. The table does not depend on them.
+    pub threads: Option<usize>,
+}
+
+/// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
+///
+/// # Errors
+/// [`Problem`]; the store is valid whatever happens.
+pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome, Problem> {
+    let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+    let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
+    let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
+    let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
+    let shard = request.shard.as_deref().map(str::parse::<Shard>).transpose().map_err(wrong)?;
+    let options = RunOptions { shard, threads: request.threads };
+    Ok(campaign::run(&plan, out, &options, progress)?)
+}
+
+/// A campaign to be summarised.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct CampaignShowRequest {
+    /// One file, or a folder of parts.
+    pub campaign: PathBuf,
+}
+
+/// What a campaign holds.
+///
+/// # Errors
+/// [`Problem`] where it is none.
+pub fn campaign_show(request: &CampaignShowRequest) -> Result<Summary, Problem> {
+    Ok(campaign::summary(&request.campaign)?)
+}
+
+/// Folders of parts to be joined.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct CampaignMergeRequest {
+    /// Folders of parts.
+    pub folders: Vec<PathBuf>,
+    /// The file.
+    pub output: PathBuf,
+}
+
+/// Joins folders of parts into one file, the same bytes as those of a single run.
+///
+/// # Errors
+/// [`Problem`] where parts are missing, damaged, of different plans, or differ.
+pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged, Problem> {
+    Ok(campaign::merge(&request.folders, &request.output)?)
+}
+
+impl From<CampaignError> for Problem {
+    fn from(error: CampaignError) -> Self {
+        let kind = match error {
+            CampaignError::Stopped => return Self::cancelled(),
+            CampaignError::OtherPlan { .. }
+            | CampaignError::OtherVersion { .. }
+            | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
+            CampaignError::Locked { .. } => ProblemKind::Locked,
+            CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
+            CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
+            CampaignError::Write { .. } | CampaignError::Encode(_) | CampaignError::Threads(_) => {
+                ProblemKind::Output
+            }
+            CampaignError::ShardOfFile { .. } => ProblemKind::Usage,
+            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Read { .. } => {
+                ProblemKind::File
+            }
+        };
+        let hint = error.hint();
+        Self::new(kind, error.to_string(), hint)
+    }
+}

@@ -1,0 +1,326 @@
+//! `fit` and `formula show`: from a table of points to a formula, and a formula shown.
+
+mod report;
+mod table;
+
+pub use report::{FitReportAnswer, FitReportRequest, fit_report};
+
+use crate::fields::{MuscleFields, Stiffness, TextFile};
+use crate::figure;
+use crate::model::Model;
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::formula::{Document, Form, Made, UniversalFormula};
+use mckibben::model::ModelKind;
+use mckibben::progress::Progress;
+use mckibben_campaign::fit::tables::{Table, tables};
+use mckibben_campaign::fit::{FitError, Fitted, Method, Request, Rules, SlackRule, ThinRule, make};
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use table::Points;
+
+/// Most terms of the method `global`.
+const MOST_TERMS: usize = 48;
+
+/// A table of points, and how the formula is made.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct FitRequest {
+    /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status).
+    pub table: Option<TextFile>,
+    /// A campaign on disk in place of the table: its file, or its folder of parts.
+    pub campaign: Option<PathBuf>,
+    /// How the formula is made.
+    pub method: FitMethod,
+    /// Diameters D0 in mm that are kept out of the fit, to test it.
+    pub hold_out_mm: Vec<f64>,
+    /// Most terms of `global`; 48 where it is left out.
+    pub terms: Option<usize>,
+    /// Thick walls of thin muscles at low pressure, in the paper's method.
+    pub thin_rule: ThinRule,
+    /// Points where the muscle would have to push, in the paper's method.
+    pub slack_rule: SlackRule,
+    /// Name that answers of the formula carry; the method's where it is left out.
+    pub name: Option<String>,
+    /// Rubber of the table's muscles, where the table does not say it; `paper` where it is left out.
+    pub rubber: Option<String>,
+    /// Braid of the table's muscles, likewise.
+    pub stiffness: Option<Stiffness>,
+    /// Muscle file that says rubber and braid.
+    pub muscle: Option<TextFile>,
+    /// The answer shall carry the intermediate tables of the paper's method.
+    pub tables: bool,
+    /// The answer shall carry figures: the paper's 5 to 12, or with `global` the last.
+    pub figures: bool,
+}
+
+/// How a formula is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FitMethod {
+    /// The paper's seven steps, to the 48 coefficients of its Table 2.
+    #[default]
+    Paper,
+    /// One least-squares problem on terms chosen one by one, at most 48.
+    Global,
+    /// Ends of muscles of every make, from a campaign over them: the built-in model `universal`.
+    Universal,
+    /// The same with 16 terms, for hand calculation: the built-in model `universal-small`.
+    UniversalSmall,
+}
+
+/// A formula with all that is known of it, as its file holds it.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct FitAnswer {
+    /// The formula.
+    #[serde(flatten)]
+    pub formula: Document,
+    /// The intermediate tables, where they were asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<Table>,
+    /// The figures, where they were asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub figures: Vec<NamedFigure>,
+    /// Rows of the table without an answer.
+    #[serde(skip)]
+    pub failed: usize,
+    /// What the methods for muscles of one make found on their way.
+    #[serde(skip)]
+    pub fitted: Option<Fitted>,
+}
+
+/// A figure among several.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct NamedFigure {
+    /// A name for its file.
+    pub name: String,
+    /// The figure.
+    pub figure: Figure,
+}
+
+impl FitAnswer {
+    /// The formula as its file.
+    pub fn formula_file(&self) -> String {
+        match &self.formula {
+            Document::Section(formula) => formula.to_json(),
+            Document::Universal(formula) => formula.to_json(),
+        }
+    }
+}
+
+/// From a table of points to a formula with its errors and where it holds.
+///
+/// # Errors
+/// [`Problem`].
+pub fn fit(request: &FitRequest, progress: &dyn Progress) -> Result<FitAnswer, Problem> {
+    match request.method {
+        FitMethod::Paper | FitMethod::Global => section(request),
+        FitMethod::Universal => universal(request, Form::Membrane, progress),
+        FitMethod::UniversalSmall => universal(request, Form::Bulge, progress),
+    }
+}
+
+/// A formula for muscles of one make.
+fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
+    let method = match request.method {
+        FitMethod::Paper => Method::Paper(Rules { thin: request.thin_rule, slack: request.slack_rule }),
+        _ => Method::Global(request.terms.unwrap_or(MOST_TERMS).clamp(1, MOST_TERMS)),
+    };
+    if let (Method::Global(_), true) = (method, request.tables) {
+        let message = "the method global has no intermediate tables";
+        return Err(Problem::new(ProblemKind::Usage, message, "take `method` paper").in_field("tables"));
+    }
+    request.check_name()?;
+    request.hold_out_mm.iter().try_for_each(|&d| finite("hold_out_mm", d).map(drop))?;
+    let Points { points, failed, made_for, origin } = request.points()?;
+    let made_for = made_for.map_or_else(|| request.made_for(), Ok)?;
+    let usual = match method {
+        Method::Paper(_) => "paper-method",
+        Method::Global(_) => "global",
+    };
+    let fitted = make(&Request {
+        points: &points,
+        made_for,
+        method,
+        hold_out: &request.hold_out_mm,
+        name: request.name.clone().unwrap_or_else(|| usual.into()),
+        table: origin.table.clone(),
+        plan_hash: origin.plan_hash,
+        seed: origin.seed,
+    })
+    .map_err(|e| no_fit(&origin.name, e))?;
+    if !request.hold_out_mm.is_empty() && fitted.formula.errors.held_out.is_none() {
+        let message = format!("{} has no such diameter", origin.name);
+        return Err(Problem::new(ProblemKind::Usage, message, "").in_field("hold_out_mm"));
+    }
+    let figures = if request.figures { figure::fitted(&fitted) } else { vec![] };
+    Ok(FitAnswer {
+        formula: Document::Section(fitted.formula.clone()),
+        tables: fitted.paper.as_ref().filter(|_| request.tables).map_or_else(Vec::new, tables),
+        figures: figures
+            .into_iter()
+            .map(|(name, figure)| NamedFigure { name: name.into(), figure })
+            .collect(),
+        failed,
+        fitted: Some(fitted),
+    })
+}
+
+/// A formula for muscles of every make.
+#[cfg(feature = "files")]
+fn universal(request: &FitRequest, form: Form, progress: &dyn Progress) -> Result<FitAnswer, Problem> {
+    use mckibben_campaign::fit::universal::{UniversalRequest, samples, universal};
+    request.check_foreign()?;
+    request.check_name()?;
+    let Some(path) = &request.campaign else {
+        let name = request.table.as_ref().map_or("nothing", |t| &t.name);
+        let message = format!("{name}: the method universal takes a campaign in Parquet");
+        return Err(Problem::new(ProblemKind::Data, message, "`mckibben campaign` makes one"));
+    };
+    let (rows, origin) = table::rows(path)?;
+    let usual = match form {
+        Form::Membrane => ModelKind::Universal,
+        Form::Bulge => ModelKind::UniversalSmall,
+    };
+    let wanted = UniversalRequest {
+        form,
+        name: request.name.clone().unwrap_or_else(|| usual.name().into()),
+        table: origin.table,
+        plan_hash: origin.plan_hash,
+        seed: origin.seed,
+    };
+    let fitted = samples(&rows).and_then(|samples| universal(&samples, &wanted, progress));
+    let formula = Document::Universal(fitted.map_err(|e| no_fit(&origin.name, e))?);
+    Ok(FitAnswer { formula, tables: vec![], figures: vec![], failed: 0, fitted: None })
+}
+
+#[cfg(not(feature = "files"))]
+fn universal(request: &FitRequest, _: Form, _: &dyn Progress) -> Result<FitAnswer, Problem> {
+    request.check_foreign()?;
+    Err(no_files())
+}
+
+/// Where there is no file system there are no campaigns on disk.
+#[cfg(not(feature = "files"))]
+fn no_files() -> Problem {
+    Problem::new(ProblemKind::Usage, "there are no campaigns on disk here", "").in_field("campaign")
+}
+
+/// Why a table gives no formula.
+fn no_fit(name: &str, error: FitError) -> Problem {
+    match error {
+        FitError::Stopped => Problem::cancelled(),
+        error => Problem::new(ProblemKind::Fit, format!("{name}: {error}"), ""),
+    }
+}
+
+impl FitRequest {
+    /// A formula does not take the name of a model.
+    fn check_name(&self) -> Result<(), Problem> {
+        match self.name.as_deref().filter(|n| Model::is_taken(n) || n.trim().is_empty()) {
+            None => Ok(()),
+            Some(name) => {
+                let message = format!("\"{name}\" cannot be told from a model that exists already");
+                Err(Problem::new(ProblemKind::Usage, message, "take another name").in_field("name"))
+            }
+        }
+    }
+
+    /// Refuses what the universal methods do not know.
+    fn check_foreign(&self) -> Result<(), Problem> {
+        let foreign = [
+            ("hold_out_mm", !self.hold_out_mm.is_empty()),
+            ("tables", self.tables),
+            ("figures", self.figures),
+            ("rubber", self.rubber.is_some()),
+            ("stiffness", self.stiffness.is_some()),
+            ("muscle", self.muscle.is_some()),
+        ];
+        let Some((field, _)) = foreign.into_iter().find(|f| f.1) else { return Ok(()) };
+        let message = "the methods universal and universal-small know no such thing";
+        let hint = "leave it out; a campaign says everything of its muscles";
+        Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field))
+    }
+
+    /// Rubber and braid of the table's muscles.
+    fn made_for(&self) -> Result<Made, Problem> {
+        let fields = MuscleFields {
+            muscle: self.muscle.clone(),
+            rubber: self.rubber.clone(),
+            stiffness: self.stiffness,
+            ..MuscleFields::default()
+        };
+        Ok(Made::of(&fields.resolve()?))
+    }
+
+    fn points(&self) -> Result<Points, Problem> {
+        match (&self.campaign, &self.table) {
+            #[cfg(feature = "files")]
+            (Some(path), _) => table::of_campaign(path),
+            #[cfg(not(feature = "files"))]
+            (Some(_), _) => Err(no_files()),
+            (None, Some(file)) => table::of_csv(file),
+            (None, None) => Err(Problem::missing("table", "a table of points, or `campaign`")),
+        }
+    }
+}
+
+/// The last part of a path or name.
+fn file_name(name: &Path) -> Option<String> {
+    name.file_name().map(|n| n.to_string_lossy().into_owned())
+}
+
+/// A formula to be shown.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct FormulaShowRequest {
+    /// The formula's file.
+    pub file: Option<TextFile>,
+    /// A built-in formula in its place: `universal` or `universal-small`.
+    pub name: Option<String>,
+    /// The answer shall carry the equation as LaTeX.
+    pub latex: bool,
+}
+
+/// A formula with all that is known of it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FormulaShowAnswer {
+    /// The formula, as its file holds it.
+    #[serde(flatten)]
+    pub formula: Document,
+    /// The equation with its numbers as LaTeX (amsmath), where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub latex: Option<String>,
+}
+
+/// Shows a formula.
+///
+/// # Errors
+/// [`Problem`] of kind `formula` that names the key, or `model` for a name that is none.
+pub fn formula_show(request: &FormulaShowRequest) -> Result<FormulaShowAnswer, Problem> {
+    let formula = match (&request.file, request.name.as_deref()) {
+        (Some(file), _) => Document::parse(&file.text).map_err(|e| e.in_file(Path::new(&file.name)))?,
+        (None, Some(name)) => built_in(name)?,
+        (None, None) => return Err(Problem::missing("file", "the file of a formula")),
+    };
+    let latex = request.latex.then(|| match &formula {
+        Document::Section(f) => f.to_latex(),
+        Document::Universal(f) => f.to_latex(),
+    });
+    Ok(FormulaShowAnswer { formula, latex })
+}
+
+fn built_in(name: &str) -> Result<Document, Problem> {
+    let found = match name.parse::<ModelKind>() {
+        Ok(ModelKind::Universal) => UniversalFormula::large(),
+        Ok(ModelKind::UniversalSmall) => UniversalFormula::small(),
+        _ => None,
+    };
+    found.map(|formula| Document::Universal((*formula).clone())).ok_or_else(|| {
+        let message =
+            format!("there is no built-in formula \"{name}\"; there are universal and universal-small");
+        Problem::new(ProblemKind::Model, message, "").in_field("name")
+    })
+}

@@ -1,0 +1,175 @@
+//! `campaign`, `campaign show|merge`.
+
+mod show;
+
+use crate::failure::{Failure, NOT_CONVERGED};
+use crate::files;
+use crate::flags::{Format, OutputFlags};
+use crate::output::text::number;
+use crate::output::{show as print, warn};
+use crate::progress::{Bar, INTERRUPTED};
+use clap::{Args, Subcommand};
+use mckibben::progress::Progress;
+use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
+use mckibben_campaign::campaign::{Outcome, Shard};
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben campaign plans/paper.toml -o campaign.parquet
+  mckibben campaign plans/paper.toml -o parts/ --shard 1/2
+  mckibben campaign plans/paper.toml -o parts/ --shard 2/2 --threads 1";
+
+const SHOW_EXAMPLES: &str = "Example:
+  mckibben campaign plans/paper.toml -o campaign.parquet
+  mckibben campaign show campaign.parquet";
+
+const MERGE_EXAMPLES: &str = "Example:
+  mckibben campaign plans/paper.toml -o one/ --shard 1/2
+  mckibben campaign plans/paper.toml -o other/ --shard 2/2
+  mckibben campaign merge one/ other/ -o merged.parquet";
+
+/// `campaign`.
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct CampaignArgs {
+    #[command(subcommand)]
+    pub command: Option<CampaignCommand>,
+    #[command(flatten)]
+    pub run: CampaignRunArgs,
+}
+
+/// `campaign PLAN`.
+#[derive(Debug, Args)]
+pub struct CampaignRunArgs {
+    /// Plan file (TOML)
+    #[arg(value_name = "PLAN.toml", required = true)]
+    pub plan: Option<PathBuf>,
+    /// Where the table goes: one file, FILE.parquet, or a folder of parts, DIR/. The same command resumes it
+    #[arg(short, long, value_name = "FILE.parquet or DIR", required = true)]
+    pub output: Option<PathBuf>,
+    /// Only share i of n of the plan, as parts in a folder; `campaign merge` joins them
+    #[arg(long, value_name = "i/n")]
+    pub shard: Option<Shard>,
+    /// Threads [as many as cores]; the table does not depend on them
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Neither progress nor summary
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// `campaign …`.
+#[derive(Debug, Subcommand)]
+pub enum CampaignCommand {
+    /// What a campaign holds: muscles, points, failures by cause, ranges, where it comes from
+    #[command(after_help = SHOW_EXAMPLES)]
+    Show(CampaignShowArgs),
+    /// Join folders of parts into one file, the same bytes as those of a single run
+    #[command(after_help = MERGE_EXAMPLES)]
+    Merge(CampaignMergeArgs),
+}
+
+/// `campaign show`.
+#[derive(Debug, Args)]
+pub struct CampaignShowArgs {
+    /// A campaign: one file, or a folder of parts
+    #[arg(value_name = "FILE.parquet or DIR")]
+    pub campaign: PathBuf,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// `campaign merge`.
+#[derive(Debug, Args)]
+pub struct CampaignMergeArgs {
+    /// Folders of parts
+    #[arg(value_name = "DIR", required = true)]
+    pub folders: Vec<PathBuf>,
+    /// The file
+    #[arg(short, long, value_name = "FILE.parquet")]
+    pub output: PathBuf,
+}
+
+/// Runs the command.
+pub fn run(args: &CampaignArgs, format: Format) -> Result<u8, Failure> {
+    match &args.command {
+        None => plan(&args.run, format),
+        Some(CampaignCommand::Show(args)) => show::run(args, format),
+        Some(CampaignCommand::Merge(args)) => merge(args, format),
+    }
+}
+
+fn no_csv(format: Format) -> Result<(), Failure> {
+    if format != Format::Csv {
+        return Ok(());
+    }
+    let message = "--format csv: the table is the Parquet file itself";
+    Err(Failure::input(ProblemKind::Usage, message, "take text or json"))
+}
+
+fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
+    no_csv(format)?;
+    let bar = if args.quiet { Bar::hidden() } else { Bar::new("muscles") };
+    let from = Instant::now();
+    let request = CampaignRequest {
+        plan: args.plan.as_deref().map(files::text).transpose()?,
+        output: args.output.clone(),
+        shard: args.shard.map(|shard| shard.to_string()),
+        threads: args.threads.map(usize::from),
+    };
+    let outcome = mckibben_app::campaign(&request, &bar)?;
+    let interrupted = bar.cancelled() && !outcome.complete;
+    drop(bar);
+    for file in &outcome.recomputed {
+        warn(format!("{} was damaged and is recomputed: {}", file.file.display(), file.cause));
+    }
+    if !args.quiet {
+        print(&outcome, format, "", || as_text(&outcome, from.elapsed()), None)?;
+    }
+    let c = outcome.counts;
+    Ok(if interrupted {
+        INTERRUPTED
+    } else if c.points > 0 && c.failed == c.points {
+        NOT_CONVERGED
+    } else {
+        0
+    })
+}
+
+fn as_text(outcome: &Outcome, time: Duration) -> String {
+    let p = outcome.counts;
+    let seconds = time.as_secs_f64();
+    let mut text = format!("{} of {} muscles are in {}", p.muscles, p.of, outcome.store.display());
+    if outcome.complete {
+        text = format!("{} muscles are in {}", p.muscles, outcome.output.display());
+    }
+    if p.resumed > 0 {
+        text.push_str(&format!(", {} of them from before", p.resumed));
+    }
+    text.push('\n');
+    if p.points > 0 {
+        let rate = number(p.points as f64 / seconds, 3);
+        text.push_str(&format!("{} points in {} s ({rate} a second)", p.points, number(seconds, 3)));
+        if p.failed > 0 {
+            text.push_str(&format!(", {} without an answer: `mckibben campaign show` says why", p.failed));
+        }
+        text.push('\n');
+    }
+    if !outcome.complete {
+        text.push_str("Interrupted: the same command goes on from here.\n");
+    }
+    text
+}
+
+fn merge(args: &CampaignMergeArgs, format: Format) -> Result<u8, Failure> {
+    no_csv(format)?;
+    let request = CampaignMergeRequest { folders: args.folders.clone(), output: args.output.clone() };
+    let merged = campaign_merge(&request)?;
+    let text = || {
+        let out = merged.output.display();
+        format!("{} points of {} muscles are in {out}\n", merged.points, merged.muscles)
+    };
+    print(&merged, format, "", text, None)?;
+    Ok(0)
+}

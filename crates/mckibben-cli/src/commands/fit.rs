@@ -1,0 +1,139 @@
+//! `fit`: from a table of points to a formula.
+
+mod report;
+mod text;
+
+pub use text::{error_rows, errors_table, made_text, range_text, universal as universal_text};
+
+use crate::failure::Failure;
+use crate::files;
+use crate::flags::{Format, stiffness};
+use crate::output::{save, show};
+use crate::progress::Bar;
+use crate::quantities::points;
+use crate::word::word;
+use clap::Args;
+use mckibben::units::Dimension;
+use mckibben_app::{FitAnswer, FitMethod, FitRequest};
+use mckibben_campaign::fit::{SlackRule, ThinRule};
+use serde::Serialize;
+use serde_json::{Map, Value};
+use std::path::{Path, PathBuf};
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben fit data/campaign/paper.csv --method paper --hold-out 35 \\
+    -o formula.json --tables tables --plots plots
+  mckibben fit data/campaign/paper.csv --method global --hold-out 35 \\
+    -o global.json
+  mckibben force -D 35 -s 2 -p 2bar -e 10% --model global.json
+  mckibben fit --report";
+
+/// `fit`.
+#[derive(Debug, Args)]
+pub struct FitArgs {
+    /// Table of points (CSV: outer_diameter_mm, wall_mm, length_mm, angle_deg, pressure_mpa, contraction, force_n, status)
+    #[arg(value_name = "FILE", required_unless_present = "report", conflicts_with = "report")]
+    pub file: Option<PathBuf>,
+    /// Instead: compute the paper's campaign anew and print how everything compares
+    #[arg(long)]
+    pub report: bool,
+    /// How the formula is made
+    #[arg(long, value_parser = word::<FitMethod>(), default_value = "paper")]
+    pub method: FitMethod,
+    /// Diameters kept out of the fit, to test it [none]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    pub hold_out: Option<String>,
+    /// Most terms of `global`
+    #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u8).range(1..=48))]
+    pub terms: u8,
+    /// Thick walls of thin muscles at low pressure, in the paper's method
+    #[arg(long, value_parser = word::<ThinRule>(), default_value = "leave-out")]
+    pub thin_rule: ThinRule,
+    /// Points where the muscle would have to push, in the paper's method
+    #[arg(long, value_parser = word::<SlackRule>(), default_value = "two-sided")]
+    pub slack_rule: SlackRule,
+    /// Name that answers of the formula carry [the method's]
+    #[arg(long)]
+    pub name: Option<String>,
+    /// Rubber of the table's muscles, where the table does not say it [paper]
+    #[arg(long, value_name = "NAME")]
+    pub rubber: Option<String>,
+    /// Braid of the table's muscles, where the table does not say it: N/mm, `inextensible`, or `paper` [paper]
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
+    pub stiffness: Option<String>,
+    /// Muscle file that says rubber and braid
+    #[arg(long, value_name = "FILE")]
+    pub muscle: Option<PathBuf>,
+    /// Write the intermediate tables of the paper's method (CSV and JSON) into a folder
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub tables: Option<PathBuf>,
+    /// Write figures into a folder: the paper's 5 to 12, or with `global` the last
+    #[arg(long, value_name = "DIR", help_heading = "Output")]
+    pub plots: Option<PathBuf>,
+    /// Write the formula
+    #[arg(short, long, value_name = "FILE.json", help_heading = "Output")]
+    pub output: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
+    let Some(path) = &args.file else { return report::run(format, args.output.as_deref()) };
+    let mut answer = mckibben_app::fit(&request(args, path)?, &Bar::new("steps"))?;
+    if let Some(folder) = &args.tables {
+        write_tables(folder, &mut answer)?;
+    }
+    if let Some(folder) = &args.plots {
+        make(folder)?;
+        for named in std::mem::take(&mut answer.figures) {
+            named.figure.save(&folder.join(format!("{}.svg", named.name)))?;
+        }
+    }
+    if let Some(file) = &args.output {
+        save(file, answer.formula_file().as_bytes())?;
+    }
+    show(&answer, format, "terms", || text::of(&answer, args.output.as_deref()), None)?;
+    Ok(0)
+}
+
+fn request(args: &FitArgs, path: &Path) -> Result<FitRequest, Failure> {
+    let parquet = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
+    let campaign = path.is_dir() || parquet;
+    Ok(FitRequest {
+        table: if campaign { None } else { Some(files::table(path)?) },
+        campaign: campaign.then(|| path.to_owned()),
+        method: args.method,
+        hold_out_mm: points("--hold-out", args.hold_out.as_deref(), Dimension::Length, 1)?
+            .unwrap_or_default(),
+        terms: Some(usize::from(args.terms)),
+        thin_rule: args.thin_rule,
+        slack_rule: args.slack_rule,
+        name: args.name.clone(),
+        rubber: args.rubber.clone(),
+        stiffness: args.stiffness.as_deref().map(stiffness).transpose()?,
+        muscle: args.muscle.as_deref().map(files::text).transpose()?,
+        tables: args.tables.is_some(),
+        figures: args.plots.is_some(),
+    })
+}
+
+fn make(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|e| Failure::unwritable(folder, &e))
+}
+
+/// All tables in one file.
+#[derive(Serialize)]
+struct Tables<'a> {
+    method: &'a str,
+    tables: Map<String, Value>,
+}
+
+fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
+    make(folder)?;
+    let mut tables = Map::new();
+    for table in std::mem::take(&mut answer.tables) {
+        save(&folder.join(format!("{}.csv", table.name)), table.to_csv().as_bytes())?;
+        tables.insert(table.name.into(), table.to_value());
+    }
+    let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
+    show(&Tables { method, tables }, Format::Json, "", String::new, Some(&folder.join("tables.json")))
+}
