@@ -236,7 +236,8 @@ mod tests {
     fn a_table_may_lack_answers_and_nothing_else() {
         let mut layout = Layout::new(vec!["c10_mpa".into()], vec![]);
         let fields = layout.fields();
-        let names = |but: &str| fields.iter().map(|f| f.name.as_str()).filter(|n| *n != but).collect::<Vec<_>>();
+        let names =
+            |but: &str| fields.iter().map(|f| f.name.as_str()).filter(|n| *n != but).collect::<Vec<_>>();
         assert_eq!(layout.found(&names("wall_mm")), Err("wall_mm".into()));
         assert_eq!(layout.found(&names("c10_mpa")), Err("c10_mpa".into()));
         assert_eq!((layout.found(&names("max_stretch")), layout.lacking), (Ok(()), vec!["max_stretch"]));
