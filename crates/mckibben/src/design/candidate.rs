@@ -135,9 +135,9 @@ pub(super) fn screen_below(
     let highest = needed.iter().copied().fold(0.0, f64::max);
     let mut air = 0.0_f64;
     if bounded || want_air {
-        let thick_wall = ThickWall::new(muscle);
+        let aide = ThickWall::new(muscle);
         for (point, &p) in spec.points.iter().zip(&needed) {
-            let (full, _) = full_response(model.as_ref(), workspace, &thick_wall, p, point.contraction)
+            let (full, _) = full_response(model.as_ref(), workspace, &aide, p, point.contraction)
                 .map_err(Reason::Model)?;
             if let (Some(limit_mm), Some(diameter_mm)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm)
                 && diameter_mm > limit_mm
@@ -149,14 +149,13 @@ pub(super) fn screen_below(
             {
                 keep_worst(&mut worst, Reason::Stretch { stretch, limit });
             }
-            if want_air
-                && let Some(litres) = air_of(model.as_ref(), workspace, &thick_wall, p, point.contraction).0
+            if want_air && let Some(litres) = air_of(model.as_ref(), workspace, &aide, p, point.contraction).0
             {
                 air = air.max(litres);
             }
         }
         if let Some(limit) = limits.burst_margin
-            && let Some(burst) = burst_of(spec, model.as_ref(), workspace, &thick_wall).0
+            && let Some(burst) = burst_of(spec, model.as_ref(), workspace, &aide).0
         {
             let margin = burst / spec.max_pressure_mpa;
             if margin < limit {
@@ -212,7 +211,7 @@ fn need(
 fn full_response(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
-    thick_wall: &ThickWall,
+    aide: &ThickWall,
     p: f64,
     contraction: f64,
 ) -> Result<(Response, Vec<&'static str>), crate::model::ModelError> {
@@ -221,7 +220,7 @@ fn full_response(
     if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {
         return Ok((r, filled));
     }
-    if let Ok(other) = thick_wall.response(workspace, p, contraction) {
+    if let Ok(other) = aide.response(workspace, p, contraction) {
         let mut fill = |slot: &mut Option<f64>, value: Option<f64>, name| {
             if slot.is_none() && value.is_some() {
                 *slot = value;
@@ -241,13 +240,13 @@ fn full_response(
 fn air_of(
     model: &dyn ForceModel,
     workspace: &mut Workspace,
-    thick_wall: &ThickWall,
+    aide: &ThickWall,
     p: f64,
     contraction: f64,
 ) -> (Option<f64>, bool) {
     match air_per_stroke(model, workspace, p, contraction) {
         Ok(air) => (Some(air.normal_litres), false),
-        Err(_) => (air_per_stroke(thick_wall, workspace, p, contraction).ok().map(|a| a.normal_litres), true),
+        Err(_) => (air_per_stroke(aide, workspace, p, contraction).ok().map(|a| a.normal_litres), true),
     }
 }
 
@@ -255,7 +254,7 @@ fn burst_of(
     spec: &Spec,
     model: &dyn ForceModel,
     workspace: &mut Workspace,
-    thick_wall: &ThickWall,
+    aide: &ThickWall,
 ) -> (Option<f64>, bool) {
     let mut lowest: Option<f64> = None;
     let mut helped = false;
@@ -264,7 +263,7 @@ fn burst_of(
             Ok(burst) => burst,
             Err(_) => {
                 helped = true;
-                burst_pressure_mpa(thick_wall, workspace, contraction).ok().flatten()
+                burst_pressure_mpa(aide, workspace, contraction).ok().flatten()
             }
         };
         if let Some(b) = burst {
@@ -279,20 +278,18 @@ pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Resu
     let model = build(muscle).map_err(Reason::Model)?;
     let model = model.as_ref();
     let workspace = &mut Workspace::new();
-    let thick_wall = ThickWall::new(muscle);
+    let aide = ThickWall::new(muscle);
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let mut points = Vec::with_capacity(spec.points.len());
     for point in &spec.points {
         let pressure_mpa = need(spec, model, workspace, point)?;
         let (mut response, filled) =
-            full_response(model, workspace, &thick_wall, pressure_mpa, point.contraction)
-                .map_err(Reason::Model)?;
+            full_response(model, workspace, &aide, pressure_mpa, point.contraction).map_err(Reason::Model)?;
         response.force_n = point.force_n;
         from_thick_wall.extend(filled);
         let available_n =
             model.force_n(workspace, spec.max_pressure_mpa, point.contraction).map_err(Reason::Model)?;
-        let (air_normal_litres, helped) =
-            air_of(model, workspace, &thick_wall, pressure_mpa, point.contraction);
+        let (air_normal_litres, helped) = air_of(model, workspace, &aide, pressure_mpa, point.contraction);
         if helped {
             from_thick_wall.push("air");
         }
@@ -309,9 +306,9 @@ pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Resu
     let max = spec.max_pressure_mpa;
     let free = free_contraction(model, workspace, max, false).ok().or_else(|| {
         from_thick_wall.push("free contraction");
-        free_contraction(&thick_wall, workspace, max, false).ok()
+        free_contraction(&aide, workspace, max, false).ok()
     });
-    let (burst, helped) = burst_of(spec, model, workspace, &thick_wall);
+    let (burst, helped) = burst_of(spec, model, workspace, &aide);
     if helped && burst.is_some() {
         from_thick_wall.push("burst pressure");
     }

@@ -129,7 +129,7 @@ impl ForceModel for FestoHunt {
         Accuracy {
             share_of_blocked: Some(0.09),
             blocked_at: BlockedAt::Pressure(0.45),
-            basis: "rms 17 N on the 24 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017 [martens2017]) that lie in the box, with the largest contraction taken from the length",
+            basis: "rms 17 N on the 24 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017) that lie in the box, with the largest contraction taken from the length",
         }
     }
 

@@ -39,7 +39,7 @@ const DMSP_10: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.25),
         blocked_at: BlockedAt::Pressure(0.6),
-        basis: "rms 73 N on the 40 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017 [martens2017]), another specimen than the fitted one, which pulls less",
+        basis: "rms 73 N on the 40 points of the static force map of a DMSP-10-250 (Martens & Boblan 2017), another specimen than the fitted one, which pulls less",
     },
 };
 
@@ -56,7 +56,7 @@ const DMSP_20_200: Fit = Fit {
     accuracy: Accuracy {
         share_of_blocked: Some(0.11),
         blocked_at: BlockedAt::Pressure(0.6),
-        basis: "rms 98 N on 55 points of the static force map of a DMSP-20-300 (Martens & Boblan 2017 [martens2017]), another and longer specimen than the fitted one",
+        basis: "rms 98 N on 55 points of the static force map of a DMSP-20-300 (Martens & Boblan 2017), another and longer specimen than the fitted one",
     },
 };
 
