@@ -144,7 +144,7 @@ fn checks(_: bool) -> Done {
 }
 
 fn wasm(_: bool) -> Done {
-    run(Command::new("sh").arg("checks/wasm.sh"))
+    run(Command::new("bash").arg("checks/wasm.sh"))
 }
 
 fn benches(_: bool) -> Done {
