@@ -28,7 +28,7 @@ pub use universal::{
     Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
 };
 
-use file::interval;
+use file::check::interval;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
