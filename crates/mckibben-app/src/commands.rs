@@ -46,6 +46,9 @@ pub const COMMANDS: &[CommandEntry] = &[
     command!("compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
     command!("identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
     command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
+    command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),
+    command!("rubber-show", RubberShowRequest => RubberShowAnswer, |r, _progress| rubber_show(&r)),
+    command!("rubber-fit", RubberFitRequest => RubberFitAnswer, |r, _progress| rubber_fit(&r)),
     command!("models", ModelsRequest => ModelsAnswer, |r, _progress| Ok::<_, Problem>(models(&r))),
 ];
 

@@ -15,8 +15,8 @@ use mckibben::identify::{
 use mckibben::least_squares::{EstimateError, Loss};
 use mckibben::measured::{DataPoint, MeasuredPoint, Quantity, Section, mean_of_data, read_data};
 use mckibben::model::Workspace;
-use mckibben::muscle::{Direction, Muscle};
 use mckibben::muscle::file::to_toml;
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -296,7 +296,8 @@ impl IdentifyRequest {
                 for &contraction in &contractions {
                     for &pressure_mpa in &pressures {
                         let force_n = model.force_n(&mut workspace, pressure_mpa, contraction)?;
-                        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+                        let at =
+                            MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
                         points.push(DataPoint {
                             section,
                             line: points.len() as u64 + 2,

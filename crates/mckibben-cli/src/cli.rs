@@ -8,6 +8,8 @@ use crate::commands::identify::IdentifyArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::muscle::MuscleShowArgs;
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
+use crate::commands::rubber::{RubberListArgs, RubberShowArgs};
+use crate::commands::rubber_fit::RubberFitArgs;
 use crate::commands::schema::SchemaArgs;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::validate::ValidateArgs;
@@ -73,9 +75,9 @@ pub enum Command {
     /// What was understood of a muscle, what follows from it, and a build sheet
     #[command(subcommand)]
     Muscle(MuscleCommand),
-    //B     /// Named rubbers
-    //B     #[command(subcommand)]
-    //B     Rubber(RubberCommand),
+    /// Named rubbers
+    #[command(subcommand)]
+    Rubber(RubberCommand),
     /// The force models: what they are, their source, and where they hold
     #[command(after_help = "Example:\n  mckibben models")]
     Models(ModelsArgs),
@@ -105,12 +107,6 @@ pub enum Command {
 //B   mckibben formula show formula.json
 //B   mckibben formula show formula.json --latex";
 
-//B const RUBBER_FIT_EXAMPLES: &str = "Examples:
-//B   mckibben rubber fit data/treloar/tension.csv --law yeoh --relative
-//B   mckibben rubber fit data/silicones/dragon_skin_30.csv --up-to 200% \\
-//B     --plot rubber.svg -o silicone.toml
-//B   mckibben force --muscle silicone.toml -p 2bar -e 10%";
-
 /// `muscle …`.
 #[derive(Debug, Subcommand)]
 pub enum MuscleCommand {
@@ -128,18 +124,16 @@ pub enum MuscleCommand {
 //B     #[command(after_help = FORMULA_EXAMPLES)]
 //B     Show(FormulaShowArgs),
 //B }
-//B
-//B /// `rubber …`.
-//B #[derive(Debug, Subcommand)]
-//B pub enum RubberCommand {
-//B     /// All named rubbers
-//B     #[command(after_help = "Example:\n  mckibben rubber list")]
-//B     List(RubberListArgs),
-//B     /// One rubber: its laws, constants, source and terms
-//B     #[command(after_help = "Example:\n  mckibben rubber show dragon-skin-30")]
-//B     Show(RubberShowArgs),
-//B //B     /// Laws from tension tests: constants with their errors, and where they are stable
-//B //B     #[command(after_help = RUBBER_FIT_EXAMPLES)]
-//B //B     Fit(Box<RubberFitArgs>),
-//B }
-//B
+/// `rubber …`.
+#[derive(Debug, Subcommand)]
+pub enum RubberCommand {
+    /// All named rubbers
+    #[command(after_help = "Example:\n  mckibben rubber list")]
+    List(RubberListArgs),
+    /// One rubber: its laws, constants, source and terms
+    #[command(after_help = "Example:\n  mckibben rubber show dragon-skin-30")]
+    Show(RubberShowArgs),
+    /// Laws from tension tests: constants with their errors, and where they are stable
+    #[command(after_help = commands::rubber_fit::EXAMPLES)]
+    Fit(Box<RubberFitArgs>),
+}

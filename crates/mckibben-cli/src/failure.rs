@@ -18,18 +18,66 @@ const FLAGS: &[(&str, &str)] = &[
     ("forces_n", "force"),
     ("rubbers", "rubber"),
     ("points", "at"),
-    ("max_strain", "up-to"),
+    ("up_to_stretch", "up-to"),
+    ("laws", "law"),
     ("area_mm2", "area"),
 ];
 
 /// Fields of requests that have a flag of their name, with or without their unit.
 const FIELDS: &[&str] = &[
-    "outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "stiffness", "end_factor", "cone_factor",
-    "strand_length_mm", "turns", "model", "mesh", "match", "terminal", "extrapolate", "two_sided", "pressure_mpa",
-    "contraction", "force_n", "max_pressure_mpa", "stroke_mm", "max_bulged_diameter_mm", "min_burst_margin",
-    "max_stretch", "strand_length_per_turn_mm", "tolerance", "objective", "top", "verify", "models", "data", "branch",
-    "fit", "free", "fix", "bounds", "weights", "formula", "loss", "branches", "gauge_length_mm", "law", "terms",
-    "stable", "relative", "show", "picture", "export_inp", "vtu", "sweep", "seed", "method", "hold_out",
+    "outer_diameter_mm",
+    "wall_mm",
+    "length_mm",
+    "angle_deg",
+    "rubber",
+    "stiffness",
+    "end_factor",
+    "cone_factor",
+    "strand_length_mm",
+    "turns",
+    "model",
+    "mesh",
+    "match",
+    "terminal",
+    "extrapolate",
+    "two_sided",
+    "pressure_mpa",
+    "contraction",
+    "force_n",
+    "max_pressure_mpa",
+    "stroke_mm",
+    "max_bulged_diameter_mm",
+    "min_burst_margin",
+    "max_stretch",
+    "strand_length_per_turn_mm",
+    "tolerance",
+    "objective",
+    "top",
+    "verify",
+    "models",
+    "data",
+    "branch",
+    "fit",
+    "free",
+    "fix",
+    "bounds",
+    "weights",
+    "formula",
+    "loss",
+    "branches",
+    "gauge_length_mm",
+    "law",
+    "terms",
+    "stable",
+    "relative",
+    "show",
+    "picture",
+    "export_inp",
+    "vtu",
+    "sweep",
+    "seed",
+    "method",
+    "hold_out",
 ];
 
 /// The flag of a request's field.
@@ -40,12 +88,13 @@ fn flag(field: &str) -> Option<String> {
     if !FIELDS.contains(&field) {
         return None;
     }
-    let name = ["_mpa", "_n", "_mm", "_deg"].iter().find_map(|unit| field.strip_suffix(unit)).unwrap_or(field);
+    let name =
+        ["_mpa", "_n", "_mm", "_deg"].iter().find_map(|unit| field.strip_suffix(unit)).unwrap_or(field);
     Some(format!("--{}", name.replace('_', "-")))
 }
 
 /// A sentence with flags in place of the fields that it names in backquotes.
-fn in_flags(sentence: &str) -> String {
+pub fn in_flags(sentence: &str) -> String {
     let mut out = String::with_capacity(sentence.len());
     for (i, part) in sentence.split('`').enumerate() {
         match (i % 2, flag(part)) {
@@ -112,7 +161,11 @@ impl Failure {
     /// `error: …`, and the hint below it.
     pub fn to_text(&self) -> String {
         let Problem { message, hint, .. } = &*self.problem;
-        if hint.is_empty() { format!("error: {message}") } else { format!("error: {message}\n  hint: {hint}") }
+        if hint.is_empty() {
+            format!("error: {message}")
+        } else {
+            format!("error: {message}\n  hint: {hint}")
+        }
     }
 
     /// `{"error": {"kind", "message", "hint"}}` on one line.
@@ -153,7 +206,8 @@ mod tests {
 
     #[test]
     fn fields_become_flags() {
-        let problem = Problem::new(ProblemKind::Quantity, "`strand_length_mm` and `turns`, not `paper`", "`two_sided`");
+        let problem =
+            Problem::new(ProblemKind::Quantity, "`strand_length_mm` and `turns`, not `paper`", "`two_sided`");
         let failure = Failure::from(problem.in_field("pressures_mpa"));
         assert_eq!(
             failure.to_text(),

@@ -10,6 +10,14 @@ pub fn word<T>() -> impl TypedValueParser<Value = T>
 where
     T: JsonSchema + DeserializeOwned + Clone + Send + Sync + 'static,
 {
+    word_or(&[])
+}
+
+/// The same where some words have a second spelling, which serde knows too: (word, alias).
+pub fn word_or<T>(aliases: &[(&str, &'static str)]) -> impl TypedValueParser<Value = T>
+where
+    T: JsonSchema + DeserializeOwned + Clone + Send + Sync + 'static,
+{
     let schema = schemars::schema_for!(T);
     let variants = schema.get("oneOf").and_then(Value::as_array).cloned().unwrap_or_default();
     let possible = variants.iter().filter_map(|variant| {
@@ -17,7 +25,8 @@ where
         let help = variant.get("description").and_then(Value::as_str).unwrap_or_default();
         // One line, without the full stop: as the help of flags.
         let help = help.lines().collect::<Vec<_>>().join(" ").trim_end_matches('.').to_owned();
-        Some(PossibleValue::new(name).help(help))
+        let aliases = aliases.iter().filter(|a| a.0 == name).map(|a| a.1).collect::<Vec<_>>();
+        Some(PossibleValue::new(name).help(help).aliases(aliases))
     });
     PossibleValuesParser::new(possible.collect::<Vec<_>>())
         .try_map(|word| serde_json::from_value::<T>(Value::String(word)))

@@ -7,6 +7,7 @@ mod identify;
 mod picture;
 mod simulate;
 mod study;
+mod tension;
 
 pub(crate) use compare::compare;
 pub(crate) use curves::curves;
@@ -15,6 +16,7 @@ pub(crate) use identify::identified;
 pub(crate) use picture::picture;
 pub(crate) use simulate::simulate;
 pub(crate) use study::study;
+pub(crate) use tension::tension;
 
 /// The small line below every figure.
 fn caption(text: impl std::fmt::Display) -> String {

@@ -7,12 +7,14 @@ pub mod identify;
 pub mod models;
 pub mod muscle;
 pub mod point;
+pub mod rubber;
+pub mod rubber_fit;
 pub mod schema;
 pub mod simulate;
 mod study;
 pub mod validate;
 
-use crate::cli::{Cli, Command, MuscleCommand};
+use crate::cli::{Cli, Command, MuscleCommand, RubberCommand};
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::emit;
@@ -31,6 +33,9 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Compare(args) => compare::run(&args, format),
         Command::Identify(args) => identify::run(&args, format),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
+        Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),
+        Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args, format),
+        Command::Rubber(RubberCommand::Fit(args)) => rubber_fit::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
         Command::Completions { shell } => {

@@ -10,6 +10,7 @@ use serde::Serialize;
 
 /// A constant.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Parameter {
     /// As in muscle files; `mu1`, `alpha1` for terms.
     pub name: String,
@@ -26,6 +27,7 @@ pub struct Parameter {
 
 /// How well a law follows one of the tests.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ModeError {
     /// Which test.
     pub mode: Mode,
@@ -36,6 +38,7 @@ pub struct ModeError {
     /// Root mean square of the differences of nominal stress, in MPa.
     pub rms_mpa: f64,
     /// Stretch up to which the law is stable in this test, where it ends below the larger of the data's and the muscle's.
+    #[serde(rename = "unstable_from_stretch")]
     pub stable_to_stretch: Option<f64>,
 }
 

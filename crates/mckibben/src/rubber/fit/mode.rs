@@ -11,14 +11,18 @@ use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};
 
 /// How a specimen is stretched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Mode {
     /// A narrow strip or dumb-bell, pulled along one axis.
+    #[default]
     Uniaxial,
-    /// A wide, short strip whose width cannot change.
+    /// A wide, short strip whose width cannot change ("pure shear").
+    #[serde(alias = "pure-shear")]
     Planar,
     /// A sheet pulled alike along two axes, or a balloon.
+    #[serde(alias = "biaxial")]
     Equibiaxial,
 }
 

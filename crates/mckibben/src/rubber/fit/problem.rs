@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 /// What is made small.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Measure {
     /// Differences of nominal stress.
     #[default]

@@ -1,13 +1,13 @@
-//! What `rubber fit` prints.
+//! What `rubber fit` tells people.
 
 use crate::output::text::{number, or_dash, pairs, percent, table};
 use mckibben::rubber::fit::{FitSettings, FittedLaw, Measure, ModeError, Parameter, TensionFit};
 use mckibben::rubber::{RubberLaw, Stability};
-use serde_json::{Map, Value, json};
+use mckibben_app::RubberFitAnswer;
 use std::path::Path;
 
 /// The law in words: `mooney-rivlin, held stable`.
-pub fn title(law: &FittedLaw) -> String {
+fn title(law: &FittedLaw) -> String {
     let held = if law.constrained { ", held stable" } else { "" };
     format!("{}{held}", law.form.name())
 }
@@ -36,7 +36,8 @@ fn weighting(settings: &FitSettings) -> String {
 }
 
 /// Text for people.
-pub fn as_text(fit: &TensionFit, settings: &FitSettings, file: &str, written: Option<&Path>) -> String {
+pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
+    let RubberFitAnswer { fit, settings, data: file, .. } = answer;
     let modes: Vec<(&str, String)> = fit.laws.first().map_or_else(Vec::new, |law| {
         let range =
             |m: &ModeError| format!("{} points, to a stretch of {}", m.points, number(m.to_stretch, 3));
@@ -124,92 +125,6 @@ fn closing(fit: &TensionFit, written: Option<&Path>) -> String {
     if let Some(path) = written {
         let path = path.display();
         out.push_str(&format!("Written to {path}: mckibben force --muscle {path} -p 2bar -e 10%\n"));
-    }
-    out
-}
-
-fn parameters(law: &FittedLaw) -> Vec<Value> {
-    let one = |p: &Parameter| {
-        json!({
-            "name": p.name, "value": p.value, "unit": p.unit, "standard_error": p.standard_error,
-            "identifiable": p.identifiable,
-        })
-    };
-    law.parameters.iter().map(one).collect()
-}
-
-fn law_json(law: &FittedLaw, fit: &TensionFit) -> Map<String, Value> {
-    let unstable = match law.stability {
-        Stability::Stable => None,
-        Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
-    };
-    let mut map = Map::new();
-    let mut put = |key: &str, value: Value| drop(map.insert(key.into(), value));
-    put("law", json!(law.form.law()));
-    put("name", json!(law.form.name()));
-    put("constrained", json!(law.constrained));
-    put("shear_modulus_mpa", json!(law.law.shear_modulus_mpa()));
-    put("r_squared", json!(law.r_squared));
-    put("free_r_squared", json!(law.free_r_squared));
-    put("rms_mpa", json!(law.rms_mpa));
-    put("relative_rms", json!(law.relative_rms));
-    put("aicc", json!(law.aicc));
-    put("fitted_to_stretch", json!(fit.fitted_to_stretch));
-    put("stable", json!(law.is_stable()));
-    put("unstable_from_hoop_stretch", json!(unstable));
-    map
-}
-
-/// JSON.
-pub fn as_json(fit: &TensionFit, settings: &FitSettings, file: &str) -> Value {
-    let laws = fit.laws.iter().map(|law| {
-        let mut map = law_json(law, fit);
-        map.insert("parameters".into(), json!(parameters(law)));
-        let mode = |m: &ModeError| {
-            json!({
-                "mode": m.mode.name(), "points": m.points, "to_stretch": m.to_stretch, "rms_mpa": m.rms_mpa,
-                "unstable_from_stretch": m.stable_to_stretch,
-            })
-        };
-        map.insert("modes".into(), json!(law.modes.iter().map(mode).collect::<Vec<_>>()));
-        Value::Object(map)
-    });
-    let laws: Vec<Value> = laws.collect();
-    let taken = fit.recommended.and_then(|i| fit.laws.get(i));
-    json!({
-        "data": file,
-        "points": fit.points.len(),
-        "left_out": fit.left_out,
-        "fitted_to_stretch": fit.fitted_to_stretch,
-        "measure": if settings.measure == Measure::Relative { "relative" } else { "absolute" },
-        "balance": settings.balance,
-        "recommended": taken.map(|l| l.form.name()),
-        "parameters": taken.map_or_else(Vec::new, parameters),
-        "laws": laws,
-        "failed": fit.failed.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "warnings": fit.warnings.iter().map(ToString::to_string).collect::<Vec<_>>(),
-    })
-}
-
-/// One CSV row a constant.
-pub fn rows(fit: &TensionFit) -> Vec<Value> {
-    let mut out = vec![];
-    for (i, law) in fit.laws.iter().enumerate() {
-        for p in parameters(law) {
-            let mut row = Map::new();
-            row.insert("law".into(), json!(law.form.name()));
-            row.insert("constrained".into(), json!(law.constrained));
-            row.insert("recommended".into(), json!(fit.recommended == Some(i)));
-            if let Value::Object(p) = p {
-                row.extend(p.into_iter().map(|(k, v)| (if k == "name" { "constant".into() } else { k }, v)));
-            }
-            let mut more = law_json(law, fit);
-            for key in ["law", "name", "constrained"] {
-                more.remove(key);
-            }
-            row.extend(more);
-            out.push(Value::Object(row));
-        }
     }
     out
 }

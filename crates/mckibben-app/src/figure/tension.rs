@@ -1,0 +1,73 @@
+//! Tension tests with the laws fitted to them.
+
+use super::caption;
+use mckibben::rubber::fit::{FittedLaw, Mode, TensionFit, TensionPoint};
+use mckibben_report::{Axis, Figure, Panel, Series, Style};
+
+/// Most laws on one figure.
+const LAWS: usize = 6;
+/// Stretch to which a test without points is drawn.
+const WITHOUT_POINTS: f64 = 2.0;
+
+/// One panel a test, also for tests without points: there the laws part. Laws that are unstable in a muscle are dashed, those held stable dotted.
+pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
+    let laws = drawn(fit);
+    let about = format!(
+        "Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle; dotted: held stable"
+    );
+    let mut figure =
+        Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);
+    for mode in Mode::ALL {
+        figure = figure.panel(panel(mode, fit, &laws));
+    }
+    figure
+}
+
+/// The laws, the recommended one first, then by AICc; a free fit and its stable neighbour are two.
+fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
+    let first = fit.recommended.and_then(|i| fit.laws.get(i));
+    let others = fit.laws.iter().enumerate().filter(|(i, _)| fit.recommended != Some(*i)).map(|o| o.1);
+    let mut others: Vec<&FittedLaw> = others.collect();
+    others.sort_by(|a, b| a.aicc.total_cmp(&b.aicc));
+    first.into_iter().chain(others).take(LAWS).collect()
+}
+
+fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
+    let points: Vec<&TensionPoint> = fit.points.iter().filter(|p| p.mode == mode).collect();
+    let low = points.iter().map(|p| p.stretch).fold(1.0, f64::min);
+    let far = points.iter().map(|p| p.stretch).fold(1.0, f64::max);
+    let end = if points.is_empty() { WITHOUT_POINTS.min(fit.fitted_to_stretch) } else { far };
+    let stress = |l: &FittedLaw, x: f64| mode.nominal_stress_mpa(&l.law, x);
+    // The height follows from points, else from the laws that are stable: an unstable one may run anywhere.
+    let measured = points.iter().map(|p| p.nominal_stress_mpa);
+    let stable = laws.iter().filter(|l| points.is_empty() && l.is_stable()).map(|l| stress(l, end));
+    let heights: Vec<f64> = measured.chain(stable).filter(|y| y.is_finite()).collect();
+    let top = heights.iter().copied().fold(0.0, f64::max);
+    let bottom = heights.iter().copied().fold(0.0, f64::min);
+    let x = Axis::new("stretch λ [–]").range(low, end + 0.03 * (end - low));
+    let mut y = Axis::new("stress P [MPa]");
+    if top > bottom {
+        y = y.range(1.05 * bottom, 1.08 * top);
+    }
+    let title = if points.is_empty() { format!("{mode} (no points)") } else { mode.name().to_owned() };
+    let mut panel = Panel::new(x, y).title(title);
+    let labelled = |text: String| if mode == Mode::Uniaxial { text } else { String::new() };
+    if !points.is_empty() {
+        let list: Vec<(f64, f64)> = points.iter().map(|p| (p.stretch, p.nominal_stress_mpa)).collect();
+        panel = panel.series(Series::scatter(labelled("measured".into()), list).colour(LAWS));
+    }
+    for (n, law) in laws.iter().enumerate() {
+        let at = |i: u32| low + (end - low) * f64::from(i) / 120.0;
+        let line: Vec<(f64, f64)> = (0..=120).map(|i| (at(i), stress(law, at(i)))).collect();
+        // A law on its bound may lie on another one, as Mooney–Rivlin with C01 = 0 on the neo-Hookean.
+        let style = match (law.is_stable(), law.constrained) {
+            (false, _) => Style::Dashed,
+            (true, true) => Style::Dotted,
+            (true, false) => Style::Line,
+        };
+        let held = if law.constrained { ", held stable" } else { "" };
+        let label = labelled(format!("{}{held}", law.form.name()));
+        panel = panel.series(Series::new(label, line).colour(n).style(style));
+    }
+    panel
+}

@@ -1,0 +1,329 @@
+//! `rubber fit`: laws from tension tests.
+
+use crate::fields::TextFile;
+use crate::figure;
+use crate::muscle::muscle_of;
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::muscle::file::to_toml;
+use mckibben::muscle::{Muscle, Rubber};
+use mckibben::rubber::fit::{
+    FitSettings, FittedLaw, Form, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
+    TensionFitError, fit_tension, read_tension,
+};
+use mckibben::rubber::{RubberLaw, Stability};
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// Tension tests, and what is wanted of the laws.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct RubberFitRequest {
+    /// Tension tests (CSV: mode; stretch, engineering_strain or strain_percent; nominal_stress_mpa, true_stress_mpa or
+    /// force_n).
+    pub data: Option<TextFile>,
+    /// Laws by name, or `all`; all that the points carry where none is named.
+    pub laws: Vec<String>,
+    /// Terms of `ogden`; 1, 2 and 3 where it is left out.
+    pub terms: Option<usize>,
+    /// How the specimens were stretched, where the table has no column `mode`.
+    pub mode: Mode,
+    /// Cross-section of the specimen at rest, mm², for a column force_n.
+    pub area_mm2: Option<f64>,
+    /// Length of the specimen at rest, mm, for a column extension_mm.
+    pub gauge_length_mm: Option<f64>,
+    /// Leave out what is stretched further.
+    pub up_to_stretch: Option<f64>,
+    /// Differences over the measured stress: small stretches count as much as large ones.
+    pub relative: bool,
+    /// Every mode counts alike, however many points it has.
+    pub balance: bool,
+    /// Factors on the modes.
+    pub weights: BTreeMap<Mode, f64>,
+    /// Laws that stay stable in a muscle only.
+    pub stable: bool,
+    /// Hoop stretch of the muscle up to which a law should be stable; 3 where it is left out.
+    pub hoop_stretch: Option<f64>,
+    /// Name of the rubber in the muscle file; that of the table where it is left out.
+    pub name: Option<String>,
+    /// Muscle that gets the rubber; the prototype where it is left out.
+    pub muscle: Option<TextFile>,
+    /// The answer shall carry a figure.
+    pub figure: bool,
+}
+
+/// The laws of the tests.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct RubberFitAnswer {
+    /// The table.
+    pub data: String,
+    /// Points that were fitted.
+    pub points: usize,
+    /// Points that were left out.
+    pub left_out: usize,
+    /// Largest principal stretch of the points.
+    pub fitted_to_stretch: f64,
+    /// What was made small.
+    pub measure: Measure,
+    /// Whether every mode counted alike.
+    pub balance: bool,
+    /// The law to take, where one is stable in a muscle.
+    pub recommended: Option<String>,
+    /// Constants of that law.
+    pub parameters: Vec<Parameter>,
+    /// The laws.
+    pub laws: Vec<LawAnswer>,
+    /// Laws without a fit, and why.
+    pub failed: Vec<String>,
+    /// What to mind.
+    pub warnings: Vec<String>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+    /// What was wanted.
+    #[serde(skip)]
+    pub settings: FitSettings,
+    /// What was found.
+    #[serde(skip)]
+    pub fit: TensionFit,
+    /// The muscle that gets the rubber.
+    #[serde(skip)]
+    base: Muscle,
+    /// The name of the rubber in it.
+    #[serde(skip)]
+    name: Option<String>,
+}
+
+/// A fitted law.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct LawAnswer {
+    /// The law, as in muscle files.
+    pub law: String,
+    /// The same with the number of its terms.
+    pub name: String,
+    /// Whether it was held among the laws that are stable in a muscle.
+    pub constrained: bool,
+    /// How well it does.
+    #[serde(flatten)]
+    pub quality: LawQuality,
+    /// Its constants.
+    pub parameters: Vec<Parameter>,
+    /// Its errors by mode.
+    pub modes: Vec<ModeError>,
+}
+
+/// How well a law follows the points, and where it is stable.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct LawQuality {
+    /// Shear modulus μ at rest, MPa.
+    pub shear_modulus_mpa: f64,
+    /// R² of the nominal stresses.
+    pub r_squared: f64,
+    /// R² of the free fit, where this one was held.
+    pub free_r_squared: Option<f64>,
+    /// Root mean square of the differences of nominal stress, MPa.
+    pub rms_mpa: f64,
+    /// Root mean square of the differences over the measured stress.
+    pub relative_rms: f64,
+    /// Akaike's criterion for small samples.
+    pub aicc: f64,
+    /// Largest principal stretch of the points.
+    pub fitted_to_stretch: f64,
+    /// Whether it is stable in a muscle.
+    pub stable: bool,
+    /// Hoop stretch from which on it is not.
+    pub unstable_from_hoop_stretch: Option<f64>,
+}
+
+/// A constant with the law that it belongs to: a row of a table.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ConstantRow {
+    law: String,
+    constrained: bool,
+    recommended: bool,
+    constant: String,
+    value: f64,
+    unit: &'static str,
+    standard_error: Option<f64>,
+    identifiable: bool,
+    #[serde(flatten)]
+    quality: LawQuality,
+}
+
+impl RubberFitAnswer {
+    /// The constants of all laws, one row each.
+    pub fn constants(&self) -> Vec<ConstantRow> {
+        let rows = |(i, law): (usize, &LawAnswer)| {
+            let recommended = self.fit.recommended == Some(i);
+            let row = |p: &Parameter| ConstantRow {
+                law: law.name.clone(),
+                constrained: law.constrained,
+                recommended,
+                constant: p.name.clone(),
+                value: p.value,
+                unit: p.unit,
+                standard_error: p.standard_error,
+                identifiable: p.identifiable,
+                quality: law.quality,
+            };
+            law.parameters.iter().map(row).collect::<Vec<_>>()
+        };
+        self.laws.iter().enumerate().flat_map(rows).collect()
+    }
+
+    /// A muscle file with the recommended law.
+    ///
+    /// # Errors
+    /// [`Problem`] of kind `no_answer` where no law is stable in a muscle.
+    pub fn muscle_file(&self) -> Result<String, Problem> {
+        let taken = self.fit.recommended.and_then(|i| self.fit.laws.get(i)).ok_or_else(|| {
+            let message =
+                "none of these laws is stable over the stretches of a muscle; no muscle file is written";
+            Problem::new(ProblemKind::NoAnswer, message, "add `stable`, or take `laws` neo-hookean")
+        })?;
+        let mut tube = self.base.tube().clone();
+        tube.rubber = Rubber {
+            name: self.name.clone(),
+            // 1 + strain has digits that nobody measured.
+            fitted_to_stretch: Some((self.fit.fitted_to_stretch * 1e4).round() / 1e4),
+            ..Rubber::of(taken.law.clone())
+        };
+        Ok(to_toml(&self.base.with_tube(tube)?))
+    }
+}
+
+/// The laws that follow the tests, with the errors of their constants, and where they are stable.
+///
+/// # Errors
+/// [`Problem`].
+pub fn rubber_fit(request: &RubberFitRequest) -> Result<RubberFitAnswer, Problem> {
+    let settings = request.settings()?;
+    let base = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
+    let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
+    let options = ReadOptions {
+        mode: request.mode,
+        area_mm2: positive("area_mm2", request.area_mm2)?,
+        gauge_length_mm: positive("gauge_length_mm", request.gauge_length_mm)?,
+    };
+    let points = read_tension(file.text.as_bytes(), options)
+        .map_err(|e| Problem::new(ProblemKind::Data, format!("{}: {e}", file.name), ""))?;
+    let fit = fit_tension(&points, &settings)?;
+    let taken = fit.recommended.and_then(|i| fit.laws.get(i));
+    let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
+    Ok(RubberFitAnswer {
+        data: file.name.clone(),
+        points: fit.points.len(),
+        left_out: fit.left_out,
+        fitted_to_stretch: fit.fitted_to_stretch,
+        measure: settings.measure,
+        balance: settings.balance,
+        recommended: taken.map(|law| law.form.name()),
+        parameters: taken.map_or_else(Vec::new, |law| law.parameters.clone()),
+        laws: fit.laws.iter().map(|law| LawAnswer::new(law, fit.fitted_to_stretch)).collect(),
+        failed: fit.failed.iter().map(ToString::to_string).collect(),
+        warnings: fit.warnings.iter().map(ToString::to_string).collect(),
+        figure: request.figure.then(|| figure::tension(&fit, &file.name)),
+        name: request.name.clone().or_else(stem),
+        settings,
+        fit,
+        base,
+    })
+}
+
+impl LawAnswer {
+    fn new(law: &FittedLaw, fitted_to_stretch: f64) -> Self {
+        Self {
+            law: law.form.law().into(),
+            name: law.form.name(),
+            constrained: law.constrained,
+            quality: LawQuality {
+                shear_modulus_mpa: law.law.shear_modulus_mpa(),
+                r_squared: law.r_squared,
+                free_r_squared: law.free_r_squared,
+                rms_mpa: law.rms_mpa,
+                relative_rms: law.relative_rms,
+                aicc: law.aicc,
+                fitted_to_stretch,
+                stable: law.is_stable(),
+                unstable_from_hoop_stretch: match law.stability {
+                    Stability::Stable => None,
+                    Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
+                },
+            },
+            parameters: law.parameters.clone(),
+            modes: law.modes.clone(),
+        }
+    }
+}
+
+fn positive(field: &str, value: Option<f64>) -> Result<Option<f64>, Problem> {
+    match value {
+        Some(v) if finite(field, v)? <= 0.0 => {
+            let message = format!("{v}; it must be above zero");
+            Err(Problem::new(ProblemKind::Quantity, message, "").in_field(field))
+        }
+        value => Ok(value),
+    }
+}
+
+impl RubberFitRequest {
+    fn settings(&self) -> Result<FitSettings, Problem> {
+        let usual = FitSettings::default();
+        Ok(FitSettings {
+            forms: self.forms()?,
+            measure: if self.relative { Measure::Relative } else { Measure::Absolute },
+            balance: self.balance,
+            mode_weights: self.weights.iter().map(|(&mode, &weight)| (mode, weight)).collect(),
+            up_to_stretch: self.up_to_stretch,
+            stable: self.stable,
+            hoop_stretch: self.hoop_stretch.unwrap_or(usual.hoop_stretch),
+        })
+    }
+
+    /// The laws that are asked for; none means all that the points carry.
+    fn forms(&self) -> Result<Vec<Form>, Problem> {
+        let mut forms: Vec<Form> = vec![];
+        if self.laws.is_empty() && self.terms.is_none() {
+            return Ok(forms);
+        }
+        let all = ["all".to_owned()];
+        for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
+            let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
+            if found.is_empty() {
+                let short: String = word.trim().chars().take(60).collect();
+                let hint = format!("known: {}, all", Form::words().join(", "));
+                let message = format!("there is no law \"{short}\"");
+                return Err(Problem::new(ProblemKind::Rubber, message, hint).in_field("laws"));
+            }
+            for form in found {
+                let wanted = form.terms().is_none_or(|n| self.terms.is_none_or(|wanted| n == wanted));
+                if wanted && !forms.contains(&form) {
+                    forms.push(form);
+                }
+            }
+        }
+        if forms.is_empty() {
+            let message = "none of these laws has so many terms";
+            let hint = "leave `terms` out, or take `laws` ogden";
+            return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("terms"));
+        }
+        Ok(forms)
+    }
+}
+
+impl From<TensionFitError> for Problem {
+    fn from(error: TensionFitError) -> Self {
+        let (kind, hint) = match error {
+            TensionFitError::NotConverged { .. } => (ProblemKind::NotConverged, ""),
+            TensionFitError::NoBetter { .. } => (ProblemKind::NoAnswer, "take `terms` with a smaller number"),
+            TensionFitError::TooFew { .. } => {
+                (ProblemKind::Fit, "take a law with fewer constants, or leave `up_to_stretch` out")
+            }
+            _ => (ProblemKind::Fit, ""),
+        };
+        Self::new(kind, error.to_string(), hint)
+    }
+}

@@ -1,0 +1,147 @@
+//! `rubber fit`: laws from tension tests.
+
+mod text;
+
+use crate::failure::{Failure, in_flags};
+use crate::files;
+use crate::flags::{Format, PlotFlag};
+use crate::output::{save, show, warn};
+use crate::plot;
+use crate::quantities::{quantity, ratio};
+use crate::word::word_or;
+use clap::Args;
+use mckibben::rubber::fit::{Form, Mode};
+use mckibben::units::Dimension;
+use mckibben_app::{ProblemKind, RubberFitRequest, rubber_fit};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben rubber fit data/treloar/tension.csv --law yeoh --relative
+  mckibben rubber fit data/silicones/dragon_skin_30.csv --up-to 200% \\
+    --plot rubber.svg -o silicone.toml
+  mckibben force --muscle silicone.toml -p 2bar -e 10%";
+
+/// Help of `--law`.
+fn laws() -> String {
+    let mut words: Vec<String> = Form::words();
+    // Numbers of terms are told as a range.
+    let terms: Vec<String> = words.extract_if(.., |w| w.ends_with(|c: char| c.is_ascii_digit())).collect();
+    let range = match (terms.first(), terms.last()) {
+        (Some(first), Some(last)) => format!(" (or {first} to {last})"),
+        _ => String::new(),
+    };
+    format!("Laws: {}{range}, or `all` [all that the points carry]", words.join(", "))
+}
+
+/// `rubber fit`.
+#[derive(Debug, Args)]
+pub struct RubberFitArgs {
+    /// Tension tests (CSV: mode; stretch, engineering_strain or strain_percent; nominal_stress_mpa, true_stress_mpa or force_n)
+    pub file: PathBuf,
+    #[arg(long, value_name = "LIST", value_delimiter = ',', help = laws())]
+    pub law: Vec<String>,
+    /// Terms of `ogden` [1, 2 and 3]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=3))]
+    pub terms: Option<u8>,
+    /// How the specimens were stretched, where the file has no column `mode`
+    #[arg(long, value_parser = word_or::<Mode>(&[("planar", "pure-shear"), ("equibiaxial", "biaxial")]), default_value = "uniaxial")]
+    pub mode: Mode,
+    /// Cross-section of the specimen at rest, for a column force_n
+    #[arg(long, value_name = "AREA", allow_hyphen_values = true)]
+    pub area: Option<String>,
+    /// Length of the specimen at rest, for a column extension_mm
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub gauge_length: Option<String>,
+    /// Leave out what is stretched further: a stretch (3), or a strain (200%)
+    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true)]
+    pub up_to: Option<String>,
+    /// Differences over the measured stress: small stretches count as much as large ones
+    #[arg(long)]
+    pub relative: bool,
+    /// Every mode counts alike [every point counts alike]
+    #[arg(long)]
+    pub balance: bool,
+    /// Factors on the modes, such as uniaxial=1,equibiaxial=2
+    #[arg(long, value_name = "LIST")]
+    pub weights: Option<String>,
+    /// Laws that stay stable in a muscle only (C01 not below 0)
+    #[arg(long)]
+    pub stable: bool,
+    /// Hoop stretch of the muscle up to which a law should be stable
+    #[arg(long, value_name = "STRETCH", default_value = "3", allow_hyphen_values = true)]
+    pub hoop_stretch: String,
+    /// Name of the rubber in the muscle file [that of the data file]
+    #[arg(long)]
+    pub name: Option<String>,
+    /// Muscle that gets the rubber, for -o [the prototype]
+    #[arg(long, value_name = "FILE")]
+    pub muscle: Option<PathBuf>,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    /// Write a muscle file with the recommended law
+    #[arg(short, long, value_name = "FILE", help_heading = "Output")]
+    pub output: Option<PathBuf>,
+}
+
+/// Runs the command.
+pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
+    let mut answer = rubber_fit(&request(args)?)?;
+    if let Some(path) = &args.output {
+        save(path, answer.muscle_file()?.as_bytes())?;
+    }
+    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    if format == Format::Csv {
+        let table = BTreeMap::from([("constants", answer.constants())]);
+        show(&table, format, "constants", String::new, None)?;
+        return Ok(0);
+    }
+    let text = || {
+        answer.warnings.iter().chain(&answer.failed).for_each(|w| warn(in_flags(w)));
+        text::of(&answer, args.output.as_deref())
+    };
+    show(&answer, format, "", text, None)?;
+    Ok(0)
+}
+
+fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
+    // A strain is in percent; a bare number is a stretch.
+    let strain = args.up_to.as_deref().is_some_and(|text| text.trim().ends_with('%'));
+    let up_to = ratio("--up-to", args.up_to.as_deref())?;
+    Ok(RubberFitRequest {
+        laws: args.law.clone(),
+        terms: args.terms.map(usize::from),
+        mode: args.mode,
+        area_mm2: quantity("--area", args.area.as_deref(), Dimension::Area)?,
+        gauge_length_mm: quantity("--gauge-length", args.gauge_length.as_deref(), Dimension::Length)?,
+        up_to_stretch: up_to.map(|v| if strain { 1.0 + v } else { v }),
+        relative: args.relative,
+        balance: args.balance,
+        weights: weights(args.weights.as_deref())?,
+        stable: args.stable,
+        hoop_stretch: ratio("--hoop-stretch", Some(&args.hoop_stretch))?,
+        name: args.name.clone(),
+        muscle: args.muscle.as_deref().map(files::text).transpose()?,
+        data: Some(files::table(&args.file)?),
+        figure: args.plot.plot.is_some(),
+    })
+}
+
+/// `--weights uniaxial=1,equibiaxial=2`
+fn weights(text: Option<&str>) -> Result<BTreeMap<Mode, f64>, Failure> {
+    let mut out = BTreeMap::new();
+    for entry in text.into_iter().flat_map(|t| t.split(',')) {
+        let short: String = entry.trim().chars().take(60).collect();
+        let bad = |why: String| {
+            Failure::input(ProblemKind::Usage, format!("--weights: {why}"), "write uniaxial=1,equibiaxial=2")
+        };
+        let (word, value) = entry.split_once('=').ok_or_else(|| bad(format!("\"{short}\" has no =")))?;
+        let mode = Mode::parse(word)
+            .ok_or_else(|| bad(format!("\"{short}\": the mode is none of {}", Mode::WORDS)))?;
+        if out.insert(mode, ratio("--weights", Some(value))?.unwrap_or(1.0)).is_some() {
+            return Err(bad(format!("{mode} is there twice")));
+        }
+    }
+    Ok(out)
+}
