@@ -90,7 +90,7 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> R
 
 fn filled(row: Row, point: Result<TangentPoint, FemError>, muscle: &Muscle) -> Row {
     match point {
-        Ok(TangentPoint { response: r, sensitivities, iterations }) if r.force_n.is_finite() => {
+        Ok(TangentPoint { response: r, sensitivities, iterations, .. }) if r.force_n.is_finite() => {
             let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
             Row {
                 force_n: Some(r.force_n),

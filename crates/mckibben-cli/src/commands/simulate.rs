@@ -10,7 +10,7 @@ use crate::output::{csv, emit, json};
 use crate::resolve;
 use crate::simulated::{Point, Question, judged};
 use mckibben::curve::Test;
-use mckibben::model::{Response, Workspace};
+use mckibben::model::{ModelError, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
 use mckibben_fem::Simulation;
