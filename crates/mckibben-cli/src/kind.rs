@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::flags::MatchWord;
-use mckibben::formula::{Document, Formula, FormulaModel, UniversalFormula};
-use mckibben::model::{ForceModel, ModelError, ModelKind, Universal};
+use mckibben::formula::{Document, Formula, UniversalFormula};
+use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
 use mckibben::units::Dimension;
 use mckibben_fem::axisymmetric::{Axisymmetric, FemError, MeshSpec};

@@ -1,6 +1,5 @@
 //! The muscles a formula was made for: everything but diameter and wall.
 
-use crate::model::{Interval, Quantity};
 use crate::muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube};
 use crate::rubber::RubberLaw;
 
@@ -83,14 +82,6 @@ impl Made {
             MadeBraid::Stiffness(k) => Some(k),
             MadeBraid::TimesDiameter(k) => Some(k / outer_diameter_mm),
         }
-    }
-
-    /// The measures it is for alone, each beside the muscle's.
-    pub fn measures(&self, muscle: &Muscle) -> [(Interval, f64); 2] {
-        [
-            (Interval::only(Quantity::Length, self.length_mm), muscle.length_mm()),
-            (Interval::only(Quantity::BraidAngle, self.angle_deg), muscle.braid().angle_deg),
-        ]
     }
 
     /// What of a muscle's parts differs, in words.

@@ -9,10 +9,10 @@
 //! F in N, P in MPa, lengths in mm. A third kind, `universal`, is for muscles of every make: it holds the terms of the end deficit
 //! of [`crate::model::Universal`], over a dimensionless range ([`UniversalFormula`]). [`Document`] is any of them.
 
+mod coefficients;
 mod error;
 mod errors;
 mod made;
-mod model;
 mod node;
 mod read;
 mod show;
@@ -20,14 +20,17 @@ mod terms;
 mod universal;
 mod write;
 
+pub use coefficients::{Coefficients, Section};
 pub use error::FormulaError;
 pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
 pub use made::{Made, MadeBraid};
-pub use model::FormulaModel;
+pub(crate) use terms::GlobalSection;
 pub use terms::{GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
-pub use universal::{UniversalErrors, UniversalFormula, UniversalSummary};
+pub(crate) use universal::HIGHEST;
+pub use universal::{
+    Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
+};
 
-use crate::model::Coefficients;
 use std::path::Path;
 
 /// The terms of a formula.

@@ -1,5 +1,6 @@
 //! From JSON.
 
+use super::Coefficients;
 use super::error::{FormulaError, Problem};
 use super::node::Node;
 use super::universal::UniversalFormula;
@@ -7,7 +8,6 @@ use super::{
     Body, Document, ErrorSummary, Formula, FormulaErrors, FormulaRange, GlobalTerms, HeldOut, Made,
     MadeBraid, Provenance, RegionErrors, Scales, Term,
 };
-use crate::model::Coefficients;
 
 /// The word under `format`.
 pub(super) const FORMAT: &str = "mckibben formula 1";

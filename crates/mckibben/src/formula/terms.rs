@@ -1,6 +1,6 @@
 //! The terms of a formula.
 
-use crate::model::Coefficients;
+use super::Coefficients;
 
 /// What the variables of a `global` formula are divided by.
 #[derive(Debug, Clone, Copy, PartialEq)]

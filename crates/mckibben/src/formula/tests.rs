@@ -1,5 +1,5 @@
 use super::*;
-use crate::model::{ForceModel, ModelKind, Paper, Workspace};
+use crate::model::{ForceModel, FormulaModel, ModelKind, Paper, Workspace};
 use crate::muscle::Muscle;
 use std::sync::Arc;
 

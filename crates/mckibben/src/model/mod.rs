@@ -12,6 +12,7 @@ mod error;
 mod festo_hunt;
 mod festo_sarosi;
 mod force_balance;
+mod formula;
 mod ideal;
 mod kind;
 mod klute_hannaford;
@@ -41,10 +42,11 @@ pub use festo_hunt::{
 };
 pub use festo_sarosi::FestoSarosi;
 pub use force_balance::ForceBalance;
+pub use formula::FormulaModel;
 pub use ideal::Ideal;
 pub use kind::{ModelKind, UnknownModel};
 pub use klute_hannaford::KluteHannaford;
-pub use paper::{Coefficients, Paper, Section};
+pub use paper::Paper;
 pub use paper_batch::{BatchPath, LengthMismatch};
 pub use range::{Interval, ModelRange, Quantity, RangeViolation};
 pub use response::Response;
@@ -53,10 +55,11 @@ pub use rounded_ends::RoundedEnds;
 pub use thick_wall::ThickWall;
 pub use tondu_lopez::TonduLopez;
 pub use tondu_pressures::{largest_pressure_mpa, smallest_pressure_mpa};
-pub(crate) use universal::HIGHEST;
-pub use universal::{Deficit, EndPoint, ForcesError, Form, Universal, UniversalRange, UniversalTerm};
+pub use universal::{EndPoint, ForcesError, Universal};
 pub use wall::{Wall, WallEnergy};
 pub use workspace::{ModelId, Workspace};
+
+pub use crate::formula::{Coefficients, Deficit, Form, Section, UniversalRange, UniversalTerm};
 
 use crate::muscle::Muscle;
 

@@ -10,6 +10,7 @@ use super::{
     Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response,
     Workspace,
 };
+use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
 
 /// Diameters, walls, pressures and contractions for which (11) was made.
@@ -19,114 +20,6 @@ const PRESSURE: (f64, f64) = (0.0, 0.25);
 const CONTRACTION: (f64, f64) = (0.0, 0.20);
 const ANGLE_DEG: f64 = 28.0;
 const LENGTH_MM: f64 = 285.0;
-
-/// The numbers X_k1, X_k2, X_k3 of (11) for X = A, B, C and k = 1…6.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Coefficients {
-    /// A, of ε².
-    pub a: [[f64; 3]; 6],
-    /// B, of ε.
-    pub b: [[f64; 3]; 6],
-    /// C; its D0² column is zero in the paper.
-    pub c: [[f64; 3]; 6],
-}
-
-/// Table 2 of the paper, columns D0², D0, 1.
-static TABLE_2: Coefficients = Coefficients {
-    a: [
-        [-12.079, 1122.2, -26214.0],
-        [43.917, -4364.9, 100482.0],
-        [14.061, 1969.0, -64578.0],
-        [2.5976, -247.07, 5929.1],
-        [-9.1771, 935.22, -21081.0],
-        [3.888, -495.47, 13380.0],
-    ],
-    b: [
-        [0.882, -89.553, 2331.4],
-        [-1.9985, 309.05, -7824.9],
-        [-23.591, -1.3836, 4592.1],
-        [-0.1886, 19.928, -534.44],
-        [0.414, -66.297, 1433.3],
-        [0.6582, -22.524, -89.23],
-    ],
-    c: [
-        [0.0, -0.0366, -7.9276],
-        [0.0, -4.9662, 78.727],
-        [0.0, 345.94, -6378.4],
-        [0.0, 0.0477, -2.2277],
-        [0.0, -0.2709, 8.9142],
-        [0.0, 0.3005, -10.664],
-    ],
-};
-
-/// (11) for one diameter and wall: a = m P + q and likewise b and c.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
-    /// Slope and intercept of a in P (mm², N).
-    pub a: (f64, f64),
-    /// Slope and intercept of b in P.
-    pub b: (f64, f64),
-    /// Slope and intercept of c in P.
-    pub c: (f64, f64),
-}
-
-impl Coefficients {
-    /// The published numbers.
-    pub fn published() -> &'static Self {
-        &TABLE_2
-    }
-
-    /// Puts in diameter and wall, in mm.
-    pub fn section(&self, outer_diameter_mm: f64, wall_mm: f64) -> Section {
-        let (d, s) = (outer_diameter_mm, wall_mm);
-        let line = |x: &[[f64; 3]; 6]| {
-            let [x1, x2, x3, x4, x5, x6] = x.map(|[d2, d1, d0]| (d2 * d + d1) * d + d0);
-            ((x1 * s + x2) * s + x3, (x4 * s + x5) * s + x6)
-        };
-        Section { a: line(&self.a), b: line(&self.b), c: line(&self.c) }
-    }
-}
-
-impl Section {
-    /// a, b, c of F = a ε² + b ε + c at a pressure in MPa.
-    pub fn at(&self, pressure_mpa: f64) -> (f64, f64, f64) {
-        let line = |(m, q): (f64, f64)| m * pressure_mpa + q;
-        (line(self.a), line(self.b), line(self.c))
-    }
-
-    /// F in N.
-    pub fn force_n(&self, pressure_mpa: f64, contraction: f64) -> f64 {
-        let (a, b, c) = self.at(pressure_mpa);
-        (a * contraction + b) * contraction + c
-    }
-
-    /// ∂F/∂ε in N.
-    pub fn by_contraction(&self, pressure_mpa: f64, contraction: f64) -> f64 {
-        let (a, b, _) = self.at(pressure_mpa);
-        2.0 * a * contraction + b
-    }
-
-    /// ∂F/∂P in mm².
-    pub fn by_pressure(&self, contraction: f64) -> f64 {
-        (self.a.0 * contraction + self.b.0) * contraction + self.c.0
-    }
-
-    /// Pressure in MPa at which F has a value; `None` where F does not rise with P.
-    pub fn pressure_mpa(&self, force_n: f64, contraction: f64) -> Option<f64> {
-        let slope = self.by_pressure(contraction);
-        (slope > 0.0).then(|| (force_n - self.force_n(0.0, contraction)) / slope)
-    }
-
-    /// Contraction at which F has a value, on the branch where F falls with ε; `None` where there is none.
-    pub fn contraction(&self, force_n: f64, pressure_mpa: f64) -> Option<f64> {
-        let (a, b, c) = self.at(pressure_mpa);
-        let c = c - force_n;
-        let root = (b * b - 4.0 * a * c).sqrt();
-        // ε = (−b − √(b² − 4ac))/(2a), where 2aε + b = −√… < 0. For b < 0 this form stands a = 0 and does not cancel.
-        let e = if b < 0.0 { 2.0 * c / (root - b) } else { (-b - root) / (2.0 * a) };
-        e.is_finite().then_some(e)
-    }
-}
 
 /// The paper's formula (11) for one muscle.
 #[derive(Debug, Clone)]
@@ -238,9 +131,9 @@ mod tests {
         assert_eq!(rows.len(), 18);
         for (family, row, d2, d1, d0) in rows {
             let block = match family.as_str() {
-                "A" => TABLE_2.a,
-                "B" => TABLE_2.b,
-                _ => TABLE_2.c,
+                "A" => Coefficients::published().a,
+                "B" => Coefficients::published().b,
+                _ => Coefficients::published().c,
             };
             assert_eq!(block[row - 1], [d2, d1, d0], "{family}{row}");
         }

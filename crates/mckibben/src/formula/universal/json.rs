@@ -1,11 +1,11 @@
 //! To JSON and back.
 
+use super::{Deficit, Form, HIGHEST, UniversalRange, UniversalTerm};
 use super::{UniversalErrors, UniversalFormula, UniversalSummary};
 use crate::formula::FormulaError;
 use crate::formula::node::Node;
 use crate::formula::read::{FORMAT, name, provenance, value};
 use crate::formula::write;
-use crate::model::{Deficit, Form, HIGHEST, UniversalRange, UniversalTerm};
 use serde_json::{Map, Value, json};
 
 type Read<T> = Result<T, FormulaError>;

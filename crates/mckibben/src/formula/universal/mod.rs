@@ -1,9 +1,15 @@
 //! A universal formula as a file: the terms of the end deficit, the dimensionless range, the errors, the origin.
 
+mod deficit;
 mod json;
+mod range;
+
+pub(crate) use deficit::HIGHEST;
+pub use deficit::{Deficit, Form, UniversalTerm};
+pub use range::UniversalRange;
 
 use super::Provenance;
-use crate::model::{Deficit, UniversalRange, UniversalTerm};
+
 use std::sync::{Arc, LazyLock};
 
 /// Errors over points where the muscle pulls, as shares of the muscle's blocked force at the same pressure.
@@ -90,7 +96,6 @@ impl UniversalFormula {
 
     /// The equation in one line.
     pub fn equation(&self) -> String {
-        use crate::model::Form;
         let deficit = match self.deficit.form {
             Form::Membrane => {
                 "delta = delta_membrane + Ro (l_s0 - l) S/sqrt(t) sum(value S^a A^b N^c M^d E^e); S = s/Ro, A = 4 sin^2(theta0), \
@@ -108,7 +113,6 @@ impl UniversalFormula {
 
     /// The equation with its numbers as LaTeX (amsmath).
     pub fn to_latex(&self) -> String {
-        use crate::model::Form;
         let sum: Vec<String> = self
             .deficit
             .terms

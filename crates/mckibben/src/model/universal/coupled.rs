@@ -11,7 +11,7 @@
 use super::Universal;
 use super::dual::Dual;
 use super::end::{Section, Uniform};
-use super::form::Form;
+use crate::formula::Form;
 use std::f64::consts::PI;
 
 /// Largest step of λ with which it ends.

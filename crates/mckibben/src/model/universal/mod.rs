@@ -22,9 +22,6 @@ mod search;
 mod tests;
 
 pub use forces::ForcesError;
-pub(crate) use form::HIGHEST;
-pub use form::{Deficit, Form, UniversalTerm};
-pub use range::UniversalRange;
 
 use super::{
     Accuracy, BlockedAt, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, ThickWall,
@@ -160,7 +157,7 @@ impl ForceModel for Universal {
     }
 
     fn range(&self) -> ModelRange {
-        self.formula.range.of(&self.muscle)
+        range::range_of(&self.formula.range, &self.muscle)
     }
 
     fn accuracy(&self) -> Accuracy {

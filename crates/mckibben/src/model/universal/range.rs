@@ -1,55 +1,27 @@
-//! The dimensionless box of a universal formula.
+//! The dimensionless box of a universal formula, for one muscle.
 
+use crate::formula::UniversalRange;
 use crate::model::{Interval, ModelRange, Quantity};
 use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;
 
-/// Where a universal formula was fitted; both ends belong to it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct UniversalRange {
-    /// s/D0
-    pub wall_ratio: (f64, f64),
-    /// L0/D0; the upper end may be infinite: the longer the muscle, the less its ends count.
-    pub length_ratio: (f64, f64),
-    /// θ0 in degrees
-    pub angle_deg: (f64, f64),
-    /// P/μ, with μ the shear modulus of the rubber at rest
-    pub pressure_per_modulus: (f64, f64),
-    /// Strain of the strands, largest: bounds the pressure to 4 sin²θ0 k/D0 times it.
-    pub strand_strain: f64,
-    /// ε as a share of the ideal muscle's largest
-    pub contraction_of_ideal: (f64, f64),
-}
-
-impl UniversalRange {
-    /// Highest pressure of a muscle in MPa: by P/μ, and by the strain P D0/(4 sin²θ0 k) of its strands.
-    pub fn highest_pressure_mpa(&self, muscle: &Muscle) -> f64 {
-        let by_rubber = self.pressure_per_modulus.1 * muscle.tube().rubber.law.shear_modulus_mpa();
-        let sin = muscle.braid().angle_rad().sin();
-        let by_braid = muscle
-            .family_stiffness_n_per_mm()
-            .map_or(f64::INFINITY, |k| 4.0 * sin * sin * k * self.strand_strain / muscle.outer_diameter_mm());
-        by_rubber.min(by_braid)
+/// The box of a muscle.
+pub(super) fn range_of(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
+    let d0 = muscle.outer_diameter_mm();
+    let mu = muscle.tube().rubber.law.shear_modulus_mpa();
+    let ideal = muscle.max_ideal_contraction();
+    let (low, high) = range.contraction_of_ideal;
+    ModelRange {
+        pressure_mpa: (
+            range.pressure_per_modulus.0 * mu,
+            (1e5 * range.highest_pressure_mpa(muscle)).floor() / 1e5,
+        ),
+        contraction: (low * ideal, (1e5 * high * ideal).ceil() / 1e5),
+        ..ModelRange::open()
     }
-
-    /// The box of a muscle.
-    pub fn of(&self, muscle: &Muscle) -> ModelRange {
-        let d0 = muscle.outer_diameter_mm();
-        let mu = muscle.tube().rubber.law.shear_modulus_mpa();
-        let ideal = muscle.max_ideal_contraction();
-        let (low, high) = self.contraction_of_ideal;
-        ModelRange {
-            pressure_mpa: (
-                self.pressure_per_modulus.0 * mu,
-                (1e5 * self.highest_pressure_mpa(muscle)).floor() / 1e5,
-            ),
-            contraction: (low * ideal, (1e5 * high * ideal).ceil() / 1e5),
-            ..ModelRange::open()
-        }
-        .with_measures(&[
-            (Interval::new(Quantity::WallRatio, self.wall_ratio), muscle.wall_mm() / d0),
-            (Interval::new(Quantity::LengthRatio, self.length_ratio), muscle.length_mm() / d0),
-            (Interval::new(Quantity::BraidAngle, self.angle_deg), muscle.braid().angle_deg),
-        ])
-    }
+    .with_measures(&[
+        (Interval::new(Quantity::WallRatio, range.wall_ratio), muscle.wall_mm() / d0),
+        (Interval::new(Quantity::LengthRatio, range.length_ratio), muscle.length_mm() / d0),
+        (Interval::new(Quantity::BraidAngle, range.angle_deg), muscle.braid().angle_deg),
+    ])
 }

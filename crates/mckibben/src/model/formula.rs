@@ -1,11 +1,10 @@
 //! A formula as a force model.
 
-use super::terms::GlobalSection;
-use super::{Body, Formula};
-use crate::model::{
+use super::{
     Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response,
     Section, Workspace,
 };
+use crate::formula::{Body, Formula, GlobalSection};
 use crate::muscle::Muscle;
 use std::sync::Arc;
 
@@ -73,12 +72,12 @@ impl ForceModel for FormulaModel {
             make,
             ..ModelRange::open()
         };
-        let [length, angle] = self.formula.made_for.measures(m);
+        let made = &self.formula.made_for;
         range.with_measures(&[
             (Interval::new(Quantity::OuterDiameter, r.outer_diameter_mm), m.outer_diameter_mm()),
             (Interval::new(Quantity::WallThickness, r.wall_mm), m.wall_mm()),
-            length,
-            angle,
+            (Interval::only(Quantity::Length, made.length_mm), m.length_mm()),
+            (Interval::only(Quantity::BraidAngle, made.angle_deg), m.braid().angle_deg),
         ])
     }
 

@@ -1,0 +1,33 @@
+//! The dimensionless box of a universal formula.
+
+use crate::muscle::Muscle;
+use crate::rubber::RubberLaw;
+
+/// Where a universal formula was fitted; both ends belong to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UniversalRange {
+    /// s/D0
+    pub wall_ratio: (f64, f64),
+    /// L0/D0; the upper end may be infinite: the longer the muscle, the less its ends count.
+    pub length_ratio: (f64, f64),
+    /// θ0 in degrees
+    pub angle_deg: (f64, f64),
+    /// P/μ, with μ the shear modulus of the rubber at rest
+    pub pressure_per_modulus: (f64, f64),
+    /// Strain of the strands, largest: bounds the pressure to 4 sin²θ0 k/D0 times it.
+    pub strand_strain: f64,
+    /// ε as a share of the ideal muscle's largest
+    pub contraction_of_ideal: (f64, f64),
+}
+
+impl UniversalRange {
+    /// Highest pressure of a muscle in MPa: by P/μ, and by the strain P D0/(4 sin²θ0 k) of its strands.
+    pub fn highest_pressure_mpa(&self, muscle: &Muscle) -> f64 {
+        let by_rubber = self.pressure_per_modulus.1 * muscle.tube().rubber.law.shear_modulus_mpa();
+        let sin = muscle.braid().angle_rad().sin();
+        let by_braid = muscle
+            .family_stiffness_n_per_mm()
+            .map_or(f64::INFINITY, |k| 4.0 * sin * sin * k * self.strand_strain / muscle.outer_diameter_mm());
+        by_rubber.min(by_braid)
+    }
+}
