@@ -168,6 +168,13 @@ fn against_points(
             let start = |t: &Target| Some(own_value(muscle, *t).unwrap_or(STIFF));
             let free: Vec<Parameter> =
                 targets.iter().map(|t| Parameter { start: start(t), ..Parameter::free(*t) }).collect();
+            let (n, least) = (points.len(), 2 * free.len() + 1);
+            if n < least {
+                let unknowns = free.len();
+                let message =
+                    format!("{n} points are too few to fit {unknowns} constants: measure at least {least}");
+                return Err(Failure::input("fit", message, ""));
+            }
             let request = Request {
                 muscle,
                 free: &free,
