@@ -50,10 +50,6 @@ const FIGURES: [(&str, &str); 11] = [
     ),
 ];
 
-/// Commands whose requests and answers have a schema.
-const SCHEMAS: [&str; 8] =
-    ["design", "force", "pressure", "contraction", "curve", "compare", "identify", "validate"];
-
 fn main() -> ExitCode {
     let args: Vec<String> = env::args().skip(1).collect();
     let check = args.iter().any(|a| a == "--check");
@@ -109,11 +105,11 @@ fn golds(check: bool) -> Done {
 
 fn schemas(check: bool) -> Done {
     let (program, made) = (program()?, made("schemas")?);
-    for command in SCHEMAS {
-        let file = format!("{command}.json");
-        let path = made.join(&file);
-        save(Command::new(&program).args(["schema", command]), &path)?;
-        settle(&path, &Path::new("docs/schema").join(file), check)?;
+    run(Command::new(&program).args(["schema", "-o"]).arg(&made))?;
+    for entry in fs::read_dir(&made).map_err(|e| e.to_string())? {
+        let path = entry.map_err(|e| e.to_string())?.path();
+        let Some(name) = path.file_name() else { continue };
+        settle(&path, &Path::new("docs/schema").join(name), check)?;
     }
     Ok(())
 }
@@ -144,7 +140,7 @@ fn checks(_: bool) -> Done {
 }
 
 fn wasm(_: bool) -> Done {
-    run(Command::new("sh").arg("checks/wasm.sh"))
+    run(Command::new("bash").arg("checks/wasm.sh"))
 }
 
 fn benches(_: bool) -> Done {

@@ -7,8 +7,8 @@ use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal
 use mckibben::muscle::Muscle;
 use mckibben::nearest::nearest;
 use mckibben_fem::axisymmetric::MeshSpec;
-use mckibben_fem::simulation::Elements;
-use mckibben_fem::three_dimensional::{BrickMesh, BrickSpec, Match, Plug, PlugMaterial};
+use mckibben_fem::simulation::{Elements, MeshTextError};
+use mckibben_fem::three_dimensional::{BrickSpec, Match, Plug, PlugMaterial};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -45,10 +45,10 @@ pub struct ModelEntry {
     pub description: String,
 }
 
-/// Name and one line of the finite elements.
-const ELEMENTS: [(&str, &str); 2] = [
-    ("fe", "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; the default"),
-    ("fe3d", "three-dimensional finite elements: bricks and single strands; the reference for fe"),
+/// One line of the finite elements.
+const ELEMENTS: [&str; 2] = [
+    "axisymmetric finite elements: any rubber, wall, braid and length, with the ends; the default",
+    "three-dimensional finite elements: bricks and single strands; the reference for fe",
 ];
 
 impl Model {
@@ -66,7 +66,7 @@ impl Model {
             description: description.into(),
         };
         let closed = ModelKind::ALL.into_iter().map(|k| (k.name(), k.description()));
-        closed.chain(ELEMENTS).map(entry).collect()
+        closed.chain(Elements::NAMES.into_iter().zip(ELEMENTS)).map(entry).collect()
     }
 
     /// Whether a word is the name of a model already.
@@ -95,14 +95,10 @@ impl Model {
     /// As [`Model::choose`].
     pub fn named(name: &str, formulas: &[TextFile], mesh: &MeshFields) -> Result<Self, Problem> {
         let name = name.trim();
-        if name == "fe3d" {
-            return Ok(Self::Elements(Elements::ThreeDimensional(mesh.bricks()?)));
+        if let Ok(elements) = name.parse::<Elements>() {
+            return Ok(Self::Elements(mesh.of(elements)?));
         }
         mesh.no_terminal()?;
-        let section = mesh.section()?;
-        if name == "fe" {
-            return Ok(Self::Elements(Elements::Axisymmetric(section)));
-        }
         if let Some(file) = formulas.iter().find(|f| f.name == name) {
             return Self::of_formula(file);
         }
@@ -168,37 +164,29 @@ impl fmt::Display for Model {
     }
 }
 
-/// A mesh that cannot be made, as the problem of the field `mesh`.
-fn no_mesh(message: impl fmt::Display) -> Problem {
-    Problem::new(ProblemKind::Mesh, message.to_string(), "leave it out and the program chooses").in_field("mesh")
-}
-
 impl MeshFields {
-    /// Of `fe`.
-    fn section(&self) -> Result<MeshSpec, Problem> {
-        let Some(text) = &self.mesh else { return Ok(MeshSpec::default()) };
-        let spec = MeshSpec::parse(text).ok_or_else(|| {
-            no_mesh(format_args!(
-                "\"{text}\" is no mesh; expected elements along the half length (8), through the wall x along (2x8), with a grading towards the terminal if you like (2x8:2)"
-            ))
-        })?;
-        // The numbers themselves are checked where the mesh is made; here only for the message.
-        spec.resolve(10.0, 1.0, 100.0).map_err(no_mesh)?;
-        Ok(spec)
-    }
-
-    /// Of `fe3d`.
-    fn bricks(&self) -> Result<BrickSpec, Problem> {
-        let (keep, plug) = (self.keep.into(), self.terminal.map(Plug::from));
-        let Some(text) = &self.mesh else { return Ok(BrickSpec { keep, plug, ..BrickSpec::default() }) };
-        let parsed = BrickSpec::parse(text).ok_or_else(|| {
-            no_mesh(format_args!(
-                "\"{text}\" is no mesh of fe3d; expected bricks around the quarter (12), through the wall x around (2x12), or through x around x along the half length (2x12x39), with :quadratic or :circle behind if you like"
-            ))
-        })?;
-        let spec = BrickSpec { keep, plug, ..parsed };
-        BrickMesh::check(&spec).map_err(no_mesh)?;
-        Ok(spec)
+    /// Elements with this mesh.
+    fn of(&self, elements: Elements) -> Result<Elements, Problem> {
+        let elements = match elements {
+            Elements::Axisymmetric(spec) => {
+                self.no_terminal()?;
+                Elements::Axisymmetric(spec)
+            }
+            Elements::ThreeDimensional(spec) => {
+                let (keep, plug) = (self.keep.into(), self.terminal.map(Plug::from));
+                Elements::ThreeDimensional(BrickSpec { keep, plug, ..spec })
+            }
+        };
+        let Some(text) = &self.mesh else { return Ok(elements) };
+        elements.with_mesh(text).map_err(|error| {
+            let message = match error {
+                MeshTextError::Syntax(expected) => {
+                    format!("\"{text}\" is no mesh of {}; expected {expected}", elements.name())
+                }
+                MeshTextError::Mesh(error) => error.to_string(),
+            };
+            Problem::new(ProblemKind::Mesh, message, "leave it out and the program chooses").in_field("mesh")
+        })
     }
 
     /// Refuses a terminal of models that have none.

@@ -142,7 +142,7 @@ fn presets_say_what_they_ignore() {
     for model in every_model() {
         // The muscle has an end factor, which the universal formulas replace by their ends.
         let ignores = ["festo", "universal"].iter().any(|word| model.name().starts_with(word));
-        assert_eq!(model.notes(&mut Workspace::new()).is_empty(), !ignores, "{}", model.name());
+        assert_eq!(model.notes(&Workspace::new()).is_empty(), !ignores, "{}", model.name());
     }
 }
 

@@ -1,7 +1,9 @@
 //! Why a campaign does not run, or a store cannot be read.
 
 use mckibben::muscle::file::FileError;
-use std::path::{Path, PathBuf};
+#[cfg(feature = "store")]
+use std::path::Path;
+use std::path::PathBuf;
 use thiserror::Error;
 
 /// Why a campaign does not run, or a store cannot be read.
@@ -142,7 +144,10 @@ impl CampaignError {
             _ => "",
         }
     }
+}
 
+#[cfg(feature = "store")]
+impl CampaignError {
     pub(super) fn write(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
         let path = path.to_path_buf();
         move |source| Self::Write { path, source }

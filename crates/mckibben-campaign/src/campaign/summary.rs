@@ -1,9 +1,9 @@
 //! What a campaign holds, in a few figures.
 
 use super::CampaignError;
-use super::store::{Folder, Opened, Provenance, Which};
+use super::store::{Field, Folder, Opened, Provenance, Which};
 use crate::Row;
-use crate::columns::{Field, Role};
+use crate::columns::Role;
 use mckibben::status::Status;
 use serde::Serialize;
 use std::collections::BTreeMap;

@@ -5,6 +5,7 @@ use super::*;
 use crate::Row;
 use mckibben::formula::{Body, Coefficients, Formula, Made};
 use mckibben::muscle::Muscle;
+use mckibben::progress::Silent;
 use mckibben::status::Status;
 
 /// Points of the paper's campaign with a force of our choice.
@@ -177,9 +178,9 @@ fn table_1_is_the_one_shipped() {
 /// The goals of the reproduction; the figures are in docs/results.md.
 #[test]
 fn what_must_come_out_comes_out() {
-    let r = results::results().unwrap();
+    let r = results::results(&results::paper_formula().unwrap(), &Silent).unwrap();
     for f in &r.findings {
-        assert!(f.ok(), "{}: {} of {:?}", f.comparison, f.errors.max, f.at_most);
+        assert!(f.ok, "{}: {} of {:?}", f.comparison, f.errors.max, f.at_most);
     }
     assert!(r.findings.iter().filter(|f| f.at_most.is_some()).count() >= 5);
     assert!(r.global_terms <= 48);
@@ -253,7 +254,7 @@ fn the_shipped_campaign_is_what_is_computed() {
 #[test]
 fn no_pull_is_promised_where_the_muscle_lies_slack() {
     let base = Muscle::prototype();
-    let f = results::fitted(&paper_campaign(&base), Method::GLOBAL, &[]).unwrap();
+    let f = fitted(&paper_campaign(&base), Method::GLOBAL, &[]).unwrap();
     let contractions: Vec<f64> = (0..=8).map(|i| 0.025 * f64::from(i)).collect();
     let walls = [2.5, 4.0, 5.0];
     let points = compute(&base, &[30.0, 35.0, 42.5, 50.0], &walls, &contractions, &pressure_steps(5));

@@ -9,20 +9,30 @@ use std::path::PathBuf;
 /// `schema`.
 #[derive(Debug, Args)]
 pub struct SchemaArgs {
-    /// Which command, in its words joined by a hyphen (force, rubber-fit); all of them without
+    /// Which command, in its words joined by a hyphen (force, rubber-fit); all of them where none is named
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
-    /// Write to a file instead of standard output
+    /// Write to a file instead of standard output; without COMMAND into a folder, a file for each command
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
 }
 
 /// Prints a schema.
 pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
-    let value = match &args.command {
-        Some(command) => schema(command)?,
-        None => COMMANDS.iter().map(|c| Ok((c.name.to_owned(), schema(c.name)?))).collect::<Result<_, Failure>>()?,
+    if let Some(command) = &args.command {
+        return emit(&text(command)?, args.output.as_deref()).map(|()| 0);
+    }
+    let Some(folder) = &args.output else {
+        let all: serde_json::Map<String, serde_json::Value> =
+            COMMANDS.iter().map(|c| Ok((c.name.to_owned(), schema(c.name)?))).collect::<Result<_, Failure>>()?;
+        return emit(&format!("{:#}\n", serde_json::Value::Object(all)), None).map(|()| 0);
     };
-    emit(&format!("{value:#}\n"), args.output.as_deref())?;
+    for command in COMMANDS {
+        emit(&text(command.name)?, Some(&folder.join(format!("{}.json", command.name))))?;
+    }
     Ok(0)
+}
+
+fn text(command: &str) -> Result<String, Failure> {
+    Ok(format!("{:#}\n", schema(command)?))
 }

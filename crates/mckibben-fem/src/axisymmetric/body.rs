@@ -10,16 +10,14 @@
 //! condensed ∂V/∂x.
 
 use super::assembly::{Assembled, assemble};
-use super::discretisation::{BraidSpec, Discretisation, Ends};
-use super::guess;
-use crate::FemError;
+use super::discretisation::{Discretisation, Ends};
 use crate::element::q2::{MODES, NODES};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::Singular;
-use crate::solver::body::{self, Control, Settings, State, Totals};
+use crate::solver::body::{Control, State, Totals};
 use crate::solver::dense;
-use crate::solver::newton::{NewtonOptions, NewtonSystem, Stopped};
-use mckibben::model::{ForceModel, Ideal, ThickWall, Workspace};
+use crate::solver::newton::{NewtonSystem, Stopped};
+use mckibben::model::ThickWall;
 use std::sync::Arc;
 
 /// The last station after everything else was condensed.
@@ -116,7 +114,7 @@ pub struct Body {
     /// For sensitivities and pressure control.
     second: Vec<f64>,
     /// The endless muscle of the same rubber and braid: where first guesses come from.
-    endless: Option<Arc<ThickWall>>,
+    pub(super) endless: Option<Arc<ThickWall>>,
 }
 
 impl Body {
@@ -370,153 +368,5 @@ impl NewtonSystem for Body {
         for x in self.step.iter_mut().chain(&mut self.step_q).chain(&mut self.step_load) {
             *x *= keep;
         }
-    }
-}
-
-/// Factorisations a question may cost where the endless muscle does not pull or its strands stretch too far, and elsewhere.
-const BUDGET: usize = 50;
-const BUDGET_PULLING: usize = 600;
-/// Strand strain up to which there must be an answer.
-const STRAIN: f64 = 0.05;
-
-impl body::Body for Body {
-    const SETTINGS: Settings = Settings {
-        newton: NewtonOptions { iterations: 10, ..NewtonOptions::DEFAULT },
-        kept: 8,
-        near_pressure: 0.6,
-        near_contraction: 0.08,
-        first_step: 1.0,
-        first_step_down: 0.3,
-        smallest_step: 1.0 / 512.0,
-        take_unstable: false,
-    };
-    const COPIES: f64 = 2.0;
-
-    fn state(&self) -> &State {
-        &self.state
-    }
-
-    fn state_mut(&mut self) -> &mut State {
-        &mut self.state
-    }
-
-    fn hold(&mut self, control: Control) {
-        self.control = control;
-    }
-
-    fn half_length(&self) -> f64 {
-        self.discretisation.half_length()
-    }
-
-    fn totals(&self) -> Totals {
-        self.totals
-    }
-
-    fn unstable_directions(&self) -> usize {
-        Self::unstable_directions(self)
-    }
-
-    fn terminal_stiffness(&mut self) -> f64 {
-        Self::terminal_stiffness(self)
-    }
-
-    fn force_per_pressure(&mut self) -> f64 {
-        Self::force_per_pressure(self)
-    }
-
-    fn smallest_pressure(&self) -> f64 {
-        1e-3 * self.discretisation.shear
-    }
-
-    fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool> {
-        match attempt {
-            0 => Some(self.guess_slack(pressure, terminal)),
-            1 => Some(self.guess_taut(pressure, terminal)),
-            2 => {
-                self.guess_ideal(pressure, terminal);
-                Some(true)
-            }
-            _ => None,
-        }
-    }
-
-    fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, None)
-    }
-
-    fn guess_loads(&mut self) {
-        guess::loads(&self.discretisation, &mut self.state, 1.0);
-    }
-
-    /// The pressure at which the endless muscle begins to pull.
-    fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
-        let (endless, high) = (self.endless.as_ref()?, self.discretisation.shear);
-        let pull = |p: f64| endless.force_n(&mut Workspace::new(), p, contraction).ok();
-        let push = pull(0.0)?;
-        let slope = (pull(high)? - push) / high;
-        (slope > 0.0).then(|| (-push / slope).max(0.0))
-    }
-
-    /// Between the contraction −0.05 and above the ideal maximum, by bisection of the endless muscle's pull.
-    fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
-        let Some(endless) = &self.endless else { return Ok(0.0) };
-        let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
-        let (mut low, mut high) = (-0.05, 1.2 * endless.muscle().max_ideal_contraction());
-        if pull(low).is_none() {
-            return Ok(0.0);
-        }
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            match pull(middle) {
-                Some(f) if f > force => low = middle,
-                _ => high = middle,
-            }
-        }
-        // The ends take a share of the endless muscle's contraction.
-        Ok(0.85 * low)
-    }
-
-    fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError> {
-        let ideal =
-            self.endless.as_ref().map_or(1.0, |e| Ideal::new(e.muscle()).pull(1.0, contraction).max(1.0));
-        let start = body::Body::pulling_pressure(self, contraction).unwrap_or(0.0) + force.max(0.0) / ideal;
-        Ok(1.4 * start + body::Body::smallest_pressure(self))
-    }
-
-    fn budget(&self, pressure: f64, contraction: f64) -> usize {
-        let answer = self.endless.as_ref().map(|e| e.response(&mut Workspace::new(), pressure, contraction));
-        let Some(Ok(endless)) = answer else { return BUDGET };
-        let d = &self.discretisation;
-        let strain = match (d.problem.braid, endless.braid_tension_n) {
-            (Some(BraidSpec { stiffness: Some(k), angle_rad, .. }), Some(tension)) => {
-                tension / (4.0 * std::f64::consts::PI * d.radius * angle_rad.cos() * k)
-            }
-            _ => 0.0,
-        };
-        if endless.force_n > 0.0 && strain < STRAIN { BUDGET_PULLING } else { BUDGET }
-    }
-}
-
-impl Body {
-    /// The body at rest with the tensions and pressures of the ideal muscle.
-    fn guess_ideal(&mut self, pressure: f64, terminal: f64) {
-        self.state.clear();
-        self.state.pressure = pressure;
-        let stretch = 1.0 + terminal / self.discretisation.half_length();
-        guess::loads(&self.discretisation, &mut self.state, stretch);
-    }
-
-    /// The shape of a tube that does not reach its strands; `false` where the endless muscle says that it does.
-    fn guess_slack(&mut self, pressure: f64, terminal: f64) -> bool {
-        let contraction = -terminal / self.discretisation.half_length();
-        let radius = self.endless.as_ref().and_then(|endless| {
-            let r = endless.response(&mut Workspace::new(), pressure, contraction).ok()?;
-            let radius = 0.5 * r.bulged_diameter_mm?;
-            (r.braid_tension_n? <= 0.0).then_some(radius)
-        });
-        let Some(radius) = radius else { return false };
-        self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Some(radius))
     }
 }

@@ -7,6 +7,7 @@ mod guess;
 pub mod layout;
 pub mod mesh;
 mod model;
+mod muscle;
 mod results;
 mod section;
 mod sensitivity;

@@ -36,7 +36,7 @@ pub enum DeckError {
     #[error("an input deck is made of eight-node bricks")]
     Quadratic,
     /// A terminal that is a body.
-    #[error("an input deck has the rigid plane for a terminal: leave out --terminal")]
+    #[error("an input deck has the rigid plane for a terminal: leave out `terminal`")]
     Plug,
     /// No pressures, or pressures that fall or are not above zero.
     #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]

@@ -11,17 +11,11 @@ use crate::error::{FemError, LastConverged};
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
 const TAUT: f64 = 1.3;
 /// Factorisations of a point of a curve that its neighbours did not predict.
-const BUDGET_ON_CURVE: usize = 250;
+pub(super) const BUDGET_ON_CURVE: usize = 250;
 /// Equilibria that are not stable and are noted.
 const NOTED: usize = 16;
 /// Contractions lie between ± this.
-const LARGEST_CONTRACTION: f64 = 0.95;
-/// Single equilibria on the way to a given pull.
-const SEARCH_STEPS: usize = 12;
-/// Largest step of the contraction in such a search.
-const SEARCH_CONTRACTION: f64 = 0.05;
-/// Why a search ended that came to no answer and met no reason.
-const NOT_FOUND: Stopped = Stopped::Iterations { iterations: SEARCH_STEPS, residual: f64::INFINITY };
+pub(super) const LARGEST_CONTRACTION: f64 = 0.95;
 
 /// An equilibrium that is not stable and that was met.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -156,7 +150,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Sets how many factorisations may be spent from here on; `None` lifts the bound.
-    fn allow(&mut self, factorisations: Option<usize>) {
+    pub(super) fn allow(&mut self, factorisations: Option<usize>) {
         self.allowed = factorisations.map(|n| (self.effort.factorisations, n));
     }
 
@@ -429,91 +423,5 @@ impl<B: Body> Continuation<B> {
         let found = self.walk(pressure, terminal, 1.0).is_ok() && self.stable();
         self.allow(None);
         found
-    }
-
-    /// Finds the equilibrium with a pull in N at a pressure in MPa by Newton's method with the pull held; its contraction is sought.
-    ///
-    /// # Errors
-    /// [`FemError`]; [`FemError::OutOfReach`] where the muscle cannot carry that pull.
-    pub fn reach_force(&mut self, force: f64, pressure: f64) -> Result<(), FemError> {
-        let mut contraction = self.body.guess_contraction(force, pressure)?;
-        let length = 2.0 * self.body.half_length();
-        let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
-        for _ in 0..SEARCH_STEPS {
-            if let Err(error) = self.reach(pressure, contraction) {
-                refused = error;
-                break;
-            }
-            let pull = self.pull();
-            match self.hold(Control::Force(force)) {
-                Ok(true) if self.contraction().abs() < LARGEST_CONTRACTION => {
-                    self.keep();
-                    return Ok(());
-                }
-                Ok(_) => {}
-                Err(reason) => refused = FemError::Force { force_n: force, reason },
-            }
-            // Back to where the length is held, for its tangent.
-            self.reach(pressure, contraction)?;
-            let stiffness = 0.5 * self.body.terminal_stiffness();
-            // dF/dε = −L0 ∂F/∂L
-            let step = (pull - force) / (length * stiffness.max(1e-3 * pull.abs() / length));
-            contraction += step.clamp(-SEARCH_CONTRACTION, SEARCH_CONTRACTION);
-        }
-        Err(self.out_of_reach(force, pressure).unwrap_or(refused))
-    }
-
-    /// Finds the equilibrium with a pull in N at a contraction by Newton's method with both held; its pressure is sought.
-    ///
-    /// # Errors
-    /// [`FemError`].
-    pub fn reach_pressure(&mut self, force: f64, contraction: f64) -> Result<(), FemError> {
-        let terminal = -contraction * self.body.half_length();
-        let scale = self.body.smallest_pressure();
-        let mut pressure = self.body.guess_pressure(force, contraction)?;
-        let mut reason = NOT_FOUND;
-        for _ in 0..SEARCH_STEPS {
-            self.reach(pressure, contraction)?;
-            let pull = self.pull();
-            match self.hold(Control::Pressure { terminal, force }) {
-                Ok(true) => {
-                    self.keep();
-                    return Ok(());
-                }
-                Ok(false) => {}
-                Err(stop) => reason = stop,
-            }
-            self.reach(pressure, contraction)?;
-            let slope = self.body.force_per_pressure();
-            let largest = 0.5 * pressure.abs() + scale;
-            let step = (force - pull) / slope;
-            pressure += if slope > 0.0 { step.clamp(-largest, largest) } else { largest };
-        }
-        Err(FemError::Force { force_n: force, reason })
-    }
-
-    /// Solves and says whether the equilibrium is stable.
-    fn hold(&mut self, control: Control) -> Result<bool, Stopped> {
-        self.solve(control).map(|()| self.stable_under(control))
-    }
-
-    /// The refusal of a pull that lies beyond what the muscle reaches when it is stretched or shortened as far as it goes.
-    fn out_of_reach(&mut self, force_n: f64, pressure_mpa: f64) -> Option<FemError> {
-        self.reach(pressure_mpa, 0.0).ok()?;
-        let way = if force_n > self.pull() { 1.0 } else { -1.0 };
-        let terminal = way * LARGEST_CONTRACTION * self.body.half_length();
-        self.allow(Some(BUDGET_ON_CURVE));
-        let end = self.walk(pressure_mpa, terminal, SEARCH_CONTRACTION);
-        self.allow(None);
-        let (nearest_force_n, contraction) = match end {
-            Ok(()) => (self.pull(), self.contraction()),
-            Err(Interrupted { last, .. }) => (last.force_n, last.contraction),
-        };
-        (way * force_n > way * nearest_force_n).then_some(FemError::OutOfReach {
-            force_n,
-            pressure_mpa,
-            nearest_force_n,
-            contraction,
-        })
     }
 }

@@ -137,10 +137,10 @@ pub(crate) fn run<B: Body, T: Clone>(
     let mut out: Vec<Result<T, FemError>> = vec![Err(FemError::Cancelled); values.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
-        progress.report(turn, values.len());
         if progress.cancelled() {
             break;
         }
+        progress.report(turn, values.len());
         if turn > 0 && values[i] == values[order[turn - 1]] {
             out[i] = out[order[turn - 1]].clone();
             continue;
@@ -162,7 +162,9 @@ pub(crate) fn run<B: Body, T: Clone>(
         };
         out[i] = point.and_then(|()| here(c, spent));
     }
-    progress.report(values.len(), values.len());
+    if !progress.cancelled() {
+        progress.report(values.len(), values.len());
+    }
     if running {
         c.keep();
     }

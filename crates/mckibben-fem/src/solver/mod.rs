@@ -7,6 +7,7 @@ pub mod curve;
 pub mod dense;
 pub mod dissection;
 pub mod newton;
+mod search;
 pub mod sparse;
 pub mod trail;
 

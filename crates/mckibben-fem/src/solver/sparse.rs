@@ -15,6 +15,7 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
+use std::sync::Arc;
 use thiserror::Error;
 
 /// Why a pattern cannot be factorised.
@@ -82,10 +83,22 @@ impl Pattern {
     }
 }
 
+/// A pattern and where the entries of its factors stand: made once, shared by all matrices with that pattern.
+pub struct Analysis {
+    /// Where entries stand.
+    pub pattern: Pattern,
+    symbolic: SymbolicCholesky<u32>,
+}
+
+impl std::fmt::Debug for Analysis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Analysis").field("dimension", &self.pattern.dimension()).finish_non_exhaustive()
+    }
+}
+
 /// A factorised sparse symmetric matrix.
 pub struct SparseCholesky {
-    pattern: Pattern,
-    symbolic: SymbolicCholesky<u32>,
+    analysis: Arc<Analysis>,
     factor: Vec<f64>,
     memory: MemBuffer,
     kind: Kind,
@@ -95,21 +108,19 @@ pub struct SparseCholesky {
 impl std::fmt::Debug for SparseCholesky {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("SparseCholesky")
-            .field("dimension", &self.pattern.dimension())
-            .field("entries", &self.pattern.entries())
+            .field("analysis", &self.analysis)
             .field("factor", &self.factor.len())
             .finish_non_exhaustive()
     }
 }
 
-impl SparseCholesky {
+impl Analysis {
     /// Analyses a pattern.
     ///
     /// # Errors
-    /// [`TooLarge`] where there is no memory for the factors.
+    /// [`TooLarge`] where there is no memory for it.
     pub fn new(pattern: Pattern) -> Result<Self, TooLarge> {
         let n = pattern.dimension();
-        let too_large = TooLarge { dimension: n };
         let (columns, rows) = pattern.transposed();
         let upper = SymbolicSparseColMatRef::new_checked(n, n, &columns, None, &rows);
         let params = CholeskySymbolicParams {
@@ -117,7 +128,19 @@ impl SparseCholesky {
             ..CholeskySymbolicParams::default()
         };
         let symbolic = factorize_symbolic_cholesky(upper, Side::Upper, SymmetricOrdering::Identity, params)
-            .map_err(|_| too_large)?;
+            .map_err(|_| TooLarge { dimension: n })?;
+        Ok(Self { pattern, symbolic })
+    }
+}
+
+impl SparseCholesky {
+    /// Memory for a matrix with a pattern.
+    ///
+    /// # Errors
+    /// [`TooLarge`] where there is none.
+    pub fn new(analysis: Arc<Analysis>) -> Result<Self, TooLarge> {
+        let too_large = TooLarge { dimension: analysis.pattern.dimension() };
+        let symbolic = &analysis.symbolic;
         let request = StackReq::any_of(&[
             symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()),
             symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
@@ -127,12 +150,7 @@ impl SparseCholesky {
         let mut factor = Vec::new();
         factor.try_reserve_exact(symbolic.len_val()).map_err(|_| too_large)?;
         factor.resize(symbolic.len_val(), 0.0);
-        Ok(Self { pattern, symbolic, factor, memory, kind: Kind::None, negative: 0 })
-    }
-
-    /// Where entries stand.
-    pub fn pattern(&self) -> &Pattern {
-        &self.pattern
+        Ok(Self { analysis, factor, memory, kind: Kind::None, negative: 0 })
     }
 
     /// Numbers in the factor, zeros that pad it included.
@@ -142,7 +160,7 @@ impl SparseCholesky {
 
     /// Floating-point operations of one factorisation: Σ over the columns of (entries of the column)².
     pub fn operations(&self) -> f64 {
-        let SymbolicCholeskyRaw::Supernodal(s) = self.symbolic.raw() else { return 0.0 };
+        let SymbolicCholeskyRaw::Supernodal(s) = self.analysis.symbolic.raw() else { return 0.0 };
         (0..s.n_supernodes())
             .map(|i| {
                 let width = (s.supernode_end()[i] - s.supernode_begin()[i]) as usize;
@@ -157,14 +175,19 @@ impl SparseCholesky {
     /// # Errors
     /// [`Singular`] where a pivot is zero or no number.
     pub fn factorise(&mut self, values: &[f64]) -> Result<(), Singular> {
-        let n = self.pattern.dimension();
-        let lower =
-            SymbolicSparseColMatRef::new_checked(n, n, &self.pattern.columns, None, &self.pattern.rows);
-        let matrix = SparseColMatRef::new(lower, &values[..self.pattern.entries()]);
+        let n = self.analysis.pattern.dimension();
+        let lower = SymbolicSparseColMatRef::new_checked(
+            n,
+            n,
+            &self.analysis.pattern.columns,
+            None,
+            &self.analysis.pattern.rows,
+        );
+        let matrix = SparseColMatRef::new(lower, &values[..self.analysis.pattern.entries()]);
         self.negative = 0;
         self.kind = Kind::None;
         let stack = MemStack::new(&mut self.memory);
-        let positive = self.symbolic.factorize_numeric_llt(
+        let positive = self.analysis.symbolic.factorize_numeric_llt(
             &mut self.factor,
             matrix,
             Side::Lower,
@@ -178,7 +201,8 @@ impl SparseCholesky {
             return Ok(());
         }
         let stack = MemStack::new(&mut self.memory);
-        self.symbolic
+        self.analysis
+            .symbolic
             .factorize_numeric_ldlt(
                 &mut self.factor,
                 matrix,
@@ -194,7 +218,7 @@ impl SparseCholesky {
     }
 
     fn count_pivots(&mut self) -> Result<(), Singular> {
-        let SymbolicCholeskyRaw::Supernodal(s) = self.symbolic.raw() else { return Ok(()) };
+        let SymbolicCholeskyRaw::Supernodal(s) = self.analysis.symbolic.raw() else { return Ok(()) };
         for i in 0..s.n_supernodes() {
             let (begin, end) = (s.supernode_begin()[i] as usize, s.supernode_end()[i] as usize);
             let width = end - begin;
@@ -213,7 +237,7 @@ impl SparseCholesky {
 
     /// Replaces right-hand sides, one after the other in `rhs`, by the solutions.
     pub fn solve(&mut self, rhs: &mut [f64], count: usize) {
-        let n = self.pattern.dimension();
+        let n = self.analysis.pattern.dimension();
         if count > 2 {
             rhs.chunks_exact_mut(n).for_each(|one| self.solve(one, 1));
             return;
@@ -222,13 +246,13 @@ impl SparseCholesky {
         let stack = MemStack::new(&mut self.memory);
         match self.kind {
             Kind::None => {}
-            Kind::Positive => LltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
+            Kind::Positive => LltRef::new(&self.analysis.symbolic, &self.factor).solve_in_place_with_conj(
                 Conj::No,
                 columns,
                 Par::Seq,
                 stack,
             ),
-            Kind::Indefinite => LdltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
+            Kind::Indefinite => LdltRef::new(&self.analysis.symbolic, &self.factor).solve_in_place_with_conj(
                 Conj::No,
                 columns,
                 Par::Seq,

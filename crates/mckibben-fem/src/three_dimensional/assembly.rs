@@ -8,7 +8,9 @@ use super::mesh::Brick;
 use super::saddle::share;
 use crate::element::brick::{Input, Output, ShapePoint, run};
 use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
-use crate::element::lanes::{Real, Width};
+use crate::element::lanes::Real;
+#[cfg(target_arch = "x86_64")]
+use crate::element::lanes::Width;
 use crate::element::spatial::{AT, SpatialLaw, SpatialVisitor, visit};
 use crate::element::truss::Truss;
 use crate::load::cavity_faces::{FacePoint, points4, points9, skew, volume};
@@ -41,7 +43,7 @@ impl Assembled {
     pub fn new(d: &Discretisation) -> Self {
         let displacements = 3 * d.problem.nodes.len();
         Self {
-            values: vec![0.0; d.pattern.entries() + d.free + 2],
+            values: vec![0.0; d.pattern().entries() + d.free + 2],
             force: vec![0.0; displacements],
             cavity: vec![0.0; displacements],
             gradient: vec![0.0; d.bricks() * d.modes * d.per_brick * 3],

@@ -59,7 +59,7 @@ impl Body {
     /// [`FemError::TooLarge`] where there is not enough memory.
     pub fn new(discretisation: impl Into<Arc<Discretisation>>) -> Result<Self, FemError> {
         let discretisation = discretisation.into();
-        let cholesky = SparseCholesky::new(discretisation.pattern.clone())
+        let cholesky = SparseCholesky::new(discretisation.analysis.clone())
             .map_err(|e| FemError::TooLarge { unknowns: e.dimension })?;
         let state = discretisation.rest();
         Ok(Self {
@@ -123,7 +123,7 @@ impl Body {
 
     /// The terminal's column of the tangent, and its own entry.
     fn terminal_column(&self) -> (&[f64], f64) {
-        let (entries, n) = (self.discretisation.pattern.entries(), self.discretisation.free);
+        let (entries, n) = (self.discretisation.pattern().entries(), self.discretisation.free);
         (&self.assembled.values[entries..entries + n], self.assembled.values[entries + n])
     }
 
@@ -164,10 +164,7 @@ impl Body {
         let constraints = Constraints { d, assembled: &self.assembled };
         self.substitutions += constraints.solve(&mut self.cholesky, &mut b, &mut out.u, &mut dm, tolerance);
         gather(d, &out.u, &mut b);
-        let (column, _) = {
-            let (entries, n) = (d.pattern.entries(), d.free);
-            (&self.assembled.values[entries..entries + n], ())
-        };
+        let (column, _) = self.terminal_column();
         let mut change = own * dw + dot(column, &b);
         // What the iterated multipliers do to the terminal.
         let mut forces = vec![0.0; out.u.len()];

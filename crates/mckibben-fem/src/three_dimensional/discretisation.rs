@@ -11,10 +11,11 @@ use crate::element::brick::{Modes, modes};
 use crate::element::hexahedron::{points8, points27};
 use crate::element::lanes::Width;
 use crate::solver::body::State;
-use crate::solver::sparse::Pattern;
+use crate::solver::sparse::{Analysis, Pattern};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
 const AUGMENT: f64 = 2000.0;
@@ -42,8 +43,8 @@ pub struct Discretisation {
     pub place: Vec<u32>,
     /// Displacements that move with the terminal.
     pub terminal: Vec<u32>,
-    /// Where the tangent's entries stand.
-    pub pattern: Pattern,
+    /// Where the entries of the tangent and of its factors stand.
+    pub analysis: Arc<Analysis>,
     /// Where the blocks of bricks go, brick by brick.
     pub brick_map: Vec<u32>,
     /// (brick, entry) that counts twice: both displacements are one.
@@ -112,7 +113,7 @@ impl Discretisation {
     /// Numbers the unknowns and finds every entry's place.
     ///
     /// # Errors
-    /// [`FemError::Element`] where an element is turned inside out at rest.
+    /// [`FemError::Element`] where an element is turned inside out at rest, [`FemError::TooLarge`] without enough memory.
     pub fn new(problem: Problem) -> Result<Self, FemError> {
         let (per_brick, count) = match problem.brick {
             Brick::Linear => (8, 1),
@@ -122,7 +123,8 @@ impl Discretisation {
         let rest = rest_modes(&problem, count)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
-        let pattern = pattern(&problem, &unknown, free);
+        let analysis = Analysis::new(pattern(&problem, &unknown, free));
+        let analysis = Arc::new(analysis.map_err(|e| FemError::TooLarge { unknowns: e.dimension })?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
         let (compliance, augment) = (materials[0].compliance, materials[0].augment);
@@ -149,7 +151,7 @@ impl Discretisation {
             free,
             place,
             terminal,
-            pattern,
+            analysis,
             brick_map: vec![],
             twice: vec![],
             truss_map: vec![],
@@ -175,6 +177,11 @@ impl Discretisation {
         State::rest(3 * self.problem.nodes.len(), self.bricks() * self.modes, self.problem.trusses.len())
     }
 
+    /// Where the tangent's entries stand.
+    pub fn pattern(&self) -> &Pattern {
+        &self.analysis.pattern
+    }
+
     /// Number of bricks.
     pub fn bricks(&self) -> usize {
         self.problem.bricks.len()
@@ -188,10 +195,10 @@ impl Discretisation {
     /// Where ∂²Π of two displacements goes: into the lower half, into the terminal's column behind it, or into the last
     /// number, which nobody reads.
     fn entry(&self, a: u32, b: u32) -> u32 {
-        let (n, entries) = (self.free as u32, self.pattern.entries() as u32);
+        let (n, entries) = (self.free as u32, self.pattern().entries() as u32);
         let (high, low) = (a.max(b), a.min(b));
         match (high < n, high == n) {
-            (true, _) => self.pattern.position(high, low).unwrap_or(entries + n + 1),
+            (true, _) => self.pattern().position(high, low).unwrap_or(entries + n + 1),
             (false, true) => entries + low,
             _ => entries + n + 1,
         }
@@ -199,7 +206,7 @@ impl Discretisation {
 
     fn map(&mut self) {
         let nn = self.per_brick;
-        let nothing = (self.pattern.entries() + self.free + 1) as u32;
+        let nothing = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
         for (e, nodes) in self.problem.bricks.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! How wrong a formula is, as its file says it. Shares are of the muscle's blocked force at the highest pressure of the table.
 
-use super::file::share;
+use super::file::check::share;
 use serde::{Deserialize, Serialize};
 
 /// Errors over points where the muscle pulls.

@@ -1,6 +1,6 @@
 //! The muscles a formula was made for: everything but diameter and wall.
 
-use super::file::{maybe_positive, positive};
+use super::file::check::{maybe_positive, positive};
 use crate::muscle::{Braid, BraidStiffness, Bulk, Muscle, Tube};
 use indexmap::IndexMap;
 use serde::{Deserialize, Serialize};

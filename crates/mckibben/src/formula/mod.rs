@@ -28,7 +28,7 @@ pub use universal::{
     Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
 };
 
-use file::interval;
+use file::check::interval;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -121,6 +121,7 @@ pub struct Formula {
 /// What a formula's file holds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
+#[expect(clippy::large_enum_variant, reason = "one at a time, on its way into an Arc")]
 pub enum Document {
     /// A formula for muscles of one make.
     Section(Formula),

@@ -22,7 +22,6 @@ pub(super) use axis::rounded;
 pub use axis::{Axis, Inputs, Measure};
 pub use sampling::Sampling;
 
-use crate::columns::Layout;
 use crate::hash;
 use mckibben::muscle::file::{FileError, read_text};
 use mckibben::muscle::{Braid, Muscle, MuscleError};
@@ -157,11 +156,6 @@ impl Plan {
     /// Names and values of the constants of the base muscle's law, as columns: `c10_mpa`.
     pub fn constants(&self) -> Vec<String> {
         constants(&self.base.tube().rubber.law).into_iter().map(|c| c.0).collect()
-    }
-
-    /// The columns of its table.
-    pub fn layout(&self) -> Layout {
-        Layout::new(self.constants(), self.sensitivities())
     }
 
     /// Keys of the sensitivities that rows carry.

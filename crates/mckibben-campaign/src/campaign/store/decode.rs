@@ -1,11 +1,11 @@
 //! Parquet → tables.
 
+use super::layout::Field;
 use super::provenance::{Provenance, Which};
 use super::seal::{self, Broken};
 use super::table::{Column, Table};
 use crate::Row;
 use crate::campaign::CampaignError;
-use crate::columns::Field;
 use bytes::Bytes;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{DataType, DoubleType};

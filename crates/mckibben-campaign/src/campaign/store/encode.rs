@@ -1,10 +1,11 @@
 //! Tables → Parquet.
 
+use super::layout::Field;
 use super::provenance::{Provenance, VERSION, Which};
 use super::seal::{SEAL, Sealing};
 use super::table::{Column, Table};
 use crate::campaign::CampaignError;
-use crate::columns::{Field, Role};
+use crate::columns::Role;
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};

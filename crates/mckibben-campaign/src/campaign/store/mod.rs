@@ -3,6 +3,7 @@
 mod decode;
 mod encode;
 mod folder;
+mod layout;
 mod provenance;
 mod seal;
 mod table;
@@ -12,6 +13,9 @@ pub use provenance::Provenance;
 pub(super) use decode::Opened;
 pub(super) use encode::{part, whole};
 pub(super) use folder::{Folder, is_file_name, part_name, sync, unfinished};
+pub(super) use layout::Field;
+#[cfg(test)]
+pub(super) use layout::Layout;
 pub(super) use provenance::Which;
 pub(super) use seal::seal_of;
 pub(super) use table::Table;

@@ -1,7 +1,7 @@
 //! Where a table comes from: key and value in the metadata of its file.
 
+use super::layout::Layout;
 use crate::campaign::plan::Plan;
-use crate::columns::Layout;
 use crate::hash;
 use parquet::file::metadata::KeyValue;
 use serde::Serialize;
@@ -61,7 +61,7 @@ impl Provenance {
             muscles: plan.muscles(),
             points_per_muscle: plan.points_per_muscle() as u64,
             block: plan.block(),
-            layout: plan.layout(),
+            layout: Layout::of(plan),
         }
     }
 

@@ -1,7 +1,8 @@
 //! Rows as columns in memory.
 
+use super::layout::{Field, Layout};
 use crate::Row;
-use crate::columns::{Field, Layout, Slot};
+use crate::columns::Slot;
 use parquet::data_type::ByteArray;
 use std::sync::Arc;
 

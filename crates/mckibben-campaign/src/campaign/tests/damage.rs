@@ -1,7 +1,7 @@
 //! Cut, changed, missing and foreign files are named: recomputed by a run, refused by everything else.
 
 use super::*;
-use crate::campaign::store::{Opened, Provenance, Table, Which, part as encode};
+use crate::campaign::store::{Layout, Opened, Provenance, Table, Which, part as encode};
 
 fn is_refused(path: &Path) -> String {
     match Opened::file(path).map(drop) {
@@ -119,7 +119,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
 }
 
 fn table_of(plan: &Plan, muscle: u64) -> Table {
-    let mut table = Table::new(&plan.layout());
+    let mut table = Table::new(&Layout::of(plan));
     crate::campaign::solve::rows(plan, muscle).into_iter().for_each(|row| table.push(row));
     table
 }
@@ -215,7 +215,7 @@ fn parts_of_an_older_program_are_read_and_merged_and_not_gone_on_with() {
     }
     // A part of each makes no table.
     std::fs::remove_file(part(&store, 3)).unwrap();
-    let (number, mut table) = (3, Table::new(&plan().layout()));
+    let (number, mut table) = (3, Table::new(&Layout::of(&plan())));
     newer.iter().filter(|r| r.muscle == number).for_each(|row| table.push(row.clone()));
     std::fs::write(part(&store, number), encode(&Provenance::of(&plan()), number, &table).unwrap()).unwrap();
     assert!(read(&store).is_err());

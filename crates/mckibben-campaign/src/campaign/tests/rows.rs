@@ -88,7 +88,7 @@ fn contractions_can_be_shares_of_the_largest() {
 /// Reading goes row group by row group; how a table was cut into parts cannot be told from its groups.
 #[test]
 fn tables_larger_than_a_group_come_back_row_by_row() {
-    use crate::campaign::store::{Opened, Provenance, Table, unfinished, whole};
+    use crate::campaign::store::{Layout, Opened, Provenance, Table, unfinished, whole};
     let plan = Plan::parse(
         "[sampling]\nmethod = \"latin-hypercube\"\nsamples = 700\n[vary]\ntube.length = \"100..200\"\n\
          [test]\ncontractions = \"0..0.5:0.05\"\npressures = \"0..0.09:0.01\"\n",
@@ -108,7 +108,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let mut files = vec![];
     for cut in [1000, 33_333] {
         let tables = (0..77_000_u64).step_by(cut).map(|from| {
-            let mut table = Table::new(&plan.layout());
+            let mut table = Table::new(&Layout::of(&plan));
             (from..77_000.min(from + cut as u64)).for_each(|i| table.push(row(i)));
             Ok(table)
         });

@@ -2,6 +2,7 @@
 
 use super::*;
 use mckibben::model::Workspace;
+use mckibben::progress::Silent;
 
 /// The goals for 500 random muscles (rms 0.6 %, 99 % of points within 2.3 %, worst 5 %) on fifty of them, and tighter ones
 /// that the formula meets by a factor of three; the short form meets the goals of the large one. The full number:
@@ -50,7 +51,7 @@ fn a_fit_does_not_depend_on_threads_and_finds_small_errors() {
     };
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| universal(&samples, &request)).unwrap()
+        pool.install(|| universal(&samples, &request, &Silent)).unwrap()
     };
     let (one, four) = (on(1), on(4));
     assert_eq!(one.to_json(), four.to_json());
@@ -69,5 +70,5 @@ fn too_few_points_are_an_error() {
         plan_hash: None,
         seed: None,
     };
-    assert!(universal(&samples, &request).is_err());
+    assert!(universal(&samples, &request, &Silent).is_err());
 }

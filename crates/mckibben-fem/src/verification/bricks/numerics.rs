@@ -86,14 +86,14 @@ pub(super) fn tangent_error(body: &mut Body) -> Option<f64> {
     let w = 0.3;
     let mut product = vec![0.0; d.free];
     for c in 0..d.free {
-        for k in d.pattern.columns[c] as usize..d.pattern.columns[c + 1] as usize {
-            let r = d.pattern.rows[k] as usize;
+        for k in d.pattern().columns[c] as usize..d.pattern().columns[c + 1] as usize {
+            let r = d.pattern().rows[k] as usize;
             product[r] += body.assembled.values[k] * v[c];
             if r != c {
                 product[c] += body.assembled.values[k] * v[r];
             }
         }
-        product[c] += body.assembled.values[d.pattern.entries() + c] * w;
+        product[c] += body.assembled.values[d.pattern().entries() + c] * w;
     }
     let base = body.state.clone();
     let h = 1e-5;

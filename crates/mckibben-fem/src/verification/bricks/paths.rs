@@ -47,8 +47,8 @@ fn negative_eigenvalues(body: &Body) -> Option<usize> {
     let d = &body.discretisation;
     let mut full = Mat::<f64>::zeros(d.free, d.free);
     for c in 0..d.free {
-        for k in d.pattern.columns[c] as usize..d.pattern.columns[c + 1] as usize {
-            full[(d.pattern.rows[k] as usize, c)] = body.assembled.values[k];
+        for k in d.pattern().columns[c] as usize..d.pattern().columns[c + 1] as usize {
+            full[(d.pattern().rows[k] as usize, c)] = body.assembled.values[k];
         }
     }
     let values = full.self_adjoint_eigenvalues(Side::Lower).ok()?;

@@ -7,7 +7,8 @@ pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
 use super::Provenance;
-use super::file::{File, share};
+use super::file::File;
+use super::file::check::share;
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 

@@ -1,6 +1,6 @@
 //! The dimensionless box of a universal formula.
 
-use crate::formula::file::{interval, open_interval, positive};
+use crate::formula::file::check::{interval, open_interval, positive};
 use crate::muscle::Muscle;
 use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};

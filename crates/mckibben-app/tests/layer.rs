@@ -1,0 +1,144 @@
+//! What every front end relies on: names, schemas, the default model, words.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+use mckibben::progress::{Progress, Silent};
+use mckibben_app::{
+    COMMANDS, DesignRequest, ForceRequest, ProblemKind, SweepRequest, ValidateRequest, ask, design, force, schema, sweep,
+    validate,
+};
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+fn asked(command: &str, request: Value) -> Value {
+    serde_json::from_str(&ask(command, &request.to_string(), &Silent).unwrap()).unwrap()
+}
+
+#[test]
+fn a_request_in_json_is_the_request_in_rust() {
+    let request = ForceRequest { pressure_mpa: Some(0.2), contraction: Some(0.1), ..Default::default() };
+    let answer = force(&request).unwrap();
+    let text = ask("force", &serde_json::to_string(&request).unwrap(), &Silent).unwrap();
+    assert_eq!(text, serde_json::to_string(&answer).unwrap());
+    assert_eq!(answer.point.model, "fe");
+}
+
+#[test]
+fn words_of_the_contract_are_fields() {
+    let point = asked(
+        "force",
+        json!({
+            "outer_diameter_mm": 40, "wall_mm": 2, "length_mm": 285, "angle_deg": 28, "rubber": "dragon-skin-30:yeoh",
+            "stiffness": 600, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall", "two_sided": true,
+        }),
+    );
+    assert_eq!(point["model"], "thick-wall");
+    assert_eq!(point["muscle"]["braid"], "600 N/mm");
+    for word in ["inextensible", "paper"] {
+        let point = asked("force", json!({ "pressure_mpa": 0.2, "stiffness": word, "model": "thick-wall" }));
+        assert_eq!(point["muscle"]["braid"], word);
+    }
+    let curve = asked("curve", json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }));
+    assert_eq!(curve["points"].as_array().unwrap().len(), 2);
+    let file = "[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = \"1 mm\"\n";
+    let shown = asked("muscle-show", json!({ "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }));
+    assert_eq!((&shown["outer_diameter_mm"], &shown["wall_mm"]), (&json!(50.0), &json!(2.0)));
+}
+
+#[test]
+fn problems_name_the_field_and_never_a_flag() {
+    let problem = |command: &str, request: Value| ask(command, &request.to_string(), &Silent).unwrap_err();
+    let cases = [
+        ("force", json!({}), ProblemKind::Usage, "`pressure_mpa` is missing"),
+        ("force", json!({ "pressure_mpa": 0.2, "contraction": 15 }), ProblemKind::Quantity, "no contraction ratio"),
+        ("force", json!({ "pressure_mpa": 0.2, "modle": "fe" }), ProblemKind::Usage, "there is no field \"modle\""),
+        ("force", json!({ "pressure_mpa": "2bar" }), ProblemKind::Usage, "cannot be understood"),
+        ("force", json!({ "pressure_mpa": 0.2, "model": "fee" }), ProblemKind::Model, "did you mean fe?"),
+        ("force", json!({ "pressure_mpa": 0.2, "mesh": "0x9" }), ProblemKind::Mesh, "through"),
+        ("force", json!({ "pressure_mpa": 0.2, "model": "belforte" }), ProblemKind::MissingInput, "strand"),
+        ("force", json!({ "pressure_mpa": 0.2, "direction": "contraction" }), ProblemKind::MissingInput, "friction"),
+        ("pressure", json!({ "force_n": -5 }), ProblemKind::Quantity, "a push"),
+        ("curve", json!({}), ProblemKind::Usage, "test"),
+        ("curve", json!({ "test": "isobaric", "pressures_mpa": [] }), ProblemKind::Range, "empty"),
+        ("design", json!({ "force_n": 300 , "max_pressure_mpa": 0.2 }), ProblemKind::Usage, "`contraction` is missing"),
+        ("desing", json!({}), ProblemKind::Usage, "did you mean design?"),
+    ];
+    for (command, request, kind, part) in cases {
+        let found = problem(command, request.clone());
+        assert_eq!(found.kind, kind, "{command} {request}: {found}");
+        assert!(found.message.contains(part), "{command} {request}: {found}");
+        assert!(!format!("{} {}", found.message, found.hint).contains("--"), "{found:?}");
+    }
+    assert_eq!(problem("force", json!({ "pressure_mpa": 0.2, "modle": "fe" })).hint, "did you mean `model`?");
+}
+
+/// Wants the work to end at once.
+struct Impatient;
+
+impl Progress for Impatient {
+    fn cancelled(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn long_work_can_be_cancelled() {
+    let wanted = DesignRequest {
+        force_n: Some(300.0),
+        contraction: Some(0.1),
+        max_pressure_mpa: Some(0.25),
+        ..Default::default()
+    };
+    assert_eq!(design(&wanted, &Impatient).unwrap_err().kind, ProblemKind::Cancelled);
+    let swept = sweep(&SweepRequest { muscles: 100, seed: 1 }, &Impatient);
+    assert_eq!(swept.unwrap_err().kind, ProblemKind::Cancelled);
+    assert_eq!(validate(&ValidateRequest::default(), &Impatient).unwrap_err().kind, ProblemKind::Cancelled);
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// `cargo xtask schemas` writes them anew.
+#[test]
+fn the_schemas_in_the_documentation_are_those_of_the_program() {
+    let folder = root().join("docs/schema");
+    let mut names: Vec<String> = COMMANDS.iter().map(|c| format!("{}.json", c.name)).collect();
+    for command in COMMANDS {
+        let kept = std::fs::read_to_string(folder.join(format!("{}.json", command.name))).unwrap_or_default();
+        let made = format!("{:#}\n", schema(command.name).unwrap());
+        assert!(kept == made, "docs/schema/{}.json is not what the program says", command.name);
+    }
+    let mut kept: Vec<String> =
+        std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+    (names.sort(), kept.sort());
+    assert_eq!(names, kept);
+}
+
+fn sources(folder: &Path, out: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            sources(&path, out);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            out.push(path);
+        }
+    }
+}
+
+/// Sentences of the libraries hold in every front end: flags are words of the command line alone.
+#[test]
+fn no_sentence_of_a_library_speaks_of_flags() {
+    for library in ["mckibben", "mckibben-fem", "mckibben-campaign", "mckibben-app", "mckibben-report"] {
+        let mut list = vec![];
+        sources(&root().join("crates").join(library).join("src"), &mut list);
+        for path in list {
+            let text = std::fs::read_to_string(&path).unwrap();
+            for (i, line) in text.lines().enumerate().filter(|l| !l.1.trim_start().starts_with("//")) {
+                let flag = line.match_indices("--").any(|(at, _)| {
+                    line[..at].ends_with([' ', '`', '"', '(']) && line[at + 2..].starts_with(|c: char| c.is_ascii_lowercase())
+                });
+                assert!(!flag, "{}:{}: {}", path.display(), i + 1, line.trim());
+            }
+        }
+    }
+}

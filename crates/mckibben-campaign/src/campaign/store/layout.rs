@@ -1,0 +1,110 @@
+//! Which columns a table has.
+
+use crate::Row;
+use crate::campaign::Plan;
+use crate::columns::{COLUMNS, Column, Slot};
+
+/// Which columns a table has: those of the plan, less those that a table of an older program lacks.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Layout {
+    /// Constants of the law: `c10_mpa`.
+    pub(crate) constants: Vec<String>,
+    /// Keys of the sensitivities: `tube.material.c10`.
+    pub(crate) sensitivities: Vec<String>,
+    /// Columns that it does not have; they read as nothing.
+    pub(crate) lacking: Vec<&'static str>,
+}
+
+/// One column of a layout.
+#[derive(Debug, Clone)]
+pub(crate) struct Field {
+    pub(crate) name: String,
+    pub(crate) column: &'static Column,
+    /// Which of a group.
+    key: Option<String>,
+}
+
+impl Field {
+    /// Where it stands in a row.
+    pub(crate) fn slot<'a>(&self, row: &'a mut Row) -> Slot<'a> {
+        (self.column.slot)(row)
+    }
+
+    /// Its key in a group.
+    pub(crate) fn key(&self) -> &str {
+        self.key.as_deref().unwrap_or(&self.name)
+    }
+
+    /// Its value in one of the lists of a row.
+    pub(crate) fn of(&self, list: &[(String, f64)]) -> Option<f64> {
+        list.iter().find(|(key, _)| key == self.key()).map(|(_, value)| *value)
+    }
+
+    /// The number that a row has in it; of groups, the constants alone.
+    pub(crate) fn number(&self, row: &mut Row) -> Option<f64> {
+        match self.slot(row) {
+            Slot::Number(v) => Some(*v),
+            Slot::Optional(v) => *v,
+            Slot::Constants(list) => self.of(list),
+            _ => None,
+        }
+    }
+}
+
+impl Layout {
+    /// The columns of a plan's table.
+    pub(crate) fn of(plan: &Plan) -> Self {
+        Self::new(plan.constants(), plan.sensitivities())
+    }
+
+    pub(crate) fn new(constants: Vec<String>, sensitivities: Vec<String>) -> Self {
+        Self { constants, sensitivities, lacking: vec![] }
+    }
+
+    /// All columns.
+    pub(crate) fn fields(&self) -> Vec<Field> {
+        let of = |column: &'static Column| {
+            let one = |name: String, key: Option<String>| Field { name, column, key };
+            match (column.slot)(&mut Row::default()) {
+                Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
+                Slot::Sensitivities(_) => {
+                    let name = |k: &String| format!("d_force_d_{}", k.replace('.', "_"));
+                    self.sensitivities.iter().map(|k| one(name(k), Some(k.clone()))).collect()
+                }
+                _ => vec![one(column.name.into(), None)],
+            }
+        };
+        let there = COLUMNS.iter().filter(|c| !self.lacking.contains(&c.name));
+        there.flat_map(of).collect()
+    }
+
+    /// Notes which columns a table lacks that has those of `names`.
+    ///
+    /// # Errors
+    /// The name of a column that no table may lack.
+    pub(crate) fn found(&mut self, names: &[&str]) -> Result<(), String> {
+        for field in self.fields().into_iter().filter(|f| !names.contains(&f.name.as_str())) {
+            match field.slot(&mut Row::default()) {
+                Slot::Optional(_) => self.lacking.push(field.column.name),
+                _ => return Err(field.name),
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_may_lack_answers_and_nothing_else() {
+        let mut layout = Layout::new(vec!["c10_mpa".into()], vec![]);
+        let fields = layout.fields();
+        let names =
+            |but: &str| fields.iter().map(|f| f.name.as_str()).filter(|n| *n != but).collect::<Vec<_>>();
+        assert_eq!(layout.found(&names("wall_mm")), Err("wall_mm".into()));
+        assert_eq!(layout.found(&names("c10_mpa")), Err("c10_mpa".into()));
+        assert_eq!((layout.found(&names("max_stretch")), layout.lacking), (Ok(()), vec!["max_stretch"]));
+    }
+}

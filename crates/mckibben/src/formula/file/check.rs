@@ -1,0 +1,65 @@
+//! What numbers and names of a file must be, for serde.
+
+use serde::de::{Error, Unexpected};
+use serde::{Deserialize, Deserializer};
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
+pub fn is_zero(n: &u8) -> bool {
+    *n == 0
+}
+
+pub fn up_to<'de, const MOST: u8, D: Deserializer<'de>>(d: D) -> Result<u8, D::Error> {
+    let n = u8::deserialize(d)?;
+    let expected = format!("a whole number from 0 to {MOST}");
+    let wrong = || D::Error::invalid_value(Unexpected::Unsigned(n.into()), &expected.as_str());
+    if n <= MOST { Ok(n) } else { Err(wrong()) }
+}
+
+pub fn name<'de, D: Deserializer<'de>>(d: D) -> Result<String, D::Error> {
+    let name = String::deserialize(d)?;
+    if name.trim().is_empty() { Err(D::Error::custom("is empty; expected a name")) } else { Ok(name) }
+}
+
+fn number<'de, D: Deserializer<'de>>(
+    d: D,
+    expected: &'static str,
+    right: fn(f64) -> bool,
+) -> Result<f64, D::Error> {
+    let v = f64::deserialize(d)?;
+    if right(v) { Ok(v) } else { Err(D::Error::invalid_value(Unexpected::Float(v), &expected)) }
+}
+
+pub fn positive<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
+    number(d, "a number above zero", |v| v > 0.0)
+}
+
+pub fn share<'de, D: Deserializer<'de>>(d: D) -> Result<f64, D::Error> {
+    number(d, "zero or more", |v| v >= 0.0)
+}
+
+pub fn maybe_positive<'de, D: Deserializer<'de>>(d: D) -> Result<Option<f64>, D::Error> {
+    let v = Option::<f64>::deserialize(d)?;
+    let wrong = |v: f64| D::Error::invalid_value(Unexpected::Float(v), &"a number above zero");
+    v.filter(|v| *v <= 0.0).map_or(Ok(v), |v| Err(wrong(v)))
+}
+
+/// `[low, high]`
+pub fn interval<'de, D: Deserializer<'de>>(d: D) -> Result<(f64, f64), D::Error> {
+    let (low, high) = <(f64, f64)>::deserialize(d)?;
+    if low <= high {
+        Ok((low, high))
+    } else {
+        Err(D::Error::custom("expected [low, high] with low ≤ high"))
+    }
+}
+
+/// `[low, high]` or `[low, null]`
+pub fn open_interval<'de, D: Deserializer<'de>>(d: D) -> Result<(f64, f64), D::Error> {
+    let (low, high) = <(f64, Option<f64>)>::deserialize(d)?;
+    let high = high.unwrap_or(f64::INFINITY);
+    if low <= high {
+        Ok((low, high))
+    } else {
+        Err(D::Error::custom("expected [low, high] with low ≤ high"))
+    }
+}

@@ -1,0 +1,176 @@
+//! The files of formulas for muscles of one make: the paper's, and sums of products of powers.
+
+use super::check::{is_zero, name, up_to};
+use super::{File, Format, Kind, Problem, Read, read};
+use crate::formula::{
+    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales, Term,
+    paper_terms,
+};
+use serde::{Deserialize, Serialize};
+
+/// The file of a formula for muscles of one make.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct SectionFile<T> {
+    format: Format,
+    #[serde(deserialize_with = "name")]
+    name: String,
+    kind: Kind,
+    #[serde(skip_deserializing)]
+    equation: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scales: Option<Scales>,
+    terms: Vec<T>,
+    made_for: Made,
+    range: FormulaRange,
+    errors: FormulaErrors,
+    provenance: Provenance,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct PaperTerm {
+    name: String,
+    #[serde(skip_deserializing)]
+    unit: &'static str,
+    value: f64,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct GlobalTerm {
+    #[serde(skip_deserializing)]
+    name: String,
+    powers: Powers,
+    #[serde(skip_deserializing)]
+    unit: &'static str,
+    value: f64,
+}
+
+/// Powers of x, p, e, d; those of zero are left out.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct Powers {
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
+    wall_ratio: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
+    pressure: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
+    contraction: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<20, _>")]
+    outer_diameter: u8,
+}
+
+impl Formula {
+    fn file<T>(self, kind: Kind, scales: Option<Scales>, terms: Vec<T>) -> SectionFile<T> {
+        SectionFile {
+            format: Format::One,
+            kind,
+            equation: self.equation(),
+            scales,
+            terms,
+            name: self.name,
+            made_for: self.made_for,
+            range: self.range,
+            errors: self.errors,
+            provenance: self.provenance,
+        }
+    }
+}
+
+impl From<Formula> for File {
+    fn from(formula: Formula) -> Self {
+        match &formula.body {
+            Body::Paper(c) => {
+                let terms =
+                    paper_terms(c).into_iter().map(|(name, unit, value)| PaperTerm { name, unit, value });
+                let terms = terms.collect();
+                Self::Paper(formula.file(Kind::Paper, None, terms))
+            }
+            Body::Global(t) => {
+                let one = |t: &Term| {
+                    let [wall_ratio, pressure, contraction, outer_diameter] = t.powers;
+                    let powers = Powers { wall_ratio, pressure, contraction, outer_diameter };
+                    GlobalTerm { name: t.name(), powers, unit: "MPa", value: t.value }
+                };
+                let (scales, terms) = (Some(t.scales), t.terms.iter().map(one).collect());
+                Self::Global(formula.file(Kind::Global, scales, terms))
+            }
+        }
+    }
+}
+
+fn section<T>(file: SectionFile<T>, body: Body) -> Formula {
+    let SectionFile { name, made_for, range, errors, provenance, .. } = file;
+    Formula { name, body, made_for, range, errors, provenance }
+}
+
+pub fn paper(text: &str) -> Read<Formula> {
+    let file: SectionFile<PaperTerm> = read(text)?;
+    let coefficients = coefficients(&file.terms)?;
+    Ok(section(file, Body::Paper(Box::new(coefficients))))
+}
+
+fn coefficients(terms: &[PaperTerm]) -> Read<Coefficients> {
+    let mut found = [[[None; 3]; 6]; 3];
+    for (i, PaperTerm { name, value, .. }) in terms.iter().enumerate() {
+        let unknown = || Problem::Unknown {
+            key: format!("terms[{i}].name"),
+            given: name.chars().take(40).collect(),
+            known: "A11 … A63, B11 … B63, C11 … C62".into(),
+        };
+        let (f, k, j) = place(name).ok_or_else(unknown)?;
+        if found[f][k][j].replace(*value).is_some() {
+            return Err(Problem::Twice { term: name.clone() }.into());
+        }
+    }
+    let mut x = [[[0.0; 3]; 6]; 3];
+    for (f, letter) in ["A", "B", "C"].into_iter().enumerate() {
+        for k in 0..6 {
+            for j in 0..3 {
+                let number = if f == 2 { j } else { j + 1 };
+                let optional = f == 2 && j == 0;
+                let missing = || Problem::Missing { key: format!("terms: {letter}{}{number}", k + 1) };
+                x[f][k][j] = match found[f][k][j] {
+                    None if optional => 0.0,
+                    found => found.ok_or_else(missing)?,
+                };
+            }
+        }
+    }
+    let [a, b, c] = x;
+    Ok(Coefficients { a, b, c })
+}
+
+/// `A11` → family, k, column.
+fn place(name: &str) -> Option<(usize, usize, usize)> {
+    let letters: Vec<char> = name.chars().collect();
+    let [letter, k, number] = letters.as_slice() else { return None };
+    let family = ['A', 'B', 'C'].iter().position(|l| l == letter)?;
+    let (k, number) = (k.to_digit(10)? as usize, number.to_digit(10)? as usize);
+    let column = if family == 2 { number } else { number.checked_sub(1)? };
+    ((1..=6).contains(&k) && column < 3).then(|| (family, k - 1, column))
+}
+
+pub fn global(text: &str) -> Read<Formula> {
+    let file: SectionFile<GlobalTerm> = read(text)?;
+    let scales = file.scales.ok_or_else(|| Problem::Missing { key: "scales".into() })?;
+    let mut terms: Vec<Term> = vec![];
+    for GlobalTerm { powers, value, .. } in &file.terms {
+        let Powers { wall_ratio, pressure, contraction, outer_diameter } = *powers;
+        let term = Term { powers: [wall_ratio, pressure, contraction, outer_diameter], value: *value };
+        if terms.iter().any(|t| t.powers == term.powers) {
+            return Err(Problem::Twice { term: term.name() }.into());
+        }
+        terms.push(term);
+    }
+    if terms.is_empty() {
+        let message = "expected at least one term".into();
+        return Err(Problem::Wrong { key: "terms".into(), message }.into());
+    }
+    Ok(section(file, Body::Global(GlobalTerms { scales, terms })))
+}

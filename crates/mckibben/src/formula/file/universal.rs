@@ -1,0 +1,120 @@
+//! The file of a formula for muscles of every make.
+
+use super::check::{is_zero, name, up_to};
+use super::{File, Format, Kind, Problem, Read, read};
+use crate::formula::{
+    Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
+};
+use serde::{Deserialize, Serialize};
+
+/// The file of a universal formula.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct UniversalFile {
+    format: Format,
+    #[serde(deserialize_with = "name")]
+    name: String,
+    kind: Kind,
+    #[serde(skip_deserializing)]
+    equation: String,
+    form: Form,
+    terms: Vec<EndTerm>,
+    range: UniversalRange,
+    errors: UniversalErrors,
+    provenance: Provenance,
+}
+
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct EndTerm {
+    #[serde(skip_deserializing)]
+    name: String,
+    powers: EndPowers,
+    #[serde(skip_deserializing)]
+    unit: &'static str,
+    value: f64,
+}
+
+/// Powers of the variables of both forms; those of zero are left out.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields, expecting = "an object")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct EndPowers {
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
+    wall: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
+    angle: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
+    slope: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
+    bulge: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
+    modulus: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
+    strain: u8,
+    #[serde(skip_serializing_if = "is_zero", deserialize_with = "up_to::<{ Form::HIGHEST }, _>")]
+    shortening: u8,
+}
+
+impl EndPowers {
+    fn of(form: Form, [wall, angle, third, modulus, fifth]: [u8; 5]) -> Self {
+        let common = Self { wall, angle, modulus, ..Self::default() };
+        match form {
+            Form::Membrane => Self { slope: third, strain: fifth, ..common },
+            Form::Bulge => Self { bulge: third, shortening: fifth, ..common },
+        }
+    }
+
+    /// In the order of a form's variables; `None` where another form's stand there.
+    fn of_form(self, form: Form) -> Option<[u8; 5]> {
+        let Self { wall, angle, slope, bulge, modulus, strain, shortening } = self;
+        let (list, others) = match form {
+            Form::Membrane => ([wall, angle, slope, modulus, strain], [bulge, shortening]),
+            Form::Bulge => ([wall, angle, bulge, modulus, shortening], [slope, strain]),
+        };
+        (others == [0, 0]).then_some(list)
+    }
+}
+
+impl From<UniversalFormula> for File {
+    fn from(formula: UniversalFormula) -> Self {
+        let form = formula.deficit.form;
+        let one = |t: &UniversalTerm| EndTerm {
+            name: formula.term_name(t),
+            powers: EndPowers::of(form, t.powers),
+            unit: "1",
+            value: t.value,
+        };
+        Self::Universal(UniversalFile {
+            format: Format::One,
+            kind: Kind::Universal,
+            equation: formula.equation(),
+            form,
+            terms: formula.deficit.terms.iter().map(one).collect(),
+            name: formula.name,
+            range: formula.range,
+            errors: formula.errors,
+            provenance: formula.provenance,
+        })
+    }
+}
+
+pub fn universal(text: &str) -> Read<UniversalFormula> {
+    let UniversalFile { name, form, terms, range, errors, provenance, .. } = read(text)?;
+    let deficit = Deficit { form, terms: vec![] };
+    let mut formula = UniversalFormula { name, deficit, range, errors, provenance };
+    for (i, EndTerm { powers, value, .. }) in terms.into_iter().enumerate() {
+        let foreign = || Problem::Wrong {
+            key: format!("terms[{i}].powers"),
+            message: format!("a variable that the form {form} does not have"),
+        };
+        let term = UniversalTerm { powers: powers.of_form(form).ok_or_else(foreign)?, value };
+        if formula.deficit.terms.iter().any(|t| t.powers == term.powers) {
+            return Err(Problem::Twice { term: formula.term_name(&term) }.into());
+        }
+        formula.deficit.terms.push(term);
+    }
+    Ok(formula)
+}
