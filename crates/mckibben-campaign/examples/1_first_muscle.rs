@@ -37,7 +37,7 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
         best.pressure_mpa
     );
 
-    // Its shape under load, for ParaView.
+    // The thick wall leaves the ends out; finite elements say what they cost, and give the shape for ParaView.
     let folder = std::env::temp_dir().join("mckibben-first-muscle");
     let fe = Axisymmetric::new(&best.muscle)?;
     let pull = fe.response(workspace, 0.25, 0.15)?;
