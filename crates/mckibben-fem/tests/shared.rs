@@ -14,7 +14,8 @@ fn muscle() -> Muscle {
     let measured = MeasuredStrand { strand_length_mm: m.strand_length_mm(), turns: m.turns() };
     let braid = Braid { measured: Some(measured), ..Braid::paper() };
     let end_factor = Some(EndFactor::Constant(1.1));
-    m.with_braid(braid).unwrap().with_terminals(Terminals { end_factor, ..Terminals::default() }).unwrap()
+    let terminals = Terminals { end_factor, cone_factor: Some(0.3), ..Terminals::default() };
+    m.with_braid(braid).unwrap().with_terminals(terminals).unwrap()
 }
 
 /// Bits of everything a model says about a walk through pressures and contractions; `Err` in words.
