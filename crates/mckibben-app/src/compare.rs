@@ -8,9 +8,7 @@ use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::words::{PressureUnit, number};
 use mckibben::answer::{Options, point};
-use mckibben::compare::{
-    Comparison, MeasuredPoint, compare as errors_of, mean_of_branches, read_measured,
-};
+use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches, read_measured};
 use mckibben::identify::{
     DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
 };
@@ -187,7 +185,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         if progress.cancelled() {
             return Err(Problem::cancelled());
         }
-            let one = || -> Result<(Compared, Vec<MeasuredPoint>), Problem> {
+        let one = || -> Result<(Compared, Vec<MeasuredPoint>), Problem> {
             let (muscle, fitted) = match &measured {
                 Some(points) => fitted(model, &muscle, options.direction, &request.fit, points)?,
                 None => (muscle.clone(), vec![]),
@@ -274,7 +272,10 @@ fn on_branch(file: &TextFile, branch: Direction) -> Result<Vec<MeasuredPoint>, P
 }
 
 /// Pressures and contractions of the figure, and of the comparison without measured points.
-fn grid(request: &CompareRequest, measured: Option<&[MeasuredPoint]>) -> Result<(Vec<f64>, Vec<f64>), Problem> {
+fn grid(
+    request: &CompareRequest,
+    measured: Option<&[MeasuredPoint]>,
+) -> Result<(Vec<f64>, Vec<f64>), Problem> {
     let Some(points) = measured else {
         let pressures = list("pressures_mpa", &request.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let contractions = contractions(&request.contractions, || steps(21, 0.0, 0.2))?;
@@ -336,7 +337,8 @@ fn fitted(
     if points.len() < 2 * known.len() + 1 {
         let (points, unknowns) = (points.len(), known.len());
         let least = 2 * unknowns + 1;
-        let message = format!("{points} points are too few to fit {unknowns} constants: measure at least {least}");
+        let message =
+            format!("{points} points are too few to fit {unknowns} constants: measure at least {least}");
         return Err(Problem::new(ProblemKind::Fit, message, ""));
     }
     let start = |c: FitConstant| Some(own_value(muscle, c.target()).unwrap_or(STIFF));

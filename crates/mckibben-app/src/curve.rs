@@ -127,7 +127,8 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
         if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }
     })?;
-    let contractions = contractions(&request.contractions, || steps(if isobaric { 21 } else { 5 }, 0.0, 0.2))?;
+    let contractions =
+        contractions(&request.contractions, || steps(if isobaric { 21 } else { 5 }, 0.0, 0.2))?;
     let forces = forces(&request.forces_n, request.asking)?;
     let (fixed, along) = match request.test {
         Test::Isometric => (contractions, pressures),
@@ -197,7 +198,11 @@ pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<(), Problem> 
     if points <= most {
         return Ok(());
     }
-    Err(Problem::new(ProblemKind::Range, format!("{points} points are more than {most}"), "take larger steps"))
+    Err(Problem::new(
+        ProblemKind::Range,
+        format!("{points} points are more than {most}"),
+        "take larger steps",
+    ))
 }
 
 /// Where every point fails: the first of the gravest reasons.

@@ -246,6 +246,9 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     })
 }
 
+/// What is free, and what is held at a value.
+type Parameters = (Vec<Parameter>, Vec<(Target, f64)>);
+
 impl IdentifyRequest {
     /// All points, and where they come from.
     fn points(&self, muscle: &Muscle) -> Result<(Vec<DataPoint>, String), Problem> {
@@ -326,7 +329,7 @@ impl IdentifyRequest {
     }
 
     /// What is free and what is held.
-    fn parameters(&self, muscle: &Muscle) -> Result<(Vec<Parameter>, Vec<(Target, f64)>), Problem> {
+    fn parameters(&self, muscle: &Muscle) -> Result<Parameters, Problem> {
         let wrong = |field: &str, message: String, hint| {
             Err(Problem::new(ProblemKind::Parameter, message, hint).in_field(field))
         };

@@ -53,11 +53,8 @@ const ELEMENTS: [&str; 2] = [
 
 impl Model {
     /// Axisymmetric finite elements on the mesh that the program chooses.
-    pub const FE: Model = Model::Elements(Elements::Axisymmetric(MeshSpec {
-        through: None,
-        along: None,
-        grading: None,
-    }));
+    pub const FE: Model =
+        Model::Elements(Elements::Axisymmetric(MeshSpec { through: None, along: None, grading: None }));
 
     /// Every model there is.
     pub fn all() -> Vec<ModelEntry> {
@@ -83,9 +80,7 @@ impl Model {
         match (&fields.model, purpose) {
             (Some(name), _) => Self::named(name, &fields.formulas, &fields.mesh),
             (None, Purpose::Answer) => Self::named("fe", &[], &fields.mesh),
-            (None, Purpose::Search) => {
-                Self::named("universal", &[], &fields.mesh)
-            }
+            (None, Purpose::Search) => Self::named("universal", &[], &fields.mesh),
         }
     }
 

@@ -95,7 +95,13 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
     let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction)?;
-    let point = answer::force(&*question.model, &mut question.workspace, pressure_mpa, contraction, question.options)?;
+    let point = answer::force(
+        &*question.model,
+        &mut question.workspace,
+        pressure_mpa,
+        contraction,
+        question.options,
+    )?;
     Ok(question.answered(point))
 }
 
@@ -108,7 +114,8 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, request.asking)?;
     let contraction = ratio(request.contraction)?;
-    let point = answer::pressure(&*question.model, &mut question.workspace, force_n, contraction, question.options)?;
+    let point =
+        answer::pressure(&*question.model, &mut question.workspace, force_n, contraction, question.options)?;
     Ok(question.answered(point))
 }
 
@@ -121,7 +128,13 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer, Problem>
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, request.asking)?;
-    let point = answer::contraction(&*question.model, &mut question.workspace, force_n, pressure_mpa, question.options)?;
+    let point = answer::contraction(
+        &*question.model,
+        &mut question.workspace,
+        force_n,
+        pressure_mpa,
+        question.options,
+    )?;
     Ok(question.answered(point))
 }
 

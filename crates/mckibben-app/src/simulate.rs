@@ -273,7 +273,9 @@ enum Meshed {
 impl Meshed {
     fn of(elements: &Elements, muscle: &Muscle) -> Result<Self, FemError> {
         Ok(match elements {
-            Elements::Axisymmetric(spec) => Self::Axisymmetric(Box::new(Axisymmetric::with_mesh(muscle, spec)?)),
+            Elements::Axisymmetric(spec) => {
+                Self::Axisymmetric(Box::new(Axisymmetric::with_mesh(muscle, spec)?))
+            }
             Elements::ThreeDimensional(spec) => {
                 Self::ThreeDimensional(Box::new(ThreeDimensional::with_mesh(muscle, spec)?))
             }
@@ -315,11 +317,13 @@ pub fn simulate(
     let muscle = request.muscle.resolve()?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &request.mesh)?;
     let Model::Elements(elements) = &model else {
-        let message = format!("a test is simulated by finite elements, and \"{model}\" is none; the models are fe and fe3d");
+        let message = format!(
+            "a test is simulated by finite elements, and \"{model}\" is none; the models are fe and fe3d"
+        );
         return Err(Problem::new(ProblemKind::Model, message, "`curve` draws the curves of every model"));
     };
-    let meshed = Meshed::of(elements, &muscle)
-        .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+    let meshed =
+        Meshed::of(elements, &muscle).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let (simulation, workspace) = (meshed.simulation(), &mut Workspace::new());
     let questions = request.questions(simulation, workspace)?;
     let deck = if request.deck { Some(written_deck(&meshed, request.test, &questions)?) } else { None };
@@ -336,7 +340,8 @@ pub fn simulate(
         };
         if let Ok(solution) = &solution {
             if let Some(shapes) = &mut shapes {
-                shapes.add(meshed.shape(workspace, &solution.response, shapes.extent())?, &solution.response)?;
+                shapes
+                    .add(meshed.shape(workspace, &solution.response, shapes.extent())?, &solution.response)?;
             }
             last = Some(solution.response);
         }
@@ -371,7 +376,11 @@ pub fn simulate(
 
 impl SimulateRequest {
     /// (pressure in MPa, ε or F) of each point, curve by curve.
-    fn questions(&self, model: &dyn Simulation, workspace: &mut Workspace) -> Result<Vec<(f64, Held)>, Problem> {
+    fn questions(
+        &self,
+        model: &dyn Simulation,
+        workspace: &mut Workspace,
+    ) -> Result<Vec<(f64, Held)>, Problem> {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let mut contractions = contractions(&self.contractions, || steps(3, 0.0, 0.2))?;
         let asking = AskFields { two_sided: true, ..AskFields::default() };
@@ -443,7 +452,8 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
 /// The input deck of an isometric test with three-dimensional elements.
 fn written_deck(meshed: &Meshed, test: Test, questions: &[(f64, Held)]) -> Result<String, Problem> {
     let wrong = |message: String| {
-        let hint = "an example: an isometric test of fe3d at one contraction, with pressures from 0.01 to 0.25 MPa";
+        let hint =
+            "an example: an isometric test of fe3d at one contraction, with pressures from 0.01 to 0.25 MPa";
         Problem::new(ProblemKind::Deck, message, hint)
     };
     let Meshed::ThreeDimensional(model) = meshed else {

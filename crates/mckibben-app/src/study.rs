@@ -91,11 +91,8 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer, Problem> {
         let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");
         figure::study(&study, &about, unit)
     });
-    let finding = |f: &Finding| FindingAnswer {
-        statement: f.statement.into(),
-        ours: f.ours.clone(),
-        holds: f.holds,
-    };
+    let finding =
+        |f: &Finding| FindingAnswer { statement: f.statement.into(), ours: f.ours.clone(), holds: f.holds };
     let points = study.panels.iter().flat_map(|panel| {
         panel.curves.iter().flat_map(move |curve| {
             curve.curve.points.iter().map(move |point| StudyRow {

@@ -3,8 +3,8 @@
 
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
-    COMMANDS, DesignRequest, ForceRequest, ProblemKind, SweepRequest, ValidateRequest, ask, design, force, schema, sweep,
-    validate,
+    COMMANDS, DesignRequest, ForceRequest, ProblemKind, SweepRequest, ValidateRequest, ask, design, force,
+    schema, sweep, validate,
 };
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -37,10 +37,12 @@ fn words_of_the_contract_are_fields() {
         let point = asked("force", json!({ "pressure_mpa": 0.2, "stiffness": word, "model": "thick-wall" }));
         assert_eq!(point["muscle"]["braid"], word);
     }
-    let curve = asked("curve", json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }));
+    let curve =
+        asked("curve", json!({ "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1] }));
     assert_eq!(curve["points"].as_array().unwrap().len(), 2);
     let file = "[tube]\nouter_diameter = \"50 mm\"\nwall_thickness = \"1 mm\"\n";
-    let shown = asked("muscle-show", json!({ "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }));
+    let shown =
+        asked("muscle-show", json!({ "muscle": { "name": "mine.toml", "text": file }, "wall_mm": 2 }));
     assert_eq!((&shown["outer_diameter_mm"], &shown["wall_mm"]), (&json!(50.0), &json!(2.0)));
 }
 
@@ -49,17 +51,37 @@ fn problems_name_the_field_and_never_a_flag() {
     let problem = |command: &str, request: Value| ask(command, &request.to_string(), &Silent).unwrap_err();
     let cases = [
         ("force", json!({}), ProblemKind::Usage, "`pressure_mpa` is missing"),
-        ("force", json!({ "pressure_mpa": 0.2, "contraction": 15 }), ProblemKind::Quantity, "no contraction ratio"),
-        ("force", json!({ "pressure_mpa": 0.2, "modle": "fe" }), ProblemKind::Usage, "there is no field \"modle\""),
+        (
+            "force",
+            json!({ "pressure_mpa": 0.2, "contraction": 15 }),
+            ProblemKind::Quantity,
+            "no contraction ratio",
+        ),
+        (
+            "force",
+            json!({ "pressure_mpa": 0.2, "modle": "fe" }),
+            ProblemKind::Usage,
+            "there is no field \"modle\"",
+        ),
         ("force", json!({ "pressure_mpa": "2bar" }), ProblemKind::Usage, "cannot be understood"),
         ("force", json!({ "pressure_mpa": 0.2, "model": "fee" }), ProblemKind::Model, "did you mean fe?"),
         ("force", json!({ "pressure_mpa": 0.2, "mesh": "0x9" }), ProblemKind::Mesh, "through"),
         ("force", json!({ "pressure_mpa": 0.2, "model": "belforte" }), ProblemKind::MissingInput, "strand"),
-        ("force", json!({ "pressure_mpa": 0.2, "direction": "contraction" }), ProblemKind::MissingInput, "friction"),
+        (
+            "force",
+            json!({ "pressure_mpa": 0.2, "direction": "contraction" }),
+            ProblemKind::MissingInput,
+            "friction",
+        ),
         ("pressure", json!({ "force_n": -5 }), ProblemKind::Quantity, "a push"),
         ("curve", json!({}), ProblemKind::Usage, "test"),
         ("curve", json!({ "test": "isobaric", "pressures_mpa": [] }), ProblemKind::Range, "empty"),
-        ("design", json!({ "force_n": 300 , "max_pressure_mpa": 0.2 }), ProblemKind::Usage, "`contraction` is missing"),
+        (
+            "design",
+            json!({ "force_n": 300 , "max_pressure_mpa": 0.2 }),
+            ProblemKind::Usage,
+            "`contraction` is missing",
+        ),
         ("desing", json!({}), ProblemKind::Usage, "did you mean design?"),
     ];
     for (command, request, kind, part) in cases {
@@ -135,7 +157,8 @@ fn no_sentence_of_a_library_speaks_of_flags() {
             let text = std::fs::read_to_string(&path).unwrap();
             for (i, line) in text.lines().enumerate().filter(|l| !l.1.trim_start().starts_with("//")) {
                 let flag = line.match_indices("--").any(|(at, _)| {
-                    line[..at].ends_with([' ', '`', '"', '(']) && line[at + 2..].starts_with(|c: char| c.is_ascii_lowercase())
+                    line[..at].ends_with([' ', '`', '"', '('])
+                        && line[at + 2..].starts_with(|c: char| c.is_ascii_lowercase())
                 });
                 assert!(!flag, "{}:{}: {}", path.display(), i + 1, line.trim());
             }

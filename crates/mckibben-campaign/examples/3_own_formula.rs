@@ -41,7 +41,7 @@ fn error_between_the_points() -> Result<f64, Box<dyn Error>> {
     let plan = Plan::parse(PLAN)?;
     let folder = tempfile::tempdir()?;
     let table = folder.path().join("campaign.parquet");
-    run(&plan, &table, &RunOptions::default(), &mut |_| {})?;
+    run(&plan, &table, &RunOptions::default(), &mckibben::progress::Silent)?;
     let rows = read(&table)?;
     println!("{} points of {} muscles", rows.len(), plan.muscles());
 

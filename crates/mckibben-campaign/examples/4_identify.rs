@@ -6,6 +6,7 @@ use mckibben::identify::{Request, Target, identify_default, read_data};
 use mckibben::least_squares::Loss;
 use mckibben::muscle::file::parse_muscle;
 use mckibben::prelude::*;
+use mckibben::progress::Silent;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
 
@@ -31,10 +32,11 @@ fn modulus_with_half_width() -> Result<(f64, f64), Box<dyn Error>> {
         loss: Loss::Squares,
         two_sided: false,
     };
-    let found = identify_default(&request, |m: &Muscle| match Axisymmetric::new(m) {
+    let build = |m: &Muscle| match Axisymmetric::new(m) {
         Ok(fe) => Ok(Box::new(fe) as Box<dyn ForceModel>),
         Err(error) => Err(error.into()),
-    })?;
+    };
+    let found = identify_default(&request, build, &Silent)?;
     for p in &found.parameters {
         println!("{:<18} {:8.3} ± {:.3} {}", p.name, p.value, p.half_width, p.unit);
     }

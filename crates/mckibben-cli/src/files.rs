@@ -28,9 +28,8 @@ pub fn formula(word: &str) -> Result<Option<TextFile>, Failure> {
     let word = word.trim();
     let path = Path::new(word);
     if word.to_ascii_lowercase().ends_with(".json") || (!Model::is_taken(word) && path.is_file()) {
-        let text = std::fs::read_to_string(path).map_err(|e| {
-            Failure::input(ProblemKind::Formula, format!("{word}: cannot be read: {e}"), "")
-        })?;
+        let text = std::fs::read_to_string(path)
+            .map_err(|e| Failure::input(ProblemKind::Formula, format!("{word}: cannot be read: {e}"), ""))?;
         return Ok(Some(TextFile { name: word.into(), text }));
     }
     Ok(None)

@@ -8,8 +8,8 @@ use clap::{Args, ValueEnum};
 use mckibben::units::Dimension;
 use mckibben_app::words::PressureUnit;
 use mckibben_app::{
-    AskFields, Direction, Keep, MeshFields, ModelFields, MuscleFields, NamedStiffness, ProblemKind, Stiffness,
-    Terminal, TerminalMaterial,
+    AskFields, Direction, Keep, MeshFields, ModelFields, MuscleFields, NamedStiffness, ProblemKind,
+    Stiffness, Terminal, TerminalMaterial,
 };
 use std::path::{Path, PathBuf};
 
@@ -139,11 +139,7 @@ impl ModelFlags {
 impl AskFlags {
     /// How the model is asked.
     pub fn fields(&self) -> AskFields {
-        AskFields {
-            extrapolate: self.extrapolate,
-            two_sided: self.two_sided,
-            direction: self.motion,
-        }
+        AskFields { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.motion }
     }
 
     /// The mesh's fields.
@@ -154,7 +150,11 @@ impl AskFlags {
 
 /// `--mesh`, `--match` and `--terminal`.
 pub fn mesh_fields(mesh: Option<&str>, keep: Keep, terminal: Option<&str>) -> Result<MeshFields, Failure> {
-    Ok(MeshFields { mesh: mesh.map(Into::into), keep, terminal: terminal.map(self::terminal).transpose()?.flatten() })
+    Ok(MeshFields {
+        mesh: mesh.map(Into::into),
+        keep,
+        terminal: terminal.map(self::terminal).transpose()?.flatten(),
+    })
 }
 
 /// none, rigid or aluminium, with the insertion and the radius of the nose behind: `aluminium:20mm:3mm`.

@@ -291,7 +291,8 @@ fn a_design_that_fails_names_the_closest() {
 
 #[test]
 fn what_a_failed_design_promises_holds() {
-    let found = mckibben("design --force 1300N --contraction 15% --max-pressure 2.5bar --model paper --format json");
+    let found =
+        mckibben("design --force 1300N --contraction 15% --max-pressure 2.5bar --model paper --format json");
     assert_eq!(found.code, 1);
     let relaxations = found.json()["closest"]["relaxations"].clone();
     let list = relaxations.as_array().unwrap();

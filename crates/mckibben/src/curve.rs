@@ -5,9 +5,9 @@
 //! - isobaric: P fixed, F(ε).
 
 use crate::analysis::AnalysisError;
-use serde::{Deserialize, Serialize};
 use crate::answer::{self, Answer, Options};
 use crate::model::{ForceModel, Workspace};
+use serde::{Deserialize, Serialize};
 
 /// Which test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

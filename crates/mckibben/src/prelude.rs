@@ -1,7 +1,7 @@
 //! What most programs need: `use mckibben::prelude::*`.
 
 pub use crate::analysis::{
-    blocked_force_n, contraction_at, free_contraction, pressure_at, start_pressure_mpa,
+    Options, blocked_force_n, contraction_at, free_contraction, pressure_at, start_pressure_mpa,
 };
 pub use crate::design::{Limits, Objective, OperatingPoint, Spec, design};
 pub use crate::model::{ForceModel, Ideal, Paper, Response, ThickWall, Universal, Workspace};

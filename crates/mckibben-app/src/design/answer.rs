@@ -4,7 +4,8 @@ use super::request::Wanted;
 use crate::muscle::MuscleSummary;
 use crate::words::{PressureUnit, number, percent};
 use mckibben::design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Spread,
+    BraidChoice, Candidate, CandidatePoint, Closest, OperatingPoint, Outcome, Rejected, Relaxation, Spec,
+    Spread,
 };
 use mckibben::model::Response;
 use mckibben_report::Figure;

@@ -4,8 +4,8 @@ mod answer;
 mod request;
 
 pub use answer::{
-    CandidateAnswer, ClosestAnswer, DesignAnswer, DesignPoint, RejectedAnswer, RelaxationAnswer, SpreadAnswer, Verified,
-    VerifiedPoint,
+    CandidateAnswer, ClosestAnswer, DesignAnswer, DesignPoint, RejectedAnswer, RelaxationAnswer,
+    SpreadAnswer, Verified, VerifiedPoint,
 };
 pub use request::{Choice, DesignRequest, ObjectiveWord, ToleranceFields, Verify, Wanted};
 
@@ -64,7 +64,8 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Vec<VerifiedPoint>, Probl
     let mut out = vec![];
     for point in &spec.points {
         let available = fe.force_n(&mut workspace, spec.max_pressure_mpa, point.contraction);
-        let pressure = pressure_at(&*fe, &mut workspace, point.force_n, point.contraction, Options::extrapolating());
+        let pressure =
+            pressure_at(&*fe, &mut workspace, point.force_n, point.contraction, Options::extrapolating());
         out.push(VerifiedPoint {
             force_n: point.force_n,
             contraction: point.contraction,

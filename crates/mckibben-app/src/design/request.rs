@@ -174,7 +174,8 @@ const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search, Problem> {
         let wanted = self.wanted()?;
-        let max_pressure_mpa = given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
+        let max_pressure_mpa =
+            given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
         let (base, points) = self.with_stroke(wanted)?;
         let model = Model::choose(&self.model, Purpose::Search)?;
         let (diameters, walls) = model.sections().unwrap_or(SECTIONS);
@@ -255,7 +256,9 @@ impl DesignRequest {
             OperatingPoint { force_n: *force_n, contraction }
         };
         let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
-        let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else { return Ok((base, points)) };
+        let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
+            return Ok((base, points));
+        };
         let largest = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
         if self.length_mm.is_some() {
             let have = largest * length;
@@ -280,7 +283,9 @@ impl DesignRequest {
             [("wall", t.wall_mm), ("diameter", t.outer_diameter_mm), ("pressure", t.pressure_mpa)]
         {
             if !(value >= 0.0 && value.is_finite()) {
-                let message = format!("the tolerance of the {name} is {value}; tolerances are ± half-widths above zero");
+                let message = format!(
+                    "the tolerance of the {name} is {value}; tolerances are ± half-widths above zero"
+                );
                 return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("tolerance"));
             }
         }

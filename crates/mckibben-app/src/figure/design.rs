@@ -31,7 +31,8 @@ pub fn design(
             if pressure == needed && needed > 0.995 * max_pressure_mpa {
                 continue;
             }
-            for curve in curves(model.as_ref(), &mut workspace, Test::Isobaric, &[pressure], &along, options) {
+            for curve in curves(model.as_ref(), &mut workspace, Test::Isobaric, &[pressure], &along, options)
+            {
                 let label = format!("{name} at {}", p.show(pressure));
                 let points = line(&curve, Test::Isobaric, p);
                 panel = panel.series(Series::new(label, points).colour(i).style(style));

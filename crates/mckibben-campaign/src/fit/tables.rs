@@ -74,7 +74,7 @@ pub fn tables(m: &PaperMethod) -> Vec<Table> {
     let walls = m.walls.iter().flat_map(|w| {
         (0..3).map(move |k| {
             let mut row = vec![Value::from(w.outer_diameter_mm), Value::from(FAMILIES[k])];
-            row.extend(w.x(k).map(|v| Value::from(v)));
+            row.extend(w.x(k).map(Value::from));
             row.extend(w.parabolas[k].iter().map(|f| Value::from(f.r2)));
             row
         })

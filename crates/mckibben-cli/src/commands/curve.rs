@@ -1,7 +1,7 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use super::study;
-use crate::failure::{Failure};
+use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
 use crate::output::text::{PressureUnit, number, percent, table};
 use crate::output::{show, warn};
@@ -10,7 +10,7 @@ use crate::quantities::{contractions, forces, pressures};
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::curve::{Curve, Test};
-use mckibben_app::{CurveRequest};
+use mckibben_app::CurveRequest;
 
 pub const EXAMPLES: &str = "Examples:
   mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\

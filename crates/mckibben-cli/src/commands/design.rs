@@ -15,7 +15,8 @@ use clap::Args;
 use mckibben::muscle::file::to_toml;
 use mckibben::units::{Dimension, Values};
 use mckibben_app::{
-    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields, Verify, Wanted,
+    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields, Verify,
+    Wanted,
 };
 use std::path::PathBuf;
 
@@ -194,7 +195,11 @@ fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequ
     let choice = |flag, text: &Option<String>, dimension| -> Result<Option<Choice>, Failure> {
         Ok(values(flag, text.as_deref(), dimension)?.map(Choice::from))
     };
-    let sleeves = match values("--strand-length-per-turn", args.strand_length_per_turn.as_deref(), Dimension::Length)? {
+    let sleeves = match values(
+        "--strand-length-per-turn",
+        args.strand_length_per_turn.as_deref(),
+        Dimension::Length,
+    )? {
         Some(Values::List(list)) => list,
         Some(Values::Interval(..)) => {
             let message = "--strand-length-per-turn: give the sleeves that are sold as a list";

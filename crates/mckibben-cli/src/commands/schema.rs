@@ -23,8 +23,10 @@ pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
         return emit(&text(command)?, args.output.as_deref()).map(|()| 0);
     }
     let Some(folder) = &args.output else {
-        let all: serde_json::Map<String, serde_json::Value> =
-            COMMANDS.iter().map(|c| Ok((c.name.to_owned(), schema(c.name)?))).collect::<Result<_, Failure>>()?;
+        let all: serde_json::Map<String, serde_json::Value> = COMMANDS
+            .iter()
+            .map(|c| Ok((c.name.to_owned(), schema(c.name)?)))
+            .collect::<Result<_, Failure>>()?;
         return emit(&format!("{:#}\n", serde_json::Value::Object(all)), None).map(|()| 0);
     };
     for command in COMMANDS {

@@ -167,7 +167,11 @@ impl Folder {
     fn new(path: &Path, about: &str, extent: Extent) -> Result<Self, Failure> {
         std::fs::create_dir_all(path).map_err(|e| {
             let message = format!("the folder {} cannot be made: {e}", path.display());
-            Failure::input(ProblemKind::Output, message, "give the name of a new folder or of one that exists")
+            Failure::input(
+                ProblemKind::Output,
+                message,
+                "give the name of a new folder or of one that exists",
+            )
         })?;
         Ok(Self { path: path.to_owned(), series: VtuSeries::new(about), extent })
     }

@@ -14,7 +14,8 @@ pub fn rows(list: &[Value]) -> Result<String, Failure> {
             }
         }
     }
-    let broken = |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
+    let broken =
+        |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
     let mut writer = ::csv::Writer::from_writer(vec![]);
     writer.write_record(&columns).map_err(|e| broken(&e))?;
     for object in list.iter().filter_map(Value::as_object) {

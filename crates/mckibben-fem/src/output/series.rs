@@ -1,8 +1,8 @@
 //! A series of equilibria as files that ParaView opens.
 
+use super::Shape;
 use super::error::VtuError;
 use super::vtu::{Grid, collection};
-use super::Shape;
 use mckibben::model::Response;
 
 /// The parts of a step.

@@ -6,7 +6,9 @@ use super::muscle::{MuscleInBricks, MuscleMesh};
 use crate::FemError;
 use crate::simulation::{self, Discretised};
 use crate::solver::continuation::Continuation;
-use mckibben::model::{Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, Workspace};
+use mckibben::model::{
+    Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, Workspace,
+};
 use mckibben::muscle::Muscle;
 
 /// Error of the program's own mesh over the blocked force, 95 % of questions.

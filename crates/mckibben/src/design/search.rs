@@ -9,8 +9,8 @@ use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
 use super::spec::{BraidChoice, Build, Spec, SpecError};
 use crate::muscle::{Muscle, MuscleError, Rubber, Tube};
-use crate::units::Values;
 use crate::progress::{Progress, Silent};
+use crate::units::Values;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

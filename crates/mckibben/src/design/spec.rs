@@ -89,7 +89,9 @@ pub struct Spec {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpecError {
     /// No operating point.
-    #[error("no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction")]
+    #[error(
+        "no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction"
+    )]
     NoPoint,
     /// A pull or contraction that is no operating point.
     #[error(

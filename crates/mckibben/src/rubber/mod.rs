@@ -93,7 +93,7 @@ pub trait RubberLaw: Sync {
         }
     }
 
-    /// Nominal stress in uniaxial tension of incompressible rubber, in MPa (Treloar 1975): dŵ/dλ with
+    /// Nominal stress in uniaxial tension of incompressible rubber, in MPa (Treloar 1975 \[treloar1975\]): dŵ/dλ with
     /// λ1 = λ, λ2 = λ3 = λ^(−1/2).
     fn uniaxial_stress_mpa(&self, stretch: f64) -> f64 {
         let t = stretch.powf(-0.5);

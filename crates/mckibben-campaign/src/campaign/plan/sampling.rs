@@ -14,14 +14,14 @@ pub(super) const MOST_SOBOL: u64 = 1 << 16;
 pub enum Sampling {
     /// Every level with every other.
     Factorial,
-    /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979).
+    /// As many strata as samples on each axis, each hit once (McKay, Beckman & Conover 1979 \[mckay1979\]).
     LatinHypercube {
         /// Number of muscles.
         samples: u64,
         /// Seed.
         seed: u64,
     },
-    /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020).
+    /// Sobol's sequence, Owen-scrambled by its seed (Burley 2020 \[burley2020\]).
     Sobol {
         /// Number of muscles.
         samples: u64,

@@ -1,6 +1,8 @@
 //! A design for people.
 
-use crate::output::text::{PressureUnit, braid_name, number, or_dash, percent, plus_minus, rubber_name, table};
+use crate::output::text::{
+    PressureUnit, braid_name, number, or_dash, percent, plus_minus, rubber_name, table,
+};
 use mckibben::design::{Candidate, Closest, OperatingPoint, Outcome, Rejected, Relaxation};
 use mckibben_app::{DesignAnswer, SpreadAnswer};
 
@@ -27,8 +29,11 @@ pub fn of(answer: &DesignAnswer, p: PressureUnit) -> String {
         out.push_str(&candidates(outcome, p));
         for c in outcome.candidates.iter().filter(|c| c.model != answer.model) {
             let (d0, s) = (number(c.muscle.outer_diameter_mm(), 4), number(c.muscle.wall_mm(), 3));
-            out.push_str(&format!("D0 {d0}, s {s}: by {}, since it is outside of the range of {}.
-", c.model, answer.model));
+            out.push_str(&format!(
+                "D0 {d0}, s {s}: by {}, since it is outside of the range of {}.
+",
+                c.model, answer.model
+            ));
         }
         out.push_str(&verified(answer, p));
         out.push_str(&spread_text(&answer.tolerance, p));
@@ -164,10 +169,14 @@ fn verified(answer: &DesignAnswer, p: PressureUnit) -> String {
             (Some(f), _) => {
                 let difference = f - q.force_at_max_pressure_n;
                 let sign = if difference < 0.0 { "less" } else { "more" };
-                let needs = c.pressure_mpa.map_or_else(String::new, |v| {
-                    format!("; {} N take {}", number(c.force_n, 5), p.show(v))
-                });
-                format!("{} N at {at} and {max}, {} N {sign}{needs}", number(f, 4), number(difference.abs(), 3))
+                let needs = c
+                    .pressure_mpa
+                    .map_or_else(String::new, |v| format!("; {} N take {}", number(c.force_n, 5), p.show(v)));
+                format!(
+                    "{} N at {at} and {max}, {} N {sign}{needs}",
+                    number(f, 4),
+                    number(difference.abs(), 3)
+                )
             }
             (None, cause) => format!("no answer at {at}: {}", cause.as_deref().unwrap_or("unknown")),
         };

@@ -6,7 +6,7 @@
 //!   minimise Σ w (P(λ; c) − P_measured)²   or   Σ w (P(λ; c)/P_measured − 1)²,
 //!
 //! with standard errors (see [`estimate`](crate::least_squares::estimate)), R² = 1 − Σ(P − P_m)²/Σ(P_m − mean)² (always
-//! of the stresses, not weighted), and Akaike's criterion for small samples (Hurvich & Tsai 1989), k constants and s²:
+//! of the stresses, not weighted), and Akaike's criterion for small samples (Hurvich & Tsai 1989 \[hurvich1989\]), k constants and s²:
 //!
 //!   AICc = n ln(Σ w r²/n) + 2(k + 1) + 2(k + 1)(k + 2)/(n − k − 2).
 //!

@@ -5,7 +5,7 @@
 //!   equibiaxial  λ1 = λ2 = λ, λ3 = λ⁻²
 //!
 //! Nominal stress (force over the area at rest) P = dŵ/dλ, in the equibiaxial test half of it (L. R. G. Treloar, The
-//! Physics of Rubber Elasticity, 1975, ch. 5). True stress σ = λ P in all three. λ < 1 is compression.
+//! Physics of Rubber Elasticity, 1975 \[treloar1975\], ch. 5). True stress σ = λ P in all three. λ < 1 is compression.
 
 use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};

@@ -227,7 +227,7 @@ mod tests {
         }
     }
 
-    /// μ'/2 Σ 2 Ci i (I1/λm²)^(i−1) with Ci = 1/2, 1/20, 11/1050, 19/7000, 519/673750 (Arruda & Boyce 1993, their series): the
+    /// μ'/2 Σ 2 Ci i (I1/λm²)^(i−1) with Ci = 1/2, 1/20, 11/1050, 19/7000, 519/673750 (Arruda & Boyce 1993 \[arruda1993\], their series): the
     /// terms left out begin with ⅔ x^10, x² = I1/(3 λm²).
     #[test]
     fn stresses_are_those_of_the_series_of_five_terms() {
