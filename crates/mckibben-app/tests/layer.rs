@@ -132,7 +132,8 @@ fn the_schemas_in_the_documentation_are_those_of_the_program() {
     }
     let mut kept: Vec<String> =
         std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
-    (names.sort(), kept.sort());
+    names.sort();
+    kept.sort();
     assert_eq!(names, kept);
 }
 

@@ -4,7 +4,7 @@
 
 use mckibben::prelude::*;
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::output::VtuSeries;
+use mckibben_fem::output::{Shape, VtuSeries};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -41,9 +41,11 @@ fn blocked_force_of_an_ideal_muscle() -> Result<f64, Box<dyn Error>> {
     let folder = std::env::temp_dir().join("mckibben-first-muscle");
     let fe = Axisymmetric::new(&best.muscle)?;
     let pull = fe.response(workspace, 0.25, 0.15)?;
-    let mut series = VtuSeries::new(&folder, "the muscle that was found")?;
-    series.add(&fe.section_at(workspace, 0.25, 0.15)?, &pull)?;
-    series.finish()?;
+    std::fs::create_dir_all(&folder)?;
+    let section = fe.section_at(workspace, 0.25, 0.15)?;
+    for file in VtuSeries::new("the muscle that was found").add(Shape::of_section(&section), &pull)? {
+        std::fs::write(folder.join(file.name), file.text)?;
+    }
     println!("by finite elements {:.0} N; shape in {}", pull.force_n, folder.display());
     Ok(ideal.response(workspace, 0.25, 0.0)?.force_n)
 }

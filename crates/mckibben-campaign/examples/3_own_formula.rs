@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p mckibben-campaign --example 3_own_formula`
 
-use mckibben::formula::FormulaModel;
+use mckibben::model::FormulaModel;
 use mckibben::prelude::*;
 use mckibben_campaign::campaign::{Plan, RunOptions, read, run};
 use mckibben_campaign::fit::{Method, Request, data, made_for, make};
