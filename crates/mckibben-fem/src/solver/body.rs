@@ -136,7 +136,7 @@ pub struct Settings {
     /// Smallest share of a leg that is tried.
     pub smallest_step: f64,
     /// Whether an equilibrium from a first guess is taken though it is not stable: a wall of bricks buckles between strands that go
-    /// slack. It is told of.
+    /// slack. [`super::continuation::Continuation::unstable`] lists such equilibria.
     pub take_unstable: bool,
 }
 

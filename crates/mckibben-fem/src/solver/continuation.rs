@@ -293,7 +293,7 @@ impl<B: Body> Continuation<B> {
         if taut > pressure { self.walk(pressure, terminal, B::SETTINGS.first_step_down) } else { Ok(()) }
     }
 
-    /// Back to an equilibrium, and what is to be told of it.
+    /// Back to the last equilibrium, and a summary of it.
     fn last(&mut self) -> LastConverged {
         self.body.state_mut().copy_from(&self.base);
         // What cannot be assembled has no totals: it was an equilibrium, so it can.
