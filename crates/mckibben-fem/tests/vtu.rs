@@ -5,6 +5,7 @@
 use base64::Engine as _;
 use mckibben::model::{ForceModel as _, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
+use mckibben_fem::Simulation as _;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::output::{Shape, VtuError, VtuFile, VtuSeries};
 use std::f64::consts::{PI, TAU};
@@ -235,7 +236,7 @@ fn stress_in_the_middle_is_in_equilibrium() {
         rubber += width / 6.0 * (f(&a) + 4.0 * f(&b) + f(&c));
     }
     // A family's strands crossing the section: 2πRo cosθ0 of width, each pulling along cosθ.
-    let pull = 2.0 * TAU * 15.0 * cos0 * strand.tension_per_width * strand.angle_deg.to_radians().cos();
+    let pull = 2.0 * TAU * 15.0 * cos0 * strand.tension_n_per_mm * strand.angle_deg.to_radians().cos();
     let expected = response.force_n + 0.2 * PI * bore.now_mm[0].powi(2);
     assert!(((rubber + pull) / expected - 1.0).abs() < 1e-3, "{rubber} {pull} {expected}");
     // Normal pressure of the braid outside: F·sinθ tanθ/(2π r²) per family pull along the axis.
