@@ -105,7 +105,7 @@ pub struct MuscleInBricks {
 
 impl MuscleInBricks {
     /// Fills the state with the axisymmetric equilibrium; `false` where there is none.
-    fn guess_by_section(&mut self, pressure: f64, terminal: f64) -> bool {
+    fn guess_from_section(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.bricks.discretisation.half;
         let Some((muscle, c)) = &mut self.section else { return false };
         if c.reach(pressure, contraction).is_err() {
@@ -187,11 +187,11 @@ impl body::Body for MuscleInBricks {
     }
 
     fn guess(&mut self, attempt: usize, pressure: f64, terminal: f64) -> Option<bool> {
-        (attempt == 0).then(|| self.guess_by_section(pressure, terminal))
+        (attempt == 0).then(|| self.guess_from_section(pressure, terminal))
     }
 
     fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.guess_by_section(pressure, terminal)
+        self.guess_from_section(pressure, terminal)
     }
 
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
