@@ -121,7 +121,7 @@ pub struct IdentifyAnswer {
     pub muscle: MuscleSummary,
     /// The points, with what the model makes of them.
     pub points: Vec<IdentifiedPoint>,
-    /// What does not fit together, is not told, or should be measured.
+    /// What does not fit together, is not identifiable, or should be measured.
     pub warnings: Vec<String>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -372,10 +372,10 @@ pub fn with_error_bar(p: &Identified) -> (String, String) {
 fn in_one_line(parameters: &[Identified]) -> String {
     let one = |p: &Identified| {
         let (value, bar) = with_error_bar(p);
-        let told = if p.identifiable { "" } else { " (not told)" };
+        let doubt = if p.identifiable { "" } else { " (not identifiable)" };
         let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
         let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
-        format!("{} {value}{bar}{unit}{told}", p.name)
+        format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
     parameters.iter().map(one).collect::<Vec<_>>().join(", ")
 }

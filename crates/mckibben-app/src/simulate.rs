@@ -426,7 +426,7 @@ fn judged(
     let free_contraction = if slack { model.free_contraction(workspace, pressure_mpa).ok() } else { None };
     let status = match &solution {
         Ok(_) => Status::Ok,
-        // Without an equilibrium where the endless muscle would push, the tube has collapsed.
+        // Without an equilibrium where the infinitely long muscle would push, the tube has collapsed.
         Err(_) => match contraction {
             Some(e) if endless_pushes(model.muscle(), pressure_mpa, e) => Status::Collapsed,
             _ => Status::NotConverged,

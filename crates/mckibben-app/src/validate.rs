@@ -117,7 +117,7 @@ pub struct SweepAnswer {
     pub muscles: usize,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// Questions that must have an answer: the endless muscle pulls and its strands stretch by less than 5 %.
+    /// Questions that must have an answer: the infinitely long muscle pulls and its strands stretch by less than 5 %.
     pub required: usize,
     /// How many of them have one.
     pub required_answered: usize,

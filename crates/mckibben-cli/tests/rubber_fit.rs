@@ -39,8 +39,8 @@ fn a_negative_c01_is_warned_of_and_the_held_law_stands_beside_with_its_r_squared
     assert!(number(&held["parameters"][1], "value").abs() < 1e-12 && held["stable"] == true);
     assert_eq!(number(held, "free_r_squared"), number(free, "r_squared"));
     let warnings = found["warnings"].to_string();
-    assert!(warnings.contains("negative C01") && warnings.contains("one-axis tests alone"), "{warnings}");
-    assert_eq!(found["recommended"], "yeoh", "one-axis tests: a law of I1");
+    assert!(warnings.contains("negative C01") && warnings.contains("uniaxial tests alone"), "{warnings}");
+    assert_eq!(found["recommended"], "yeoh", "uniaxial tests: a law of I1");
     let only = json(&format!("{SILICONE} --law mooney-rivlin --stable"));
     assert_eq!(only["laws"].as_array().unwrap().len(), 1);
     assert_eq!(&only["laws"][0]["parameters"], &held["parameters"]);

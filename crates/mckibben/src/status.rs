@@ -22,7 +22,7 @@ pub enum Status {
     NoAnswer,
     /// No equilibrium was found.
     NotConverged,
-    /// No equilibrium where the endless muscle would push: the tube has collapsed.
+    /// No equilibrium where the infinitely long muscle would push: the tube has collapsed.
     Collapsed,
     /// The measures make no muscle, or no mesh.
     NoMuscle,

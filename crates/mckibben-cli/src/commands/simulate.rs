@@ -86,7 +86,7 @@ pub struct SimulateArgs {
         help_heading = "Output"
     )]
     pub show: String,
-    /// Cut a quarter out of the picture, so that wall and bore show
+    /// Cut a quarter out of the picture, so that wall and cavity show
     #[arg(long, requires = "picture", help_heading = "Output")]
     pub cut: bool,
     #[command(flatten)]

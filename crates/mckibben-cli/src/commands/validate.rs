@@ -45,7 +45,7 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
 /// Times are for people only: JSON and CSV hold nothing that depends on the machine.
 fn sweep_text(a: &SweepAnswer) -> String {
     format!(
-        "{} random muscles, one question each (seed {})\n\n  {} of {} answered where the endless muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended in a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
+        "{} random muscles, one question each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended in a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
         a.muscles,
         a.seed,
         a.required_answered,

@@ -113,7 +113,7 @@ pub struct Body {
     step_load: [f64; 2],
     /// For sensitivities and pressure control.
     second: Vec<f64>,
-    /// The endless muscle of the same rubber and braid: where first guesses come from.
+    /// The infinitely long muscle of the same rubber and braid: where first guesses come from.
     pub(super) endless: Option<Arc<ThickWall>>,
 }
 
@@ -137,7 +137,7 @@ impl Body {
         }
     }
 
-    /// A muscle at rest, and the endless muscle of the same rubber and braid.
+    /// A muscle at rest, and the infinitely long muscle of the same rubber and braid.
     pub fn of_muscle(discretisation: Arc<Discretisation>, endless: Arc<ThickWall>) -> Self {
         Self { endless: Some(endless), ..Self::new(discretisation) }
     }

@@ -14,7 +14,7 @@ use mckibben::rubber::{Law, RubberLaw};
 pub enum Ends {
     /// Bonded to a rigid terminal: r fixed, all z together.
     Bonded,
-    /// A slice of an endless muscle: r free, all z together.
+    /// A slice of an infinitely long muscle: r free, all z together.
     Sliding,
     /// A pole on the axis: r fixed, z free.
     Pole,

@@ -6,7 +6,7 @@
 //!   λm² = (λf² − sin²θ0 λθ²)/cos²θ0,   r = Ro [1 + b (1 − e^(−(L0/2 − Z)/ℓ))],   z' = √(λm² − r'²),
 //!
 //! with the bulge b that brings the terminal to its place; the wall behind it keeps its volume. Where the strands of the
-//! endless muscle are slack there is no tension, and the bulge is the endless muscle's.
+//! infinitely long muscle are slack there is no tension, and the bulge is the infinitely long muscle's.
 
 use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::strand::STRAND_POINTS;

@@ -1,4 +1,4 @@
-//! The section of a muscle, ready to be led from equilibrium to equilibrium; its first guesses come from the endless muscle of the same
+//! The section of a muscle, ready to be led from equilibrium to equilibrium; its first guesses come from the infinitely long muscle of the same
 //! rubber and braid.
 
 use super::body::Body;
@@ -9,7 +9,7 @@ use crate::solver::body::{self, Control, Settings, State, Totals};
 use crate::solver::newton::NewtonOptions;
 use mckibben::model::{ForceModel, Ideal, Workspace};
 
-/// Factorisations a question may cost where the endless muscle does not pull or its strands stretch too far, and elsewhere.
+/// Factorisations a question may cost where the infinitely long muscle does not pull or its strands stretch too far, and elsewhere.
 const BUDGET: usize = 50;
 const BUDGET_PULLING: usize = 600;
 /// Strand strain up to which there must be an answer.
@@ -85,7 +85,7 @@ impl body::Body for Body {
         guess::loads(&self.discretisation, &mut self.state, 1.0);
     }
 
-    /// The pressure at which the endless muscle begins to pull.
+    /// The pressure at which the infinitely long muscle begins to pull.
     fn pulling_pressure(&self, contraction: f64) -> Option<f64> {
         let (endless, high) = (self.endless.as_ref()?, self.discretisation.shear);
         let pull = |p: f64| endless.force_n(&mut Workspace::new(), p, contraction).ok();
@@ -94,7 +94,7 @@ impl body::Body for Body {
         (slope > 0.0).then(|| (-push / slope).max(0.0))
     }
 
-    /// Between the contraction −0.05 and above the ideal maximum, by bisection of the endless muscle's pull.
+    /// Between the contraction −0.05 and above the ideal maximum, by bisection of the infinitely long muscle's pull.
     fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
         let Some(endless) = &self.endless else { return Ok(0.0) };
         let pull = |e: f64| endless.force_n(&mut Workspace::new(), pressure, e).ok();
@@ -109,7 +109,7 @@ impl body::Body for Body {
                 _ => high = middle,
             }
         }
-        // The ends take a share of the endless muscle's contraction.
+        // The ends take a share of the infinitely long muscle's contraction.
         Ok(0.85 * low)
     }
 
@@ -143,7 +143,7 @@ impl Body {
         guess::loads(&self.discretisation, &mut self.state, stretch);
     }
 
-    /// The shape of a tube that does not reach its strands; `false` where the endless muscle says that it does.
+    /// The shape of a tube that does not reach its strands; `false` where the infinitely long muscle says that it does.
     fn guess_slack(&mut self, pressure: f64, terminal: f64) -> bool {
         let contraction = -terminal / self.discretisation.half_length();
         let radius = self.endless.as_ref().and_then(|endless| {

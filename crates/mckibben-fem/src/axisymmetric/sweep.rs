@@ -49,9 +49,9 @@ pub struct SweepCase {
 pub struct SweepRow {
     /// The question.
     pub case: SweepCase,
-    /// Whether the endless muscle pulls with a strand strain under 5 %: then there must be an answer.
+    /// Whether the infinitely long muscle pulls with a strand strain under 5 %: then there must be an answer.
     pub required: bool,
-    /// Pull of the endless muscle in N, where it has one.
+    /// Pull of the infinitely long muscle in N, where it has one.
     pub endless_n: Option<f64>,
     /// The pull in N, or why there is none.
     pub answer: Result<f64, String>,

@@ -1,4 +1,4 @@
-//! F and G. The endless muscle: a slice without end constraint under a braid that stretches or does not, and bonded
+//! F and G. The infinitely long muscle: a slice without end constraint under a braid that stretches or does not, and bonded
 //! muscles that tend to it as they become longer.
 //!
 //! Loaded and held: pressure inside, the axial stretch given; all z of an end move together, r is free (slice) or bonded (muscles).
@@ -13,7 +13,7 @@ use mckibben::rubber::MooneyRivlin;
 use std::f64::consts::PI;
 
 const SOURCE: &str = "G: Liu & Rahn 2003 [liu2003], thick wall, strands that do not stretch";
-const STRANDS: &str = "F: endless muscle with strands that stretch (thick-wall energy)";
+const STRANDS: &str = "F: infinitely long muscle with strands that stretch (thick-wall energy)";
 /// A, B, α, p.
 const SECTION: (f64, f64, f64, f64) = (8.0, 9.5, 25.0, 0.3);
 /// (λz, F, braid contact pressure, a, b).
@@ -61,7 +61,7 @@ pub fn endless_braid() -> Vec<Row> {
             let contact = 2.0 * q * angle.to_radians().sin().powi(2) / (outer * stretch);
             (w.totals.pull, contact, radius(w, 0, 0), radius(w, 2 * THROUGH, 0))
         });
-        let name = |what: &str| format!("endless muscle, λz {stretch}: {what}");
+        let name = |what: &str| format!("infinitely long muscle, λz {stretch}: {what}");
         rows.push(Row::new(name("F (N)"), SOURCE, force, found.map(|f| f.0), 1e-7));
         rows.push(Row::new(name("contact pressure (MPa)"), SOURCE, contact, found.map(|f| f.1), 1e-7));
         rows.push(Row::new(name("a (mm)"), SOURCE, a, found.map(|f| f.2), 1e-7));
@@ -77,7 +77,13 @@ pub fn endless_braid() -> Vec<Row> {
             w.walk(pressure, terminal, 1.0).ok()?;
             Some(w.body.totals.pull)
         });
-        rows.push(Row::new(format!("endless muscle, k {k} N/mm, ε {e}: F (N)"), STRANDS, exact, ours, 1e-7));
+        rows.push(Row::new(
+            format!("infinitely long muscle, k {k} N/mm, ε {e}: F (N)"),
+            STRANDS,
+            exact,
+            ours,
+            1e-7,
+        ));
     }
     rows.push(slack());
     rows
@@ -95,7 +101,7 @@ fn slack() -> Row {
     Row::new("slack strands, ε 0.1, P 0: F (N)".into(), source, exact, ours, 1e-9)
 }
 
-/// Bonded muscles: what the ends cost falls like 1/L0, and without it the endless muscle is left.
+/// Bonded muscles: what the ends cost falls like 1/L0, and without it the infinitely long muscle is left.
 pub fn long_muscles() -> Vec<Row> {
     let pressure = SECTION.3;
     let mesh = MeshSpec { through: Some(2), along: Some(48), grading: Some(3.0) };

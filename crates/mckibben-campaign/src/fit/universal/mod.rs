@@ -179,7 +179,7 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
             let (pressure, e, force) = (p.pressure_mpa, p.contraction, p.force_n);
             let EndPoint { deficit_mm, start_mm, columns_mm, force_by_deficit_n_per_mm } =
                 model.end_point(pressure, e, force, products)?;
-            // A root on another branch of the endless muscle is none.
+            // A root on another branch of the infinitely long muscle is none.
             if deficit_mm.abs() > 0.5 * s.muscle.outer_diameter_mm() {
                 return None;
             }

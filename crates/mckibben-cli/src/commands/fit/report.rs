@@ -57,7 +57,7 @@ fn text(answer: &FitReportAnswer) -> String {
         seconds, r.global_terms
     ));
     out.push_str(
-        "\nRandom muscles of every make, where they pull, in % of the blocked force at the same pressure\n\n",
+        "\nRandom muscles of any size and material, where they pull, in % of the blocked force at the same pressure\n\n",
     );
     let header = ["model", "points", "muscles", "rms %", "95 % of them %", "99 % %", "max %"];
     let rows = r.random_muscles.iter().map(|row| errors_row(&row.model, &row.errors));

@@ -14,17 +14,17 @@ pub fn of(answer: &IdentifyAnswer) -> String {
         answer.data,
         answer.muscle.line()
     );
-    let header = ["", "value", "± 95 %", "std. error", "unit", "start", "told by the data"];
+    let header = ["", "value", "± 95 %", "std. error", "unit", "start", "identifiable"];
     let rows = found.parameters.iter().map(|p| {
         let (value, bar) = with_error_bar(p);
-        let told = match p {
+        let identifiable = match p {
             p if p.identifiable => "yes",
             p if p.at_bound => "no (on its bound)",
             p if !p.matters => "no (no effect)",
             _ => "no",
         };
         let error = if p.standard_error.is_finite() { number(p.standard_error, 2) } else { "–".into() };
-        vec![p.name.clone(), value, bar, error, p.unit.into(), number(p.start, 4), told.into()]
+        vec![p.name.clone(), value, bar, error, p.unit.into(), number(p.start, 4), identifiable.into()]
     });
     out.push_str(&table(&header, rows.collect()));
     if found.parameters.len() > 1 {

@@ -75,7 +75,7 @@ pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let laws = table(&header, rows.collect());
     let constants = table(
-        &["law", "constant", "value", "standard error", "unit", "told by the data"],
+        &["law", "constant", "value", "standard error", "unit", "identifiable"],
         fit.laws.iter().flat_map(constant_rows).collect(),
     );
     format!("Tension tests {file}\n{}\n{laws}\n{constants}\n{}", pairs(&head), closing(fit, written))
@@ -88,7 +88,7 @@ fn rounded(ratio: f64) -> f64 {
 
 fn constant_rows(law: &FittedLaw) -> Vec<Vec<String>> {
     let row = |(i, p): (usize, &Parameter)| {
-        let told = match (p.identifiable, p.standard_error) {
+        let identifiable = match (p.identifiable, p.standard_error) {
             (true, _) => "yes",
             (false, Some(0.0)) => "on its bound",
             (false, _) => "no",
@@ -99,7 +99,7 @@ fn constant_rows(law: &FittedLaw) -> Vec<Vec<String>> {
             number(p.value, 5),
             or_dash(p.standard_error, |e| number(e, 2)),
             p.unit.to_owned(),
-            told.to_owned(),
+            identifiable.to_owned(),
         ]
     };
     law.parameters.iter().enumerate().map(row).collect()

@@ -84,7 +84,7 @@ impl Form {
         self.law_of(&values)
     }
 
-    /// Whether the energy follows from I1 alone, so that one-axis tests say something of two axes.
+    /// Whether the energy follows from I1 alone, so that uniaxial tests say something of two axes.
     pub fn is_of_i1(self) -> bool {
         struct OfI1;
         impl LawVisitor for OfI1 {

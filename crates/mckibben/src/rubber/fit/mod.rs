@@ -1,6 +1,6 @@
 //! A rubber law from tension tests.
 //!
-//! [`read_tension`] reads one-axis, planar and equibiaxial tests; [`fit_tension`] finds the constants of every law by
+//! [`read_tension`] reads uniaxial, planar and equibiaxial tests; [`fit_tension`] finds the constants of every law by
 //! least squares of the nominal stress,
 //!
 //!   minimise Σ w (P(λ; c) − P_measured)²   or   Σ w (P(λ; c)/P_measured − 1)²,
@@ -140,7 +140,7 @@ pub struct TensionFit {
     pub laws: Vec<FittedLaw>,
     /// Laws without a fit.
     pub failed: Vec<TensionFitError>,
-    /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with one-axis tests
+    /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with uniaxial tests
     /// alone, one of I1.
     pub recommended: Option<usize>,
     /// What to mind.

@@ -1,4 +1,4 @@
-//! The three tests: one-axis, planar and equibiaxial tension of incompressible rubber.
+//! The three tests: uniaxial, planar and equibiaxial tension of incompressible rubber.
 //!
 //!   uniaxial     λ1 = λ, λ2 = λ3 = λ^(−1/2)
 //!   planar       λ1 = λ, λ2 = 1, λ3 = 1/λ         (wide strip; "pure shear")

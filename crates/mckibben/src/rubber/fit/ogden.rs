@@ -1,4 +1,4 @@
-//! Ogden's law, P = Σ μᵢ (λ^(αᵢ−1) − λ^(−mαᵢ−1)), m = 1/2, 1, 2 in one-axis, planar and equibiaxial tension.
+//! Ogden's law, P = Σ μᵢ (λ^(αᵢ−1) − λ^(−mαᵢ−1)), m = 1/2, 1, 2 in uniaxial, planar and equibiaxial tension.
 //!
 //! Every term has μᵢ αᵢ ≥ 0, which makes ŵ convex in the logarithms of the stretches: stable at any stretch (R. W. Ogden,
 //! Proc. R. Soc. Lond. A 326 (1972) 565). The sum of squares has many minima. Starts are all sets of exponents from

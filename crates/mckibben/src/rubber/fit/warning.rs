@@ -111,7 +111,7 @@ impl fmt::Display for TensionWarning {
                 "{points} points pull where the specimen is pressed together, or the other way round; the zero of force or length may be off"
             ),
             Self::OneAxis => f.write_str(
-                "one-axis tests alone: the wall of a muscle is stretched in two axes, where laws that agree in one differ; a planar or equibiaxial test decides",
+                "uniaxial tests alone: the wall of a muscle is stretched in two axes, where laws that agree in one differ; a planar or equibiaxial test decides",
             ),
             Self::Short { fitted_to_stretch, muscle_stretch } => write!(
                 f,
@@ -126,7 +126,7 @@ impl fmt::Display for TensionWarning {
             ),
             Self::NegativeC01 { c01_mpa } => write!(
                 f,
-                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from one-axis tests and misleads in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
+                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from uniaxial tests and misleads in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
             ),
             Self::NoStiffness { law, modulus_mpa } => {
                 write!(f, "{law}: the shear modulus at rest is {modulus_mpa:.3} MPa: no rubber")

@@ -1,6 +1,6 @@
 //! Named rubbers, from `data/rubbers.toml`, which states source and terms of each.
 //!
-//! A rubber named without a law means its neo-Hookean fit up to 200 % strain: of all one-axis fits the one that can be
+//! A rubber named without a law means its neo-Hookean fit up to 200 % strain: of all uniaxial fits the one that can be
 //! trusted in two axes. `name:law` asks for another law. Where a law was fitted over several ranges, the widest
 //! range whose law stays stable in the two-axis stretch of a muscle (up to [`LARGEST_HOOP_STRETCH`]) is
 //! taken; if none does, the one that stays stable furthest. [`warnings`] says what to mind.
@@ -197,7 +197,7 @@ pub enum RubberWarning {
         /// Hoop stretch from which on it is unstable.
         hoop_stretch: f64,
     },
-    /// Mooney–Rivlin with C01 < 0, as one-axis fits give.
+    /// Mooney–Rivlin with C01 < 0, as uniaxial fits give.
     NegativeC01 {
         /// C01 in MPa.
         c01_mpa: f64,
@@ -213,7 +213,7 @@ impl fmt::Display for RubberWarning {
             ),
             RubberWarning::NegativeC01 { c01_mpa } => write!(
                 f,
-                "C01 is {c01_mpa} MPa: a negative C01 comes from one-axis tests and misleads in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
+                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and misleads in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
             ),
         }
     }
