@@ -67,7 +67,9 @@ fn paper_figures(m: &PaperMethod, formula: &Formula) -> Vec<(&'static str, Figur
     let pressures = distinct(m.curves.iter().map(|c| c.pressure_mpa));
     let (d, s) = (nearest(&diameters, SHOWN.0), nearest(&walls, SHOWN.1));
     let top = pressures.last().copied().unwrap_or(0.0);
-    let about = |text: &str| caption(format!("{text}. Method: {}", formula.provenance.method));
+    let about = |text: &str| {
+        caption(format!("{text}. Method: {}. The paper: {}", formula.provenance.method, mckibben::PAPER))
+    };
     let figure =
         |title: String, text: &str| Figure::new(title).caption(about(text)).palette(Palette::Sequential);
     let section = format!("D0 {} mm, s {} mm", number(d, 4), number(s, 3));

@@ -30,5 +30,5 @@ pub fn study(study: &Study, about: &str, p: PressureUnit) -> Figure {
         }
         figure = figure.panel(drawn);
     }
-    figure.caption(caption(format!("Model {}. {about}", study.model)))
+    figure.caption(caption(format!("Model {}. {about}. The paper: {}", study.model, mckibben::PAPER)))
 }

@@ -66,6 +66,7 @@ fn as_text(f: &Formula) -> String {
         ("range", range_text(r.outer_diameter_mm, r.wall_mm, r.pressure_mpa, contraction)),
         ("muscles", made_text(f)),
         ("method", p.method.clone()),
+        ("the paper", mckibben::PAPER.into()),
         ("table", format!("{} ({} points, {})", known(&p.table), p.points, p.data_hash)),
         ("plan", known(&p.plan_hash)),
         ("program", format!("mckibben {}", p.version)),

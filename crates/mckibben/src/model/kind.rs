@@ -93,7 +93,11 @@ const TABLE: [(ModelKind, &str, &str); 15] = [
         "long muscle with computed ends: any size, rubber, wall, braid and length",
     ),
     (ModelKind::UniversalSmall, "universal-small", "the same with ends of 16 terms, for hand calculation"),
-    (ModelKind::Paper, "paper", "the paper's formula: D0 30-50, s 1-5, L0 285 mm, 28 deg, up to 0.25 MPa"),
+    (
+        ModelKind::Paper,
+        "paper",
+        "formula (11) of Antonelli et al. 2018 [antonelli2018]: D0 30-50, s 1-5, L0 285 mm, 28 deg, up to 0.25 MPa",
+    ),
 ];
 
 impl ModelKind {
@@ -157,13 +161,6 @@ impl ModelKind {
             ModelKind::Paper => Box::new(Paper::new(muscle)),
         })
     }
-
-    /// `paper` for a muscle and pressures (lowest and highest, in MPa) inside of its box, else `thick-wall`.
-    pub fn default_for(muscle: &Muscle, pressure_mpa: (f64, f64)) -> Self {
-        let range = Paper::new(muscle).range();
-        let inside = |p| range.check("paper", p, 0.0).is_ok();
-        if inside(pressure_mpa.0) && inside(pressure_mpa.1) { ModelKind::Paper } else { ModelKind::ThickWall }
-    }
 }
 
 fn universal(
@@ -214,14 +211,5 @@ mod tests {
             error.contains("idael` (did you mean ideal?)") && error.contains("festo-dmsp-20-200"),
             "{error}"
         );
-    }
-
-    #[test]
-    fn the_paper_is_the_default_inside_of_its_box() {
-        let m = Muscle::prototype();
-        assert_eq!(ModelKind::default_for(&m, (0.0, 0.25)), ModelKind::Paper);
-        assert_eq!(ModelKind::default_for(&m, (0.0, 0.3)), ModelKind::ThickWall);
-        let wide = m.with_section(60.0, 3.0).unwrap();
-        assert_eq!(ModelKind::default_for(&wide, (0.0, 0.2)), ModelKind::ThickWall);
     }
 }

@@ -1,12 +1,17 @@
 //! `simulate`: one finite-element test with everything it knows.
 
+mod answer;
+mod request;
+
+pub use answer::*;
+pub use request::{PictureFields, SimulateRequest};
+
 use crate::curve::{check_count, contractions, forces, list, steps};
-use crate::fields::{AskFields, MeshFields, MuscleFields};
+use crate::fields::AskFields;
 use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
-use crate::words::PressureUnit;
 use mckibben::curve::Test;
 use mckibben::model::{ForceModel, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
@@ -18,100 +23,6 @@ use mckibben_fem::output::{Extent, Shape, deck};
 use mckibben_fem::results::Solution;
 use mckibben_fem::simulation::{Elements, Simulation};
 use mckibben_fem::three_dimensional::ThreeDimensional;
-use mckibben_report::{Figure, Scene};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// A finite-element test.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct SimulateRequest {
-    /// Which test.
-    pub test: Test,
-    /// The muscle.
-    #[serde(flatten)]
-    pub muscle: MuscleFields,
-    /// `fe` or `fe3d`; `fe` where it is left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub model: Option<String>,
-    /// The mesh.
-    #[serde(flatten)]
-    pub mesh: MeshFields,
-    /// Gauge pressures P in MPa; 0.05 to 0.25 by 0.05 where they are left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε of an isometric or isobaric test; 0, 0.1, 0.2 where they are left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub contractions: Option<Vec<f64>>,
-    /// Contractions are shares of the free contraction at the highest pressure.
-    #[serde(default)]
-    pub of_largest: bool,
-    /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub forces_n: Option<Vec<f64>>,
-    /// Negative force instead of slack where the muscle would have to push.
-    #[serde(default)]
-    pub two_sided: bool,
-    /// The answer shall carry the input deck of the test for other programs; of `fe3d` only.
-    #[serde(default)]
-    pub deck: bool,
-    /// The answer shall carry a picture of the last point that has an answer.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub picture: Option<PictureFields>,
-    /// The answer shall carry a figure, with pressures in this unit.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub figure: Option<PressureUnit>,
-}
-
-/// A picture of the deformed muscle.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct PictureFields {
-    /// What colours it, such as `hoop_stretch` or `stress_hoop_mpa`.
-    pub show: String,
-    /// Cut a quarter out, so that wall and cavity show.
-    pub cut: bool,
-    /// Pressures in this unit.
-    pub pressure_unit: PressureUnit,
-}
-
-impl Default for PictureFields {
-    fn default() -> Self {
-        Self { show: "max_stretch".into(), cut: false, pressure_unit: PressureUnit::default() }
-    }
-}
-
-/// A finite-element test with everything it knows.
-#[derive(Debug, Clone, Serialize, JsonSchema)]
-pub struct SimulateAnswer {
-    /// `fe` or `fe3d`.
-    pub model: String,
-    /// Which test.
-    pub test: Test,
-    /// The muscle.
-    pub muscle: MuscleSummary,
-    /// The points, curve after curve.
-    pub points: Vec<SimulatedRow>,
-    /// What the user should know of the mesh.
-    pub notes: Vec<String>,
-    /// The figure, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub figure: Option<Figure>,
-    /// The input deck, where it was asked for.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub deck: Option<String>,
-    /// The picture, where it was asked for.
-    #[serde(skip)]
-    pub picture: Option<Scene>,
-    /// The points themselves.
-    #[serde(skip)]
-    pub simulated: Vec<Simulated>,
-    /// Where no point has an answer: the reason.
-    #[serde(skip)]
-    pub problem: Option<Problem>,
-    /// Whether the number of strands is known, so that the tension of one is.
-    #[serde(skip)]
-    pub strands: bool,
-}
 
 /// What a point of a test holds: ε or F.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -155,101 +66,6 @@ impl Simulated {
             Held::Force(f) => Some(f),
         }
     }
-}
-
-/// A point of the test.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[serde(untagged)]
-pub enum SimulatedRow {
-    /// There is an equilibrium.
-    Answered(Box<SimulatedPoint>),
-    /// There is none.
-    Failed(crate::curve::FailedPoint),
-}
-
-/// An equilibrium.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct SimulatedPoint {
-    /// What every model tells; the pull of a slack muscle is 0.
-    #[serde(flatten)]
-    pub response: Response,
-    /// Whether the muscle would have to push, and lies slack instead.
-    pub slack: bool,
-    /// Where it is slack: the free contraction at this pressure.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub free_contraction: Option<f64>,
-    /// `ok`.
-    pub status: Status,
-    /// Elastic energy of the rubber, J.
-    pub rubber_energy_j: f64,
-    /// Elastic energy of the strands, J.
-    pub braid_energy_j: f64,
-    /// P (V − V0), J.
-    pub pressure_work_j: f64,
-    /// Directions in which the equilibrium is unstable with the terminals held.
-    pub unstable_directions: usize,
-    /// Smallest volume ratio of the rubber at an integration point.
-    pub smallest_volume_ratio: f64,
-    /// Where the rubber is stretched most.
-    pub max_stretch_at: RestPlace,
-    /// Outer and inner surface, from the middle to the terminal.
-    pub profile: Vec<ProfileRow>,
-    /// The strands along the muscle.
-    pub strands: Vec<StrandRow>,
-    /// ∂F by constants and measures.
-    pub sensitivities: Vec<SensitivityRow>,
-}
-
-/// A place in the section at rest.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct RestPlace {
-    /// Radius R, mm.
-    pub rest_r_mm: f64,
-    /// Z from the middle, mm.
-    pub rest_z_mm: f64,
-}
-
-/// A station of the profile.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct ProfileRow {
-    /// Z at rest, mm.
-    pub rest_z_mm: f64,
-    /// z of the outer surface, mm.
-    pub outer_z_mm: f64,
-    /// r of the outer surface, mm.
-    pub outer_r_mm: f64,
-    /// z of the inner surface, mm.
-    pub inner_z_mm: f64,
-    /// r of the inner surface, mm.
-    pub inner_r_mm: f64,
-}
-
-/// The strands at a station.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct StrandRow {
-    /// Z at rest, mm.
-    pub rest_z_mm: f64,
-    /// Stretch of a strand.
-    pub stretch: f64,
-    /// Angle to the axis now, degrees.
-    pub angle_deg: f64,
-    /// Tension of a family per width at rest, N/mm.
-    pub tension_n_per_mm: f64,
-    /// Tension of one strand, N, where their number is known.
-    pub strand_tension_n: Option<f64>,
-}
-
-/// ∂F by a constant or measure.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct SensitivityRow {
-    /// Its name, as in the muscle file.
-    pub name: String,
-    /// Its value.
-    pub value: f64,
-    /// Its unit.
-    pub unit: String,
-    /// ∂F, N per unit.
-    pub force_n_per_unit: f64,
 }
 
 /// Takes the shapes of a test, point by point: files for ParaView, a page.
@@ -474,65 +290,4 @@ fn written_deck(meshed: &Meshed, test: Test, questions: &[(f64, Held)]) -> Resul
     }
     let pressures: Vec<f64> = questions.iter().map(|q| q.0).collect();
     deck(model, contraction, &pressures).map_err(|e| wrong(e.to_string()))
-}
-
-impl From<&Simulated> for SimulatedRow {
-    fn from(q: &Simulated) -> Self {
-        let s = match &q.solution {
-            Ok(s) => s,
-            Err(error) => {
-                return Self::Failed(crate::curve::FailedPoint {
-                    pressure_mpa: q.pressure_mpa,
-                    contraction: q.contraction(),
-                    wanted_force_n: q.force_n(),
-                    status: q.status,
-                    cause: error.to_string(),
-                });
-            }
-        };
-        let response = Response {
-            pressure_mpa: q.pressure_mpa,
-            contraction: q.contraction().unwrap_or(s.response.contraction),
-            force_n: if q.slack { 0.0 } else { s.response.force_n },
-            ..s.response
-        };
-        let profile = s.profile.iter().map(|x| ProfileRow {
-            rest_z_mm: x.rest_mm,
-            outer_z_mm: x.outer_mm.0,
-            outer_r_mm: x.outer_mm.1,
-            inner_z_mm: x.inner_mm.0,
-            inner_r_mm: x.inner_mm.1,
-        });
-        let strands = s.strands.iter().map(|x| StrandRow {
-            rest_z_mm: x.rest_mm,
-            stretch: x.stretch,
-            angle_deg: x.angle_deg,
-            tension_n_per_mm: x.tension_n_per_mm,
-            strand_tension_n: x.tension_n,
-        });
-        let sensitivities = s.sensitivities.iter().map(|x| SensitivityRow {
-            name: x.name.to_string(),
-            value: x.value,
-            unit: x.unit.to_string(),
-            force_n_per_unit: x.force_n_per_unit,
-        });
-        Self::Answered(Box::new(SimulatedPoint {
-            response,
-            slack: q.slack,
-            free_contraction: q.free_contraction,
-            status: q.status,
-            rubber_energy_j: 1e-3 * s.energies.rubber_n_mm,
-            braid_energy_j: 1e-3 * s.energies.braid_n_mm,
-            pressure_work_j: 1e-3 * s.energies.pressure_n_mm,
-            unstable_directions: s.unstable_directions,
-            smallest_volume_ratio: s.smallest_j,
-            max_stretch_at: RestPlace {
-                rest_r_mm: s.max_stretch.rest_mm[0],
-                rest_z_mm: s.max_stretch.rest_mm[1],
-            },
-            profile: profile.collect(),
-            strands: strands.collect(),
-            sensitivities: sensitivities.collect(),
-        }))
-    }
 }
