@@ -251,7 +251,10 @@ impl From<FileError> for Problem {
 
 impl From<SpecError> for Problem {
     fn from(error: SpecError) -> Self {
-        Self::new(ProblemKind::Specification, error.to_string(), "")
+        match error {
+            SpecError::Cancelled => Self::cancelled(),
+            error => Self::new(ProblemKind::Specification, error.to_string(), ""),
+        }
     }
 }
 
