@@ -189,7 +189,7 @@ impl MeshFields {
         if self.terminal.is_none() {
             return Ok(());
         }
-        let message = "only the model fe3d has a terminal that can be a body";
+        let message = "only `model` fe3d has a terminal that can be a body";
         let hint = "the other models have rigid planes: leave it out";
         Err(Problem::new(ProblemKind::Terminal, message, hint).in_field("terminal"))
     }

@@ -13,14 +13,26 @@ pub fn text(path: &Path) -> Result<TextFile, Failure> {
 
 /// A table of measured points. Such files may be long.
 pub fn table(path: &Path) -> Result<TextFile, Failure> {
+    let text = String::from_utf8(bytes(path)?).map_err(|e| {
+        let message = format!("{}: is not UTF-8: {}", path.display(), e.utf8_error());
+        Failure::input(ProblemKind::Data, message, "save it as a CSV file in UTF-8")
+    })?;
+    Ok(TextFile { name: path.display().to_string(), text })
+}
+
+/// A table of a test machine, whose program may be older than UTF-8: a degree sign is no reason to refuse its numbers.
+pub fn test_table(path: &Path) -> Result<TextFile, Failure> {
+    let text = String::from_utf8_lossy(&bytes(path)?).into_owned();
+    Ok(TextFile { name: path.display().to_string(), text })
+}
+
+fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     let meta = std::fs::metadata(path).map_err(|e| Failure::unreadable(path, e))?;
     if !meta.is_file() {
         let message = format!("{} is not a file", path.display());
         return Err(Failure::input(ProblemKind::File, message, "give a CSV file"));
     }
-    let bytes = std::fs::read(path).map_err(|e| Failure::unreadable(path, e))?;
-    // Tables that are not UTF-8 are told so by their reader, with the line.
-    Ok(TextFile { name: path.display().to_string(), text: String::from_utf8_lossy(&bytes).into_owned() })
+    std::fs::read(path).map_err(|e| Failure::unreadable(path, e))
 }
 
 /// The formula behind a model's word, where that is the path of one and not the name of a model.

@@ -123,7 +123,7 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
         hoop_stretch: ratio("--hoop-stretch", Some(&args.hoop_stretch))?,
         name: args.name.clone(),
         muscle: args.muscle.as_deref().map(files::text).transpose()?,
-        data: Some(files::table(&args.file)?),
+        data: Some(files::test_table(&args.file)?),
         figure: args.plot.plot.is_some(),
     })
 }
