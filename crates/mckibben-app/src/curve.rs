@@ -12,7 +12,7 @@ use mckibben::analysis::AnalysisError;
 use mckibben::answer::Answer;
 use mckibben::curve::{Curve, CurvePoint, Test, curves};
 use mckibben::status::Status;
-use mckibben::units::MAX_POINTS;
+use mckibben::units::{MAX_POINTS, Values};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -154,8 +154,7 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
 
 /// Evenly spaced values, both ends among them.
 pub(crate) fn steps(count: usize, low: f64, high: f64) -> Vec<f64> {
-    let last = count.saturating_sub(1).max(1) as f64;
-    (0..count).map(|i| low + (high - low) * (i as f64 / last)).collect()
+    Values::Interval(low, high).sampled(count - 1)
 }
 
 /// Finite values, or what stands for them where none are given.

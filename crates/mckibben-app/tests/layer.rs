@@ -27,7 +27,7 @@ fn words_of_the_contract_are_fields() {
     let point = asked(
         "force",
         json!({
-            "outer_diameter_mm": 40, "wall_mm": 2, "length_mm": 285, "angle_deg": 28, "rubber": "dragon-skin-30:yeoh",
+            "outer_diameter_mm": 40, "wall_mm": 2, "length_mm": 285, "angle_deg": 28, "rubber": "dragon-skin-30:mooney-rivlin",
             "stiffness": 600, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall", "two_sided": true,
         }),
     );

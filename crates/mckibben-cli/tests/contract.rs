@@ -545,7 +545,7 @@ fn fe_answers_unless_another_model_is_named() {
 
 #[test]
 fn the_search_takes_fe_where_universal_does_not_reach() {
-    let found = json("design -F 300 -e 10% -p 2.5bar -s 0.5,2");
+    let found = json("design -F 300 -e 10% -p 2.5bar -D 30,35 -s 0.5,2");
     let models: Vec<&str> =
         found["candidates"].as_array().unwrap().iter().map(|c| c["model"].as_str().unwrap()).collect();
     assert!(models.contains(&"fe") && models.contains(&"universal"), "{models:?}");
