@@ -43,8 +43,9 @@ pub fn design(
         let label = format!("{} N at {}", number(w.force_n, 4), percent(w.contraction));
         panel = panel.mark(Mark::new(w.contraction, w.force_n, label));
     }
-    let model = models.first().map_or("", |m| m.1.name());
+    let mut names: Vec<&str> = models.iter().map(|m| m.1.name()).collect();
+    names.dedup();
     Figure::new("Candidates: pull over contraction")
-        .caption(caption(format!("Model {model}; lengths in mm")))
+        .caption(caption(format!("Model {}; lengths in mm", names.join(", then "))))
         .panel(panel)
 }
