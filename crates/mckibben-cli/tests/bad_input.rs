@@ -193,7 +193,7 @@ const FLAGS: &[Case] = &[
     ("design without pull", "design -e 10% -p 2.5bar", 2, "usage", "--force is missing"),
     ("design for no pull", "design -F 0N -e 10% -p 2.5bar", 2, "specification", "above 0 N"),
     ("design for a push", "design -F -300N -e 10% -p 2.5bar", 2, "specification", "above 0 N"),
-    ("design without contraction", "design -F 300 -p 2.5bar", 2, "usage", "--stroke 40mm"),
+    ("design without contraction", "design -F 300 -p 2.5bar", 2, "usage", "--stroke, such as 40 mm"),
     ("design without pressure", "design -F 300 -e 10%", 2, "usage", "--max-pressure is missing"),
     ("design without air", "design -F 300 -e 10% -p 0", 2, "specification", "must be above zero"),
     ("design for 15", "design -F 300 -e 15 -p 2.5bar", 2, "quantity", "write 15% or 0.15"),
@@ -203,7 +203,13 @@ const FLAGS: &[Case] = &[
     ("no points", "design --at , -p 2.5bar", 2, "quantity", "no operating point"),
     ("point of wrong units", "design --at 700mm@15% -p 2.5bar", 2, "quantity", "expected a force"),
     ("points twice", "design --at 1N@1% -F 3 -p 1bar", 2, "usage", "cannot be used with"),
-    ("stroke below zero", "design -F 300 --stroke -4 -p 2.5bar", 2, "specification", "--stroke is -4 mm"),
+    (
+        "stroke below zero",
+        "design -F 300 --stroke -4 -p 2.5bar",
+        2,
+        "specification",
+        "--stroke: -4 mm; it must be above zero",
+    ),
     (
         "stroke and length and contraction",
         "design -F 300 --stroke 40 -L 100 -e 10% -p 2.5bar",
