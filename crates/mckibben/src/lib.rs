@@ -59,4 +59,4 @@ pub mod units;
 /// code and documents are its. Sources are cited by their key in `literature.bib`.
 pub const PAPER: &str = "M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, An analytical formula for \
 designing McKibben pneumatic muscles, International Journal of Mechanical Engineering and Technology 9 (2018) 320–337, \
-https://hdl.handle.net/11697/130466 [antonelli2018]";
+hdl:11697/130466 [antonelli2018]";
