@@ -5,6 +5,7 @@ use crate::model::Purpose;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
+use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -102,7 +103,7 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
         contraction,
         question.options,
     )?;
-    Ok(question.answered(point))
+    Ok(answered(&question, point))
 }
 
 /// P(F, ε).
@@ -116,7 +117,7 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
     let contraction = ratio(request.contraction)?;
     let point =
         answer::pressure(&*question.model, &mut question.workspace, force_n, contraction, question.options)?;
-    Ok(question.answered(point))
+    Ok(answered(&question, point))
 }
 
 /// ε(F, P).
@@ -135,7 +136,16 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer, Problem>
         pressure_mpa,
         question.options,
     )?;
-    Ok(question.answered(point))
+    Ok(answered(&question, point))
+}
+
+/// The point with its muscle, and where the model's numbers come from.
+fn answered(question: &Question, point: Answer) -> PointAnswer {
+    let about = ModelAbout {
+        source: source_of(&*question.model, question.options.direction),
+        uncertainty_basis: question.model.accuracy().reference.to_string(),
+    };
+    PointAnswer { point, muscle: (&question.muscle).into(), about }
 }
 
 /// A number that must be there.

@@ -2,10 +2,8 @@
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose, check_direction};
-use crate::point::{ModelAbout, PointAnswer};
 use crate::problem::Problem;
-use mckibben::analysis::source_of;
-use mckibben::answer::{Answer, Options};
+use mckibben::answer::Options;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 
@@ -28,18 +26,6 @@ impl Question {
         let options = asking.options(&muscle)?;
         let model = Model::choose(model, purpose)?.build(&muscle)?;
         Ok(Self { muscle, model, workspace: Workspace::new(), options })
-    }
-
-    pub(crate) fn answered(&self, point: Answer) -> PointAnswer {
-        PointAnswer { point, muscle: (&self.muscle).into(), about: about(&*self.model, self.options) }
-    }
-}
-
-/// Where a model's numbers come from.
-pub(crate) fn about(model: &dyn ForceModel, options: Options) -> ModelAbout {
-    ModelAbout {
-        source: source_of(model, options.direction),
-        uncertainty_basis: model.accuracy().reference.to_string(),
     }
 }
 

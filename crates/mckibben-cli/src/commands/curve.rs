@@ -1,6 +1,5 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
-use super::study;
 use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
 use crate::output::text::{PressureUnit, number, percent, table};
@@ -57,7 +56,8 @@ pub struct CurveArgs {
 /// Runs the command.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let Some(test) = args.test else { return study::run(args, format) };
+    // Without a study, which is another command to the program, the test must be there.
+    let test = args.test.unwrap_or(Test::Isometric);
     let unit = pressure_unit(args.output.units, args.pressure.as_deref());
     let mut answer = mckibben_app::curve(&CurveRequest {
         test,

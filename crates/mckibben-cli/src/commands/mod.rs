@@ -30,6 +30,7 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Force(args) => point::force(&args, format),
         Command::Pressure(args) => point::pressure(&args, format),
         Command::Contraction(args) => point::contraction(&args, format),
+        Command::Curve(args) if args.study.is_some() => study::run(&args, format),
         Command::Curve(args) => curve::run(&args, format),
         Command::Simulate(args) => simulate::run(&args, format),
         Command::Validate(args) => validate::run(&args, format),

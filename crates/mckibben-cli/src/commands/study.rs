@@ -12,6 +12,7 @@ use mckibben_app::{StudyRequest, study};
 
 /// Runs the study.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
     let unit = pressure_unit(args.output.units, None);
     let mut answer = study(&StudyRequest {
         muscle: args.muscle.fields(None)?,
