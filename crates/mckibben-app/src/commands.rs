@@ -6,18 +6,39 @@ use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{Merged, Outcome, Summary};
-use schemars::{JsonSchema, Schema, SchemaGenerator, generate::SchemaSettings};
+use schemars::{JsonSchema, generate::SchemaSettings};
 use serde::Serialize;
-use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::sync::{LazyLock, OnceLock};
 
 /// A command: what a front end may call by name.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub struct CommandEntry {
     /// Its name: the words of the command line, joined by a hyphen.
     pub name: &'static str,
     schema: fn() -> Value,
     ask: fn(Value, &dyn Progress) -> Result<Value, Problem>,
+    /// Fields of its request, from the schema, which is made once.
+    fields: OnceLock<Vec<String>>,
+}
+
+impl CommandEntry {
+    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+    fn check_fields(&self, request: &Value) -> Result<(), Problem> {
+        let known = self.fields.get_or_init(|| {
+            let schema = (self.schema)();
+            let properties = schema["request"]["properties"].as_object();
+            properties.into_iter().flat_map(|p| p.keys().cloned()).collect()
+        });
+        let given = request.as_object().into_iter().flat_map(|fields| fields.keys());
+        let Some(field) = given.into_iter().find(|field| !known.is_empty() && !known.contains(field)) else {
+            return Ok(());
+        };
+        let hint = nearest(field, known.iter().map(String::as_str))
+            .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+        let message = format!("there is no field \"{field}\" in this request");
+        Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()))
+    }
 }
 
 macro_rules! command {
@@ -26,42 +47,45 @@ macro_rules! command {
             name: $name,
             schema: schemas::<$request, $answer>,
             ask: |value, $progress| {
-                let $r: $request = request::<$request>(value)?;
+                let $r: $request = serde_json::from_value(value).map_err(|e| not_understood(&e))?;
                 let answer: $answer = $body?;
                 json(&answer)
             },
+            fields: OnceLock::new(),
         }
     };
 }
 
 /// Every command; those on campaigns need the feature `files`.
-pub const COMMANDS: &[CommandEntry] = &[
-    command!("design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
-    command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
-    command!("pressure", PressureRequest => PointAnswer, |r, _progress| pressure(&r)),
-    command!("contraction", ContractionRequest => PointAnswer, |r, _progress| contraction(&r)),
-    command!("curve", CurveRequest => CurveAnswer, |r, _progress| curve(&r)),
-    command!("study", StudyRequest => StudyAnswer, |r, _progress| study(&r)),
-    command!("simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
-    command!("validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
-    command!("sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
-    command!("compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
-    command!("identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
-    command!("fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
-    command!("fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
-    command!("formula-show", FormulaShowRequest => FormulaShowAnswer, |r, _progress| formula_show(&r)),
-    #[cfg(feature = "files")]
-    command!("campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
-    #[cfg(feature = "files")]
-    command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
-    #[cfg(feature = "files")]
-    command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
-    command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
-    command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),
-    command!("rubber-show", RubberShowRequest => RubberShowAnswer, |r, _progress| rubber_show(&r)),
-    command!("rubber-fit", RubberFitRequest => RubberFitAnswer, |r, _progress| rubber_fit(&r)),
-    command!("models", ModelsRequest => ModelsAnswer, |r, _progress| Ok::<_, Problem>(models(&r))),
-];
+pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
+    vec![
+        command!("design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
+        command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
+        command!("pressure", PressureRequest => PointAnswer, |r, _progress| pressure(&r)),
+        command!("contraction", ContractionRequest => PointAnswer, |r, _progress| contraction(&r)),
+        command!("curve", CurveRequest => CurveAnswer, |r, _progress| curve(&r)),
+        command!("study", StudyRequest => StudyAnswer, |r, _progress| study(&r)),
+        command!("simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
+        command!("validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
+        command!("sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
+        command!("compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
+        command!("identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
+        command!("fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
+        command!("fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
+        command!("formula-show", FormulaShowRequest => FormulaShowAnswer, |r, _progress| formula_show(&r)),
+        #[cfg(feature = "files")]
+        command!("campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
+        #[cfg(feature = "files")]
+        command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
+        #[cfg(feature = "files")]
+        command!("campaign-merge", CampaignMergeRequest => Merged, |r, _progress| campaign_merge(&r)),
+        command!("muscle-show", MuscleShowRequest => MuscleShowAnswer, |r, _progress| muscle_show(&r)),
+        command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),
+        command!("rubber-show", RubberShowRequest => RubberShowAnswer, |r, _progress| rubber_show(&r)),
+        command!("rubber-fit", RubberFitRequest => RubberFitAnswer, |r, _progress| rubber_fit(&r)),
+        command!("models", ModelsRequest => ModelsAnswer, |r, _progress| Ok::<_, Problem>(models(&r))),
+    ]
+});
 
 /// The JSON Schema of a command: `request`, `answer` and `error`.
 ///
@@ -90,7 +114,9 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// [`Problem`].
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
     let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
-    Ok((find(command)?.ask)(value, progress)?.to_string())
+    let command = find(command)?;
+    command.check_fields(&value)?;
+    Ok((command.ask)(value, progress)?.to_string())
 }
 
 fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
@@ -110,21 +136,6 @@ fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
     let answers = settings().for_serialize().into_generator().into_root_schema_for::<A>();
     let problems = settings().for_serialize().into_generator().into_root_schema_for::<Problem>();
     serde_json::json!({ "request": requests, "answer": answers, "error": problems })
-}
-
-/// A request out of JSON. A field that no request of this kind has is an error: a mistyped one must not turn into a default.
-fn request<Q: JsonSchema + DeserializeOwned>(value: Value) -> Result<Q, Problem> {
-    let schema: Schema = SchemaGenerator::default().into_root_schema_for::<Q>();
-    let known = schema.get("properties").and_then(Value::as_object);
-    if let (Some(known), Some(given)) = (known, value.as_object())
-        && let Some(field) = given.keys().find(|field| !known.contains_key(*field))
-    {
-        let hint = nearest(field, known.keys().map(String::as_str))
-            .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
-        let message = format!("there is no field \"{field}\" in this request");
-        return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
-    }
-    serde_json::from_value(value).map_err(|e| not_understood(&e))
 }
 
 fn not_understood(error: &serde_json::Error) -> Problem {

@@ -2,7 +2,6 @@
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
-use crate::model::Purpose;
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, no_ratio, pull};
 use crate::problem::{Problem, ProblemKind};
@@ -122,7 +121,7 @@ impl From<&CurvePoint> for PointRow {
 /// # Errors
 /// [`Problem`] for a wrong request; points without an answer carry their own status and cause.
 pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
     let isobaric = request.test == Test::Isobaric;
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
         if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }

@@ -1,7 +1,6 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
-use crate::model::Purpose;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
@@ -93,9 +92,9 @@ pub struct ModelAbout {
 /// # Errors
 /// [`Problem`].
 pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
-    let contraction = ratio(request.contraction)?;
+    let contraction = ratio(request.contraction.unwrap_or(0.0))?;
     let point = answer::force(
         &*question.model,
         &mut question.workspace,
@@ -111,10 +110,10 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
 /// # Errors
 /// [`Problem`].
 pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, request.asking)?;
-    let contraction = ratio(request.contraction)?;
+    let contraction = ratio(request.contraction.unwrap_or(0.0))?;
     let point =
         answer::pressure(&*question.model, &mut question.workspace, force_n, contraction, question.options)?;
     Ok(answered(&question, point))
@@ -125,7 +124,7 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
 /// # Errors
 /// [`Problem`].
 pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking, Purpose::Answer)?;
+    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, request.asking)?;
@@ -162,8 +161,8 @@ pub(crate) fn finite(field: &str, value: f64) -> Result<f64, Problem> {
 }
 
 /// A contraction ratio. No muscle shortens by its whole length, so that 15 was meant as 15 %.
-pub(crate) fn ratio(contraction: Option<f64>) -> Result<f64, Problem> {
-    let e = finite("contraction", contraction.unwrap_or(0.0))?;
+pub(crate) fn ratio(contraction: f64) -> Result<f64, Problem> {
+    let e = finite("contraction", contraction)?;
     if e.abs() < 1.0 { Ok(e) } else { Err(no_ratio("contraction", e)) }
 }
 

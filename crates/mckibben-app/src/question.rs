@@ -20,11 +20,10 @@ impl Question {
         muscle: &MuscleFields,
         model: &ModelFields,
         asking: AskFields,
-        purpose: Purpose,
     ) -> Result<Self, Problem> {
         let muscle = muscle.resolve()?;
         let options = asking.options(&muscle)?;
-        let model = Model::choose(model, purpose)?.build(&muscle)?;
+        let model = Model::choose(model, Purpose::Answer)?.build(&muscle)?;
         Ok(Self { muscle, model, workspace: Workspace::new(), options })
     }
 }

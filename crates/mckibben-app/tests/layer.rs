@@ -125,7 +125,7 @@ fn root() -> PathBuf {
 fn the_schemas_in_the_documentation_are_those_of_the_program() {
     let folder = root().join("docs/schema");
     let mut names: Vec<String> = COMMANDS.iter().map(|c| format!("{}.json", c.name)).collect();
-    for command in COMMANDS {
+    for command in COMMANDS.iter() {
         let kept = std::fs::read_to_string(folder.join(format!("{}.json", command.name))).unwrap_or_default();
         let made = format!("{:#}\n", schema(command.name).unwrap());
         assert!(kept == made, "docs/schema/{}.json is not what the program says", command.name);

@@ -3,7 +3,7 @@
 use crate::fields::{ModelFields, MuscleFields, Stiffness, TextFile};
 use crate::model::{Model, Purpose};
 use crate::muscle::rubber;
-use crate::point::{finite, given, no_ratio};
+use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::words::PressureUnit;
 use mckibben::design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, Tolerances};
@@ -222,13 +222,12 @@ impl DesignRequest {
 
     /// The operating points; without a contraction where a stroke is to set it.
     fn wanted(&self) -> Result<Vec<(f64, Option<f64>)>, Problem> {
-        let ratio = |e: f64| if e.abs() < 1.0 { Ok(e) } else { Err(no_ratio("contraction", e)) };
         if !self.points.is_empty() {
             return self.points.iter().map(|w| Ok((w.force_n, Some(ratio(w.contraction)?)))).collect();
         }
         let force_n = given("force_n", self.force_n, "a force, such as 300 N")?;
         match (self.contraction, self.stroke_mm) {
-            (Some(e), _) => Ok(vec![(force_n, Some(ratio(finite("contraction", e)?)?))]),
+            (Some(e), _) => Ok(vec![(force_n, Some(ratio(e)?))]),
             (None, Some(_)) => Ok(vec![(force_n, None)]),
             (None, None) => Err(Problem::missing("contraction", "a ratio such as 0.15 (15 %)")
                 .with_hint("or give `stroke_mm`, such as 40 mm, with `length_mm`")),

@@ -70,6 +70,12 @@ impl Simulated {
 
 /// Takes the shapes of a test, point by point: files for ParaView, a page.
 pub trait Shapes {
+    /// The muscle whose shapes come; nothing was wrong with the request.
+    ///
+    /// # Errors
+    /// [`Problem`] where they cannot be kept; the test then does not begin.
+    fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem>;
+
     /// The deformed muscle and what the model says about it.
     ///
     /// # Errors
@@ -143,6 +149,10 @@ pub fn simulate(
     let (simulation, workspace) = (meshed.simulation(), &mut Workspace::new());
     let questions = request.questions(simulation, workspace)?;
     let deck = if request.deck { Some(written_deck(&meshed, request.test, &questions)?) } else { None };
+    let summary = MuscleSummary::from(&muscle);
+    if let Some(shapes) = &mut shapes {
+        shapes.begin(&summary)?;
+    }
     let mut simulated = Vec::with_capacity(questions.len());
     let mut last = None;
     for (i, &(pressure_mpa, held)) in questions.iter().enumerate() {
@@ -164,7 +174,6 @@ pub fn simulate(
         simulated.push(judged(simulation, workspace, pressure_mpa, held, solution, request.two_sided));
     }
     let name = simulation.name();
-    let summary = MuscleSummary::from(&muscle);
     let problem = all_failed(&simulated);
     let figure = request.figure.filter(|_| problem.is_none());
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));

@@ -29,7 +29,7 @@ pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
             .collect::<Result<_, Failure>>()?;
         return emit(&format!("{:#}\n", serde_json::Value::Object(all)), None).map(|()| 0);
     };
-    for command in COMMANDS {
+    for command in COMMANDS.iter() {
         emit(&text(command.name)?, Some(&folder.join(format!("{}.json", command.name))))?;
     }
     Ok(0)

@@ -12,7 +12,9 @@ use clap::Args;
 use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::units::Dimension;
-use mckibben_app::{Keep, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest};
+use mckibben_app::{
+    Keep, MuscleSummary, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest,
+};
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 use mckibben_fem::results::Solution;
 use std::path::{Path, PathBuf};
@@ -120,10 +122,8 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         }),
         figure: args.plot.plot.as_ref().map(|_| unit),
     };
-    let muscle = request.muscle.resolve()?;
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
-    let about = mckibben_app::MuscleSummary::from(&muscle).line();
-    let mut folder = args.vtu.as_deref().map(|f| Folder::new(f, &about, extent)).transpose()?;
+    let mut folder = args.vtu.clone().map(|path| Folder { path, series: VtuSeries::new(""), extent });
     let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
     let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
@@ -164,18 +164,6 @@ struct Folder {
 }
 
 impl Folder {
-    fn new(path: &Path, about: &str, extent: Extent) -> Result<Self, Failure> {
-        std::fs::create_dir_all(path).map_err(|e| {
-            let message = format!("the folder {} cannot be made: {e}", path.display());
-            Failure::input(
-                ProblemKind::Output,
-                message,
-                "give the name of a new folder or of one that exists",
-            )
-        })?;
-        Ok(Self { path: path.to_owned(), series: VtuSeries::new(about), extent })
-    }
-
     fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
         let path = self.path.join(&file.name);
         mckibben_files::replace(&path, file.text.as_bytes()).map_err(|e| {
@@ -186,6 +174,14 @@ impl Folder {
 }
 
 impl Shapes for Folder {
+    fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem> {
+        self.series = VtuSeries::new(&muscle.line());
+        std::fs::create_dir_all(&self.path).map_err(|e| {
+            let message = format!("the folder {} cannot be made: {e}", self.path.display());
+            Problem::new(ProblemKind::Output, message, "give the name of a new folder or of one that exists")
+        })
+    }
+
     fn add(&mut self, shape: Shape, response: &Response) -> Result<(), Problem> {
         let files = self.series.add(shape, response);
         let files = files.map_err(|e| Problem::new(ProblemKind::Output, e.to_string(), ""))?;
