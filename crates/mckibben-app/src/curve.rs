@@ -7,9 +7,10 @@ use crate::point::{finite, no_ratio, pull};
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use crate::words::PressureUnit;
-use mckibben::analysis::AnalysisError;
-use mckibben::answer::Answer;
+use mckibben::analysis::{AnalysisError, free_contraction};
+use mckibben::answer::{Answer, Options};
 use mckibben::curve::{Curve, CurvePoint, Test, curves};
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::status::Status;
 use mckibben::units::{MAX_POINTS, Values};
 use mckibben_report::Figure;
@@ -33,7 +34,8 @@ pub struct CurveRequest {
     /// Gauge pressures P in MPa; isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01 where they are left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; isobaric 0 to 0.2 by 0.01, isometric 0 to 0.2 by 0.05 where they are left out.
+    /// Contraction ratios ε; where they are left out, from 0 to the free contraction at the highest pressure (or the end of the
+    /// model's range): isobaric by 0.01, isometric by 0.05.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contractions: Option<Vec<f64>>,
     /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
@@ -126,8 +128,15 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
         if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }
     })?;
-    let contractions =
-        contractions(&request.contractions, || steps(if isobaric { 21 } else { 5 }, 0.0, 0.2))?;
+    let contractions = match request.test {
+        Test::Isotonic => vec![],
+        _ => {
+            let step = if isobaric { 0.01 } else { 0.05 };
+            let (model, workspace) = (&*question.model, &mut question.workspace);
+            let reach = || reach(model, workspace, &pressures, step, isobaric, question.options);
+            contractions(&request.contractions, reach)?
+        }
+    };
     let forces = forces(&request.forces_n, request.asking)?;
     let (fixed, along) = match request.test {
         Test::Isometric => (contractions, pressures),
@@ -149,6 +158,28 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
         problem: all_failed(&list),
         curves: list,
     })
+}
+
+/// Contractions from 0 by a round step to the free contraction at the highest pressure, which is the last one of a closed list, or to
+/// the end of the model's range.
+pub(crate) fn reach(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    pressures: &[f64],
+    step: f64,
+    closed: bool,
+    options: Options,
+) -> Vec<f64> {
+    const UNKNOWN: f64 = 0.2;
+    let highest = pressures.iter().copied().fold(0.0, f64::max);
+    let free = free_contraction(model, workspace, highest, options).ok().filter(|e| *e > 0.0);
+    let end = free.unwrap_or(UNKNOWN).min(model.range().contraction.1);
+    let round = (0..).map(|i| f64::from(i) * step).map(|e| (e * 1e6).round() / 1e6);
+    let mut list: Vec<f64> = round.take_while(|e| *e < end - 1e-9).collect();
+    if closed || free.is_none() {
+        list.push(end);
+    }
+    list
 }
 
 /// Evenly spaced values, both ends among them.

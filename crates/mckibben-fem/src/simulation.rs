@@ -353,7 +353,7 @@ pub(crate) fn contraction<M: Discretised>(
     force_n: f64,
     pressure_mpa: f64,
 ) -> Option<f64> {
-    model.contraction_at_force(workspace, force_n, pressure_mpa).ok().filter(|e| *e >= 0.0)
+    model.contraction_at_force(workspace, force_n, pressure_mpa).ok()
 }
 
 /// Which finite elements, and how fine.

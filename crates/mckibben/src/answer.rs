@@ -23,7 +23,8 @@ pub struct Answer {
     pub response: Response,
     /// The muscle would have to push and is slack instead.
     pub slack: bool,
-    /// The model's own force in N, negative where the muscle would have to push.
+    /// The model's own force in N, negative where the muscle would have to push; not a number where it would have to and has no
+    /// equilibrium.
     #[serde(skip)]
     pub two_sided_force_n: f64,
     /// Where the muscle is slack: its free contraction at this pressure.
@@ -69,7 +70,7 @@ pub fn force<M: ForceModel + ?Sized>(
 ) -> Result<Answer, ModelError> {
     let mut answer = point(model, workspace, pressure_mpa, contraction, options)?;
     answer.start_pressure_mpa = start_pressure_mpa(model, workspace, contraction, options).ok();
-    if answer.slack {
+    if answer.slack && answer.free_contraction.is_none() {
         answer.free_contraction = free_contraction(model, workspace, pressure_mpa, options).ok();
     }
     Ok(answer)
@@ -88,13 +89,25 @@ pub fn point<M: ForceModel + ?Sized>(
 ) -> Result<Answer, ModelError> {
     let mut warnings = check_range(model, pressure_mpa, contraction, options)?;
     warnings.extend(model.notes(workspace));
-    let mut response = response_on(model, workspace, pressure_mpa, contraction, options.direction)?;
+    let (mut response, free_contraction) =
+        match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
+            Ok(response) => (response, None),
+            Err(error) => match hanging_at(model, workspace, pressure_mpa, contraction, options) {
+                Some(free) => (Response::default(), Some(free)),
+                None => return Err(error),
+            },
+        };
+    // What rounding leaves of no pull is none.
+    let thrust = pressure_mpa * std::f64::consts::PI * model.muscle().tube().outer_radius_mm().powi(2);
+    if response.force_n.abs() <= 1e-9 * thrust {
+        response.force_n = 0.0;
+    }
+    let two_sided_force_n = if free_contraction.is_some() { f64::NAN } else { response.force_n };
     let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
     if numbers.iter().flatten().any(|v| !v.is_finite()) {
         return Err(ModelError::NotFinite { model: model.name().into(), pressure_mpa, contraction });
     }
-    let two_sided_force_n = response.force_n;
-    let slack = two_sided_force_n < 0.0 && !options.two_sided;
+    let slack = free_contraction.is_some() || two_sided_force_n < 0.0 && !options.two_sided;
     if slack {
         // A slack muscle hangs at its free contraction: what the model knows of the pushing one does not apply.
         response = Response { pressure_mpa, contraction, ..Response::default() };
@@ -107,10 +120,29 @@ pub fn point<M: ForceModel + ?Sized>(
         response,
         slack,
         two_sided_force_n,
-        free_contraction: None,
+        free_contraction,
         start_pressure_mpa: None,
         warnings,
     })
+}
+
+/// The free contraction of a muscle that was shortened by more than that, where pushing it has no equilibrium: it hangs slack.
+fn hanging_at<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+    options: Options,
+) -> Option<f64> {
+    if options.two_sided || contraction <= 0.0 || pressure_mpa < 0.0 {
+        return None;
+    }
+    let free = if pressure_mpa == 0.0 {
+        0.0
+    } else {
+        free_contraction(model, workspace, pressure_mpa, options).ok()?
+    };
+    (contraction >= free).then_some(free)
 }
 
 /// The point at which the pull is `force_n` at a contraction: P(F, ε).

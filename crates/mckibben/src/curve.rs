@@ -121,6 +121,10 @@ impl Curve {
                 && (y0 < 0.0) != (y < 0.0)
             {
                 out.push((x0 + (x - x0) * y0 / (y0 - y), 0.0));
+            } else if let (Test::Isobaric, Some(free)) = (test, a.free_contraction)
+                && before.is_some_and(|(x0, y0)| x0 < free && y0 > 0.0)
+            {
+                out.push((free, 0.0));
             }
             out.push((x, if a.slack { f64::NAN } else { y }));
             before = Some((x, y));

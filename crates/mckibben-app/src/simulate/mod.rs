@@ -6,12 +6,13 @@ mod request;
 pub use answer::*;
 pub use request::{PictureFields, SimulateRequest};
 
-use crate::curve::{check_count, contractions, forces, list, steps};
+use crate::curve::{check_count, contractions, forces, list, reach, steps};
 use crate::fields::AskFields;
 use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
+use mckibben::answer::Options;
 use mckibben::curve::Test;
 use mckibben::model::{ForceModel, Response, ThickWall, Workspace};
 use mckibben::muscle::Muscle;
@@ -207,7 +208,13 @@ impl SimulateRequest {
         workspace: &mut Workspace,
     ) -> Result<Vec<(f64, Held)>, Problem> {
         let pressures = list("pressures_mpa", &self.pressures_mpa, || steps(5, 0.05, 0.25))?;
-        let mut contractions = contractions(&self.contractions, || steps(3, 0.0, 0.2))?;
+        let mut contractions = contractions(&self.contractions, || {
+            if self.test == Test::Isobaric && !self.of_largest {
+                reach(model, workspace, &pressures, 0.02, true, Options::default())
+            } else {
+                steps(3, 0.0, 0.2)
+            }
+        })?;
         let asking = AskFields { two_sided: true, ..AskFields::default() };
         let forces = forces(&self.forces_n, asking)?;
         if self.of_largest {
@@ -246,11 +253,19 @@ fn judged(
         Held::Contraction(e) => Some(e),
         Held::Force(_) => None,
     };
-    let pushes = solution.as_ref().is_ok_and(|s| s.response.force_n < 0.0);
-    let slack = contraction.is_some() && !two_sided && pushes;
-    let free_contraction = if slack { model.free_contraction(workspace, pressure_mpa).ok() } else { None };
+    let asked = contraction.filter(|e| *e > 0.0 && !two_sided);
+    let (free_contraction, slack) = match (asked, &solution) {
+        (Some(_), Ok(s)) if s.response.force_n < 0.0 => (hanging(model, workspace, pressure_mpa), true),
+        // Where pushing has no equilibrium a muscle shortened past its free contraction hangs slack all the same.
+        (Some(e), Err(_)) => {
+            let free = hanging(model, workspace, pressure_mpa).filter(|free| e >= *free);
+            (free, free.is_some())
+        }
+        _ => (None, false),
+    };
     let status = match &solution {
         Ok(_) => Status::Ok,
+        Err(_) if slack => Status::Ok,
         // Without an equilibrium where the infinitely long muscle would push, the tube has collapsed.
         Err(_) => match contraction {
             Some(e) if endless_pushes(model.muscle(), pressure_mpa, e) => Status::Collapsed,
@@ -260,6 +275,11 @@ fn judged(
     Simulated { pressure_mpa, held, solution, slack, free_contraction, status }
 }
 
+/// The contraction at which a slack muscle hangs.
+fn hanging(model: &dyn Simulation, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
+    if pressure_mpa == 0.0 { Some(0.0) } else { model.free_contraction(workspace, pressure_mpa).ok() }
+}
+
 fn endless_pushes(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> bool {
     let endless = ThickWall::new(muscle);
     endless.force_n(&mut Workspace::new(), pressure_mpa, contraction).map_or(true, |force| force <= 0.0)
@@ -267,7 +287,7 @@ fn endless_pushes(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> bool 
 
 /// Where every point fails: the first reason.
 fn all_failed(points: &[Simulated]) -> Option<Problem> {
-    if points.iter().any(|q| q.solution.is_ok() || q.status == Status::Collapsed) {
+    if points.iter().any(|q| q.status.is_ok() || q.status == Status::Collapsed) {
         return None;
     }
     let first = points.iter().find_map(|q| q.solution.as_ref().err())?;

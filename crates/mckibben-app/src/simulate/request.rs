@@ -23,7 +23,8 @@ pub struct SimulateRequest {
     /// Gauge pressures P in MPa; 0.05 to 0.25 by 0.05 where they are left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε of an isometric or isobaric test; 0, 0.1, 0.2 where they are left out.
+    /// Contraction ratios ε; where they are left out, isometric 0, 0.1, 0.2, isobaric by 0.02 to the free contraction at the highest
+    /// pressure.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contractions: Option<Vec<f64>>,
     /// Contractions are shares of the free contraction at the highest pressure.

@@ -13,7 +13,7 @@ use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::units::Dimension;
 use mckibben_app::{
-    Keep, MuscleSummary, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest,
+    Keep, MuscleSummary, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest, Simulated,
 };
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 use mckibben_fem::results::Solution;
@@ -213,22 +213,21 @@ fn as_text(answer: &SimulateAnswer, p: PressureUnit) -> String {
         let tail = match &q.solution {
             Err(_) => vec![
                 or_dash(q.contraction(), percent),
-                or_dash(q.force_n(), |f| number(f, 5)),
+                if q.slack { "0".into() } else { or_dash(q.force_n(), |f| number(f, 5)) },
                 "–".into(),
                 "–".into(),
                 "–".into(),
                 "–".into(),
                 "–".into(),
-                q.status.to_string(),
+                hangs(q).unwrap_or_else(|| q.status.to_string()),
             ],
             Ok(s) => {
                 let r = &s.response;
                 let tension = if strands { r.strand_tension_n } else { r.braid_tension_n };
-                let note = match (q.slack, q.free_contraction) {
-                    (true, Some(e)) => format!("slack, hangs at {}", percent(e)),
-                    (true, None) => "slack".into(),
-                    _ if s.unstable_directions > 0 => "unstable".into(),
-                    _ => String::new(),
+                let note = match hangs(q) {
+                    Some(slack) => slack,
+                    None if s.unstable_directions > 0 => "unstable".into(),
+                    None => String::new(),
                 };
                 vec![
                     percent(r.contraction),
@@ -252,6 +251,12 @@ fn as_text(answer: &SimulateAnswer, p: PressureUnit) -> String {
         out.push_str(&last_text(s, p));
     }
     out
+}
+
+/// Where a slack muscle hangs.
+fn hangs(q: &Simulated) -> Option<String> {
+    let at = q.free_contraction.map_or_else(String::new, |e| format!(", hangs at {}", percent(e)));
+    q.slack.then(|| format!("slack{at}"))
 }
 
 /// What is known of one equilibrium beyond the table.

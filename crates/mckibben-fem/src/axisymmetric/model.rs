@@ -103,7 +103,7 @@ impl ForceModel for Axisymmetric {
     }
 
     fn range(&self) -> ModelRange {
-        ModelRange::open()
+        ModelRange::open().stretched()
     }
 
     fn accuracy(&self) -> Accuracy {

@@ -124,8 +124,8 @@ fn law(kind: usize, mu: f64, random: &mut Random) -> Law {
     }
 }
 
-/// Question number `index` of a seed.
-fn case(seed: u64, index: usize) -> Option<SweepCase> {
+/// Question number `index` of a seed; `None` where the numbers that were thrown make no muscle.
+pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     let mut r = Random(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ (index as u64) << 20);
     r.unit();
     let outer_diameter_mm = r.log(5.0, 80.0);

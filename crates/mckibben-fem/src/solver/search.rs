@@ -11,6 +11,8 @@ use crate::error::FemError;
 const SEARCH_STEPS: usize = 12;
 /// Largest step of the contraction on that way.
 const SEARCH_CONTRACTION: f64 = 0.05;
+/// A contraction or a pressure without an equilibrium is followed by this share of it, or its reciprocal.
+const NEARER: f64 = 0.75;
 /// Why a search ended that came to no answer and met no reason.
 const NOT_FOUND: Stopped = Stopped::Iterations { iterations: SEARCH_STEPS, residual: f64::INFINITY };
 
@@ -25,8 +27,10 @@ impl<B: Body> Continuation<B> {
         let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
         for _ in 0..SEARCH_STEPS {
             if let Err(error) = self.reach(pressure, contraction) {
+                // Too far: where a muscle would push there may be no equilibrium. Its pulling ones lie nearer to rest.
                 refused = error;
-                break;
+                contraction *= NEARER;
+                continue;
             }
             let pull = self.pull();
             match self.hold(Control::Force(force)) {
@@ -55,9 +59,18 @@ impl<B: Body> Continuation<B> {
         let terminal = -contraction * self.body.half_length();
         let scale = self.body.smallest_pressure();
         let mut pressure = self.body.guess_pressure(force, contraction)?;
-        let mut reason = NOT_FOUND;
+        let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
+        // The highest pressure without an equilibrium: a shortened muscle may have none before its strands are taut.
+        let mut without = f64::NEG_INFINITY;
+        let mut with = None;
         for _ in 0..SEARCH_STEPS {
-            self.reach(pressure, contraction)?;
+            if let Err(error) = self.reach(pressure, contraction) {
+                refused = error;
+                without = without.max(pressure);
+                pressure = with.map_or(pressure.abs() / NEARER + scale, |p: f64| 0.5 * (p + pressure));
+                continue;
+            }
+            with = Some(pressure);
             let pull = self.pull();
             match self.hold(Control::Pressure { terminal, force }) {
                 Ok(true) => {
@@ -65,15 +78,16 @@ impl<B: Body> Continuation<B> {
                     return Ok(());
                 }
                 Ok(false) => {}
-                Err(stop) => reason = stop,
+                Err(reason) => refused = FemError::Force { force_n: force, reason },
             }
             self.reach(pressure, contraction)?;
             let slope = self.body.force_per_pressure();
             let largest = 0.5 * pressure.abs() + scale;
             let step = (force - pull) / slope;
-            pressure += if slope > 0.0 { step.clamp(-largest, largest) } else { largest };
+            let next = pressure + if slope > 0.0 { step.clamp(-largest, largest) } else { largest };
+            pressure = if next > without { next } else { 0.5 * (pressure + without) };
         }
-        Err(FemError::Force { force_n: force, reason })
+        Err(refused)
     }
 
     /// Solves and says whether the equilibrium is stable.

@@ -83,7 +83,7 @@ impl ForceModel for ThreeDimensional {
     }
 
     fn range(&self) -> ModelRange {
-        ModelRange::open()
+        ModelRange::open().stretched()
     }
 
     fn accuracy(&self) -> Accuracy {

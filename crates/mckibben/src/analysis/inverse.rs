@@ -57,35 +57,48 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     }
     let direction = options.direction;
     let mut at = |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| f - force_n);
-    // Where there is no equilibrium without pressure, the search starts below any pull.
-    let first = match at(lowest) {
-        Ok(first) => first,
+    // A shortened muscle may have no equilibrium before its strands are taut; it does not pull there either.
+    let (first, refused) = match at(lowest) {
+        Ok(first) => (Some(first), None),
         Err(error @ (ModelError::OutOfRange { .. } | ModelError::Geometry { .. })) => {
             return Err(error.into());
         }
-        Err(_) => f64::NEG_INFINITY,
+        Err(error) => (None, Some(error)),
     };
-    if first.abs() <= 1e-12 * force_n.abs().max(1.0) {
-        return Ok(lowest);
-    }
-    if first > 0.0 {
-        return Err(none(lowest, first + force_n));
+    if let Some(first) = first {
+        if first.abs() <= 1e-12 * force_n.abs().max(1.0) {
+            return Ok(lowest);
+        }
+        if first > 0.0 {
+            return Err(none(lowest, first + force_n));
+        }
     }
     // Upwards in growing steps to the first pressure that pulls enough.
-    let (mut low, mut best) = ((lowest, first), (lowest, first));
+    let mut low = (lowest, first);
+    let mut best = first.map(|f| (lowest, f));
     let mut step = (0.02 * highest.min(1.0)).max(1e-6);
     while low.0 < highest {
         let high = (low.0 + step).min(highest);
         match at(high) {
             Ok(f) if f >= 0.0 => {
+                let low = match low.1 {
+                    Some(value) => (low.0, value),
+                    None => taut_below(low.0, (high, f), &mut at)
+                        .ok_or_else(|| none(high, f + force_n))?,
+                };
                 let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
                 return sought.between(model, workspace, low, (high, f));
             }
             Ok(f) => {
-                if f > best.1 {
-                    best = (high, f);
+                if best.is_none_or(|b| f > b.1) {
+                    best = Some((high, f));
                 }
-                low = (high, f);
+                low = (high, Some(f));
+                step *= 1.5;
+            }
+            // Not taut yet.
+            Err(_) if low.1.is_none() => {
+                low.0 = high;
                 step *= 1.5;
             }
             // Past the last equilibrium: close in on it.
@@ -93,17 +106,39 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             Err(_) => break,
         }
     }
-    if best.1 == f64::NEG_INFINITY {
-        at(lowest)?;
-    }
-    Err(none(best.0, best.1 + force_n))
+    Err(match (best, refused) {
+        (None, Some(error)) => error.into(),
+        (best, _) => {
+            let (p, f) = best.unwrap_or((lowest, -force_n));
+            none(p, f + force_n)
+        }
+    })
 }
 
-/// The contraction at which the pull is `force_n` at a pressure: the smallest on the falling branch that starts at ε = 0.
+/// (pressure, F − wanted) below zero, between a pressure without an equilibrium and one at which the muscle pulls more than is
+/// wanted; `None` where its equilibria begin with more.
+fn taut_below(
+    mut without: f64,
+    mut high: (f64, f64),
+    at: &mut impl FnMut(f64) -> Result<f64, ModelError>,
+) -> Option<(f64, f64)> {
+    while high.0 - without > 1e-9 {
+        let middle = 0.5 * (without + high.0);
+        match at(middle) {
+            Ok(f) if f >= 0.0 => high = (middle, f),
+            Ok(f) => return Some((middle, f)),
+            Err(_) => without = middle,
+        }
+    }
+    None
+}
+
+/// The contraction at which the pull is `force_n` at a pressure: the smallest on the falling branch that starts at ε = 0. With
+/// `two_sided` a pull above the blocked force stretches the muscle: its contraction is below zero.
 ///
 /// # Errors
-/// [`AnalysisError::NoContraction`] for a pull above the blocked force, or one the model still exceeds at the end of its
-/// range, with the nearest pull there is.
+/// [`AnalysisError::NoContraction`] for a pull above the blocked force (without `two_sided`), or one the model still exceeds at
+/// the end of its range, with the nearest pull there is.
 pub fn contraction_at<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -112,10 +147,7 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<f64, AnalysisError> {
     let range = model.range().contraction;
-    let lowest = range.0.max(0.0);
-    // Past the ideal maximum nothing pulls; a strand that stretches reaches a little further.
-    let natural = (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95);
-    let highest = if options.extrapolate { natural } else { range.1.min(natural.max(range.0)) };
+    let start = range.0.max(0.0);
     let none = |nearest_contraction: f64, nearest_force_n: f64| AnalysisError::NoContraction {
         model: model.name().into(),
         force_n,
@@ -124,13 +156,21 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
         nearest_contraction,
     };
     let direction = options.direction;
-    let blocked = force_on(model, workspace, pressure_mpa, lowest, direction)? - force_n;
+    let blocked = force_on(model, workspace, pressure_mpa, start, direction)? - force_n;
     if blocked.abs() <= 1e-12 * force_n.abs().max(1.0) {
-        return Ok(lowest);
+        return Ok(start);
     }
-    if blocked < 0.0 {
-        return Err(none(lowest, blocked + force_n));
+    if blocked < 0.0 && !options.two_sided {
+        return Err(none(start, blocked + force_n));
     }
+    // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.
+    let natural = if blocked > 0.0 {
+        (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95)
+    } else {
+        1.3 * (1.0 - 1.0 / model.muscle().braid().angle_deg.to_radians().cos()) - 0.05
+    };
+    let end = if options.extrapolate { natural } else { natural.clamp(range.0, range.1) };
+    let (lowest, highest) = (start.min(end), start.max(end));
     if friction(model, direction).is_none() {
         let direct = model
             .exact_contraction(force_n, pressure_mpa)
@@ -139,19 +179,20 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
             return Ok(e);
         }
     }
-    let (mut low, mut nearest) = ((lowest, blocked), (lowest, blocked));
-    for i in 1..=SCAN {
-        let high = lowest + (highest - lowest) * i as f64 / SCAN as f64;
-        match force_on(model, workspace, pressure_mpa, high, direction).map(|f| f - force_n) {
-            Ok(f) if f <= 0.0 => {
+    let (mut near, mut nearest) = ((start, blocked), (start, blocked));
+    for i in (1..=SCAN).take_while(|_| start != end) {
+        let far = start + (end - start) * i as f64 / SCAN as f64;
+        match force_on(model, workspace, pressure_mpa, far, direction).map(|f| f - force_n) {
+            Ok(f) if (f <= 0.0) == (blocked > 0.0) || f == 0.0 => {
                 let sought = Sought { along: Along::Contraction { pressure_mpa }, force_n, direction };
-                return sought.between(model, workspace, low, (high, f));
+                let (low, high) = if near.0 < far { (near, (far, f)) } else { ((far, f), near) };
+                return sought.between(model, workspace, low, high);
             }
             Ok(f) => {
-                if f < nearest.1 {
-                    nearest = (high, f);
+                if f.abs() < nearest.1.abs() {
+                    nearest = (far, f);
                 }
-                low = (high, f);
+                near = (far, f);
             }
             Err(_) => break,
         }

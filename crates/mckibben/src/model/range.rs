@@ -155,6 +155,11 @@ impl ModelRange {
         }
     }
 
+    /// The same, also for muscles that a load stretches: contractions from −1.
+    pub fn stretched(self) -> Self {
+        Self { contraction: (-1.0, self.contraction.1), ..self }
+    }
+
     /// The same with bounds on measures of the muscle, of which each is given with its value.
     pub fn with_measures(self, measures: &[(Interval, f64)]) -> Self {
         Self {
