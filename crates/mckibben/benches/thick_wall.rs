@@ -35,6 +35,7 @@ fn grids(c: &mut Criterion) {
             base: Muscle::prototype(),
             outer_diameter_mm: diameters,
             wall_mm: walls,
+            length_mm: None,
             braid: BraidChoice::Angle(Values::List(vec![28.0])),
             rubbers: vec![],
             limits: Limits::default(),

@@ -1,11 +1,11 @@
 //! What a design answers with.
 
-use super::request::Wanted;
+use super::request::{Searching, Wanted};
 use crate::muscle::MuscleSummary;
 use crate::words::{PressureUnit, number, percent};
 use mckibben::design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, OperatingPoint, Outcome, Rejected, Relaxation, Spec,
-    Spread,
+    BraidChoice, Candidate, CandidatePoint, Closest, Limit, OperatingPoint, Outcome, Rejected, Relaxation,
+    Spec, Spread,
 };
 use mckibben::model::Response;
 use mckibben_report::Figure;
@@ -15,8 +15,10 @@ use serde::Serialize;
 /// Ranked muscles, and why others fail.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct DesignAnswer {
-    /// The model.
+    /// The model that all numbers come from.
     pub model: String,
+    /// The model that looked at most muscles.
+    pub searched_with: String,
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: f64,
     /// Muscles that were looked at.
@@ -27,7 +29,7 @@ pub struct DesignAnswer {
     pub candidates: Vec<CandidateAnswer>,
     /// Muscles that just miss, or come closest.
     pub rejected: Vec<RejectedAnswer>,
-    /// The winner by finite elements, point by point.
+    /// Where another model was named: the winner by finite elements.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verification: Option<Verified>,
     /// Spread of the winner's pull under the tolerances, point by point.
@@ -83,8 +85,11 @@ pub struct CandidateAnswer {
     pub points: Vec<DesignPoint>,
     /// Quantities that the model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<String>,
-    /// The model that answered for this muscle.
+    /// The model that all its numbers come from.
     pub model: String,
+    /// The limit that keeps it from being better, where less than 1 % of it is left.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub binds: Option<Limit>,
 }
 
 /// A candidate at one operating point.
@@ -110,12 +115,20 @@ pub struct RejectedAnswer {
     pub outer_diameter_mm: f64,
     /// Wall s, mm.
     pub wall_mm: f64,
+    /// Length L0, mm.
+    pub length_mm: f64,
     /// Braid angle θ0, degrees.
     pub angle_deg: f64,
     /// Name of the rubber, where it has one.
     pub rubber: Option<String>,
-    /// The bound it misses by most.
+    /// The limit that it misses by most, in a sentence.
     pub reason: String,
+    /// That limit; none where the model has no answer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub limit: Option<Limit>,
+    /// By which share of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub misses_by: Option<f64>,
 }
 
 /// The muscle that comes closest, and what would make it fit.
@@ -124,8 +137,6 @@ pub struct ClosestAnswer {
     /// The muscle and the bound it misses.
     #[serde(flatten)]
     pub rejected: RejectedAnswer,
-    /// Its length L0, mm.
-    pub length_mm: f64,
     /// Limits that could give, each alone.
     pub relaxations: Vec<RelaxationAnswer>,
     /// Contractions that no braid of the search reaches, and the angle that would.
@@ -172,6 +183,11 @@ pub enum RelaxationAnswer {
         /// Largest principal stretch.
         max_stretch: f64,
     },
+    /// Allow this strain of the strands.
+    MaxStrandStrain {
+        /// Largest strain at the maximum pressure.
+        strand_strain: f64,
+    },
     /// Accept this burst margin.
     MinBurstMargin {
         /// Burst pressure over maximum pressure.
@@ -184,6 +200,8 @@ pub enum RelaxationAnswer {
 pub struct Verified {
     /// By which model.
     pub model: String,
+    /// Whether the specification, limits and all, holds by it.
+    pub holds: bool,
     /// The operating points.
     pub points: Vec<VerifiedPoint>,
 }
@@ -223,20 +241,21 @@ pub struct SpreadAnswer {
 impl DesignAnswer {
     pub(super) fn new(
         spec: Spec,
-        model: &str,
+        model: &Searching,
         outcome: Outcome,
         spreads: &[Spread],
-        verified: Vec<VerifiedPoint>,
+        verification: Option<Verified>,
         figure: Option<Figure>,
     ) -> Self {
         Self {
-            model: model.into(),
+            model: model.name().into(),
+            searched_with: model.searches().into(),
             max_pressure_mpa: spec.max_pressure_mpa,
             looked_at: outcome.looked_at.0,
             fitting: outcome.looked_at.1,
             candidates: outcome.candidates.iter().map(CandidateAnswer::from).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
-            verification: (!verified.is_empty()).then(|| Verified { model: "fe".into(), points: verified }),
+            verification,
             tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
             closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
             figure,
@@ -266,6 +285,7 @@ impl From<&Candidate> for CandidateAnswer {
             points: c.points.iter().map(DesignPoint::from).collect(),
             from_thick_wall: c.from_thick_wall.iter().map(|&name| name.into()).collect(),
             model: c.model.clone(),
+            binds: c.binds,
         }
     }
 }
@@ -288,9 +308,12 @@ impl From<&Rejected> for RejectedAnswer {
         Self {
             outer_diameter_mm: r.outer_diameter_mm,
             wall_mm: r.wall_mm,
+            length_mm: r.length_mm,
             angle_deg: r.angle_deg,
             rubber: r.rubber.clone(),
             reason: r.reason.describe(|v| PressureUnit::Mpa.show(v)),
+            limit: r.reason.limit(),
+            misses_by: r.reason.misses_by(),
         }
     }
 }
@@ -319,6 +342,7 @@ impl From<&Relaxation> for RelaxationAnswer {
                 Self::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }
             }
             &Relaxation::Stretch { stretch } => Self::MaxStretch { max_stretch: stretch },
+            &Relaxation::StrandStrain { strain } => Self::MaxStrandStrain { strand_strain: strain },
             &Relaxation::BurstMargin { margin } => Self::MinBurstMargin { burst_margin: margin },
         }
     }
@@ -341,7 +365,6 @@ impl ClosestAnswer {
     fn new(closest: &Closest, spec: &Spec) -> Self {
         Self {
             rejected: (&closest.rejected).into(),
-            length_mm: closest.muscle.length_mm(),
             relaxations: closest.relaxations.iter().map(RelaxationAnswer::from).collect(),
             hint: out_of_reach(spec),
         }

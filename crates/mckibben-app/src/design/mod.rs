@@ -12,9 +12,11 @@ pub use request::{Choice, DesignRequest, ObjectiveWord, ToleranceFields, Verify,
 use crate::figure;
 use crate::model::Model;
 use crate::problem::Problem;
-use mckibben::analysis::pressure_at;
+use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
-use mckibben::design::{Candidate, Outcome, Spec, Spread, design_with, spread};
+use mckibben::design::{
+    Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, design_with, fits, spread,
+};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -29,26 +31,23 @@ const DRAWN: usize = 3;
 /// [`Problem`] for a specification that cannot be searched; that nothing fits is an answer.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
     let Search { spec, model } = request.search()?;
-    let build = |m: &Muscle| model.build(m);
-    let outcome = design_with(&spec, &build, progress)?;
-    let spreads = spreads(request, &build, &outcome)?;
+    let (look, decide) = (|m: &Muscle| model.look(m), |m: &Muscle| model.decide(m));
+    let settle: Option<&Build<'_>> = if matches!(model, Searching::Named(_)) { None } else { Some(&decide) };
+    let outcome = design_with(&spec, Models { search: &look, settle }, progress)?;
+    let spreads = spreads(request, &decide, &outcome)?;
     let winner = outcome.candidates.first();
     let verified = match (request.verify, winner) {
-        (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => verified(&spec, winner)?,
-        _ => vec![],
+        (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
+        _ => None,
     };
     let figure = match request.figure {
         Some(unit) if winner.is_some() => Some(draw(&spec, &model, &outcome, unit)?),
         _ => None,
     };
-    Ok(DesignAnswer::new(spec, model.name(), outcome, &spreads, verified, figure))
+    Ok(DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure))
 }
 
-fn spreads(
-    request: &DesignRequest,
-    build: &mckibben::design::Build<'_>,
-    outcome: &Outcome,
-) -> Result<Vec<Spread>, Problem> {
+fn spreads(request: &DesignRequest, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>, Problem> {
     let Some(tolerances) = request.tolerances()? else { return Ok(vec![]) };
     let Some(winner) = outcome.candidates.first() else { return Ok(vec![]) };
     let one = |q: &mckibben::design::CandidatePoint| {
@@ -58,23 +57,29 @@ fn spreads(
 }
 
 /// What finite elements say of the winner.
-fn verified(spec: &Spec, winner: &Candidate) -> Result<Vec<VerifiedPoint>, Problem> {
+fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
     let fe = Model::FE.build(&winner.muscle)?;
     let mut workspace = Workspace::new();
-    let mut out = vec![];
+    let options = Options { extrapolate: true, ..spec.options() };
+    let mut points = vec![];
     for point in &spec.points {
-        let available = fe.force_n(&mut workspace, spec.max_pressure_mpa, point.contraction);
-        let pressure =
-            pressure_at(&*fe, &mut workspace, point.force_n, point.contraction, Options::extrapolating());
-        out.push(VerifiedPoint {
-            force_n: point.force_n,
-            contraction: point.contraction,
+        let OperatingPoint { force_n, contraction } = *point;
+        let max = spec.max_pressure_mpa;
+        let available = force_on(&*fe, &mut workspace, max, contraction, options.direction);
+        let pressure = pressure_at(&*fe, &mut workspace, force_n, contraction, options);
+        points.push(VerifiedPoint {
+            force_n,
+            contraction,
             pressure_mpa: pressure.ok(),
             force_at_max_pressure_n: available.as_ref().ok().copied(),
             cause: available.err().map(|e| e.to_string()),
         });
     }
-    Ok(out)
+    Ok(Verified {
+        model: fe.name().into(),
+        holds: fits(spec, &|m| Model::FE.build(m), &winner.muscle),
+        points,
+    })
 }
 
 fn draw(
@@ -83,9 +88,9 @@ fn draw(
     outcome: &Outcome,
     unit: crate::words::PressureUnit,
 ) -> Result<mckibben_report::Figure, Problem> {
-    let options = Options { extrapolate: spec.extrapolate, ..Options::default() };
+    let options = spec.options();
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =
-        drawn.map(|c| Ok((c, model.build(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
+        drawn.map(|c| Ok((c, model.decide(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
     Ok(figure::design(&drawn, &spec.points, spec.max_pressure_mpa, options, unit))
 }

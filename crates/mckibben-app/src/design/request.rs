@@ -6,7 +6,9 @@ use crate::muscle::rubber;
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::words::PressureUnit;
-use mckibben::design::{BraidChoice, Limits, Objective, OperatingPoint, Spec, Tolerances};
+use mckibben::design::{
+    BraidChoice, Limits, Objective, OperatingPoint, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
+};
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Muscle, Tube};
 use mckibben::units::Values;
@@ -29,10 +31,14 @@ pub struct DesignRequest {
     pub stroke_mm: Option<f64>,
     /// Largest outer diameter at the operating points, mm.
     pub max_bulged_diameter_mm: Option<f64>,
-    /// Least ratio of burst pressure to maximum pressure; needs the strands' strength.
+    /// Least ratio of burst pressure to maximum pressure; 1.5 where the strands' strength is known, 0 for none.
     pub min_burst_margin: Option<f64>,
-    /// Largest stretch of the rubber at the operating points (2 means twice its length).
+    /// Largest stretch of the rubber at the operating points (2 means twice its length); where it is left out, that to which the
+    /// rubber's law was fitted.
     pub max_stretch: Option<f64>,
+    /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; 0.06 where it is left out,
+    /// which is as far as the models were compared with anything.
+    pub max_strand_strain: Option<f64>,
     /// What to rank by.
     pub objective: ObjectiveWord,
     /// Muscle file (TOML) for what is not searched; the other fields override it.
@@ -49,8 +55,8 @@ pub struct DesignRequest {
     pub rubbers: Vec<String>,
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     pub stiffness: Option<Stiffness>,
-    /// Length L0 between the terminals at rest, mm.
-    pub length_mm: Option<f64>,
+    /// Lengths L0 between the terminals at rest, mm.
+    pub length_mm: Option<Choice>,
     /// Tolerances of the workshop and the supply, for the spread of the winner's pull.
     pub tolerance: Option<ToleranceFields>,
     /// The model.
@@ -105,6 +111,10 @@ pub enum ObjectiveWord {
     Air,
     /// Most pull to spare at the maximum pressure.
     Margin,
+    /// Smallest outer diameter at the operating points.
+    BulgedDiameter,
+    /// Shortest between the terminals at rest.
+    Length,
 }
 
 /// With what the winner of a design is computed again.
@@ -128,6 +138,14 @@ pub struct ToleranceFields {
     pub outer_diameter_mm: f64,
     /// Pressure, MPa.
     pub pressure_mpa: f64,
+    /// Braid angle, degrees.
+    pub angle_deg: f64,
+    /// Length, mm.
+    pub length_mm: f64,
+    /// All moduli of the rubber, as a share.
+    pub modulus: f64,
+    /// Stiffness k of a strand family, as a share.
+    pub stiffness: f64,
 }
 
 /// A specification with the models that search it.
@@ -136,34 +154,55 @@ pub(super) struct Search {
     pub(super) model: Searching,
 }
 
-/// Which model looks at a muscle of the search.
+/// Which model looks at a muscle of the search, and which one decides.
 #[derive(Debug, Clone)]
 pub(super) enum Searching {
-    /// The one that was named.
+    /// The one that was named does both.
     Named(Model),
-    /// `universal` where the muscle, the highest pressure and the largest contraction lie in its box, else `fe`.
-    Fastest { pressure_mpa: f64, contraction: f64, universal: Model },
+    /// `universal` searches muscles near its box, `fe` all others; `fe` decides.
+    Fastest { universal: Model, elements: Model },
+}
+
+/// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees. Its box is narrower; it only ranks what `fe` then decides of, and
+/// stays within 1 % of the blocked force here.
+const LEAST_SLENDERNESS: f64 = 3.0;
+const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
+
+/// Whether a muscle is searched with `universal`.
+fn near_the_box(muscle: &Muscle) -> bool {
+    muscle.length_mm() >= LEAST_SLENDERNESS * muscle.outer_diameter_mm()
+        && ANGLES.contains(&muscle.braid().angle_deg)
 }
 
 impl Searching {
-    /// The name of the model that looks at most muscles.
+    /// The name of the model that decides, whose numbers are printed.
     pub(super) fn name(&self) -> &str {
+        match self {
+            Self::Named(model) | Self::Fastest { elements: model, .. } => model.name(),
+        }
+    }
+
+    /// The name of the model that looks at most muscles.
+    pub(super) fn searches(&self) -> &str {
         match self {
             Self::Named(model) | Self::Fastest { universal: model, .. } => model.name(),
         }
     }
 
-    /// The model of a muscle.
-    pub(super) fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    /// The model that looks at a muscle in the search.
+    pub(super) fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
             Self::Named(model) => model.build(muscle),
-            Self::Fastest { pressure_mpa, contraction, universal } => {
-                let model = universal.build(muscle)?;
-                match model.range().check(model.name(), *pressure_mpa, *contraction) {
-                    Ok(()) => Ok(model),
-                    Err(_) => Model::FE.build(muscle),
-                }
+            Self::Fastest { universal, elements } => {
+                if near_the_box(muscle) { universal } else { elements }.build(muscle)
             }
+        }
+    }
+
+    /// The model that decides of a muscle.
+    pub(super) fn decide(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        match self {
+            Self::Named(model) | Self::Fastest { elements: model, .. } => model.build(muscle),
         }
     }
 }
@@ -182,9 +221,8 @@ impl DesignRequest {
         let model = match self.model.model {
             Some(_) => Searching::Named(model),
             None => Searching::Fastest {
-                pressure_mpa: max_pressure_mpa,
-                contraction: points.iter().map(|q| q.contraction).fold(0.0, f64::max),
                 universal: model,
+                elements: Model::choose(&self.model, Purpose::Answer)?,
             },
         };
         let braid = match (&self.strand_length_per_turn_mm[..], &self.angle_deg) {
@@ -200,9 +238,19 @@ impl DesignRequest {
             Some(choice) => choice.values(field),
             None => Ok(Values::Interval(low, high)),
         };
+        let strength = base.braid().strands.and_then(|s| s.strength_n);
+        if self.min_burst_margin.is_some_and(|m| m > 0.0) && strength.is_none() {
+            let message = "`min_burst_margin` needs the strands' strength, which this muscle does not state";
+            let hint = "give [braid] strands and strand_strength in the muscle file";
+            return Err(Problem::new(ProblemKind::Specification, message, hint));
+        }
         let spec = Spec {
             points,
             max_pressure_mpa,
+            length_mm: match &self.length_mm {
+                Some(Choice::One(_)) | None => None,
+                Some(choice) => Some(choice.values("length_mm")?),
+            },
             base,
             outer_diameter_mm: between("outer_diameter_mm", &self.outer_diameter_mm, diameters)?,
             wall_mm: between("wall_mm", &self.wall_mm, walls)?,
@@ -210,8 +258,10 @@ impl DesignRequest {
             rubbers: self.rubbers.iter().map(|name| rubber(name)).collect::<Result<_, _>>()?,
             limits: Limits {
                 bulged_diameter_mm: self.max_bulged_diameter_mm,
-                burst_margin: self.min_burst_margin,
+                burst_margin: Some(self.min_burst_margin.unwrap_or(SAFETY)).filter(|m| *m != 0.0),
                 stretch: self.max_stretch,
+                fitted_stretch: true,
+                strand_strain: Some(self.max_strand_strain.unwrap_or(VALIDATED_STRAND_STRAIN)),
             },
             objective: self.objective.into(),
             top: self.top.unwrap_or(5).clamp(1, 1000),
@@ -238,10 +288,18 @@ impl DesignRequest {
     /// contraction where they are not.
     fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<OperatingPoint>), Problem> {
         let wrong = |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
+        let length_mm = match &self.length_mm {
+            Some(Choice::One(length)) => Some(*length),
+            Some(_) if self.stroke_mm.is_some() => {
+                let message = "`stroke_mm` sets the length, or needs one: give one `length_mm`, or none";
+                return Err(wrong(message.into(), "").in_field("length_mm"));
+            }
+            _ => None,
+        };
         let fields = MuscleFields {
             muscle: self.muscle.clone(),
             stiffness: self.stiffness,
-            length_mm: self.length_mm,
+            length_mm,
             ..MuscleFields::default()
         };
         let base = fields.resolve()?;
@@ -278,20 +336,28 @@ impl DesignRequest {
 
     pub(super) fn tolerances(&self) -> Result<Option<Tolerances>, Problem> {
         let Some(t) = self.tolerance else { return Ok(None) };
-        for (name, value) in
-            [("wall", t.wall_mm), ("diameter", t.outer_diameter_mm), ("pressure", t.pressure_mpa)]
-        {
-            if !(value >= 0.0 && value.is_finite()) {
-                let message = format!(
-                    "the tolerance of the {name} is {value}; tolerances are ± half-widths above zero"
-                );
-                return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("tolerance"));
-            }
+        let all = [
+            ("wall", t.wall_mm),
+            ("diameter", t.outer_diameter_mm),
+            ("pressure", t.pressure_mpa),
+            ("angle", t.angle_deg),
+            ("length", t.length_mm),
+            ("modulus", t.modulus),
+            ("stiffness", t.stiffness),
+        ];
+        if let Some((name, value)) = all.into_iter().find(|(_, v)| !(*v >= 0.0 && v.is_finite())) {
+            let message =
+                format!("the tolerance of the {name} is {value}; tolerances are ± half-widths above zero");
+            return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("tolerance"));
         }
         Ok(Some(Tolerances {
             wall_mm: t.wall_mm,
             outer_diameter_mm: t.outer_diameter_mm,
             pressure_mpa: t.pressure_mpa,
+            angle_deg: t.angle_deg,
+            length_mm: t.length_mm,
+            modulus: t.modulus,
+            stiffness: t.stiffness,
         }))
     }
 }
@@ -333,6 +399,8 @@ impl From<ObjectiveWord> for Objective {
             ObjectiveWord::Pressure => Self::Pressure,
             ObjectiveWord::Air => Self::Air,
             ObjectiveWord::Margin => Self::Margin,
+            ObjectiveWord::BulgedDiameter => Self::BulgedDiameter,
+            ObjectiveWord::Length => Self::Length,
         }
     }
 }

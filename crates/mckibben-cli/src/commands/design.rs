@@ -67,14 +67,23 @@ pub struct DesignArgs {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Specification")]
     pub stroke: Option<String>,
     /// Largest outer diameter at the operating points
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Specification")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_bulged_diameter: Option<String>,
-    /// Least ratio of burst pressure to maximum pressure (needs the strands' strength)
-    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Specification")]
-    pub min_burst_margin: Option<String>,
-    /// Largest stretch of the rubber at the operating points (2 means twice its length)
-    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Specification")]
+    /// Least ratio of burst pressure to maximum pressure, 0 for none [1.5 where the strands' strength is known]
+    #[arg(
+        long,
+        visible_alias = "min-burst-margin",
+        value_name = "RATIO",
+        allow_hyphen_values = true,
+        help_heading = "Limits"
+    )]
+    pub safety: Option<String>,
+    /// Largest stretch of the rubber at the operating points; 2 means twice its length [as far as its law was fitted]
+    #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_stretch: Option<String>,
+    /// Largest strain of the strands at the maximum pressure [6 %: as far as the models were compared with anything]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
+    pub max_strand_strain: Option<String>,
     /// What to rank by
     #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
     pub objective: ObjectiveWord,
@@ -117,19 +126,20 @@ pub struct DesignArgs {
     /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "Search space")]
     pub stiffness: Option<String>,
-    /// Length between the terminals at rest [285mm]
+    /// Lengths between the terminals at rest [285mm]
     #[arg(
         short = 'L',
         long,
-        value_name = "LENGTH",
+        value_name = "RANGE",
         allow_hyphen_values = true,
         help_heading = "Search space"
     )]
     pub length: Option<String>,
-    /// Spread of the winner's pull for ± tolerances: wall=0.1mm,diameter=0.2mm,pressure=0.1bar
+    /// Spread of the winner's pull for ± tolerances of wall, diameter, length, angle, pressure, modulus, stiffness:
+    /// wall=0.1mm,angle=1deg,modulus=10%
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
     pub tolerance: Option<String>,
-    /// Force model [universal, and fe outside of its range]
+    /// Force model [fe; it is searched with universal where its range allows]
     #[arg(long, value_name = "NAME", help_heading = "Model")]
     pub model: Option<String>,
     /// Mesh of `fe` or `fe3d`, as for the other commands [chosen]
@@ -138,7 +148,7 @@ pub struct DesignArgs {
     /// Answer outside of the model's range, with a warning
     #[arg(long, help_heading = "Model")]
     pub extrapolate: bool,
-    /// Compute the winner again by finite elements and show the difference
+    /// Where another model is named, compute the winner again by finite elements and show the difference
     #[arg(long, value_parser = word::<Verify>(), default_value = "fe", help_heading = "Model")]
     pub verify: Verify,
     /// How many candidates to show
@@ -218,8 +228,9 @@ fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequ
         max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
         stroke_mm: length("--stroke", &args.stroke)?,
         max_bulged_diameter_mm: length("--max-bulged-diameter", &args.max_bulged_diameter)?,
-        min_burst_margin: ratio("--min-burst-margin", args.min_burst_margin.as_deref())?,
+        min_burst_margin: ratio("--safety", args.safety.as_deref())?,
         max_stretch: ratio("--max-stretch", args.max_stretch.as_deref())?,
+        max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,
         objective: args.objective,
         muscle: args.muscle.as_deref().map(files::text).transpose()?,
         outer_diameter_mm: choice("--outer-diameter", &args.outer_diameter, Dimension::Length)?,
@@ -228,7 +239,7 @@ fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequ
         strand_length_per_turn_mm: sleeves,
         rubbers: args.rubber.clone(),
         stiffness: args.stiffness.as_deref().map(stiffness).transpose()?,
-        length_mm: length("--length", &args.length)?,
+        length_mm: choice("--length", &args.length, Dimension::Length)?,
         tolerance: args.tolerance.as_deref().map(tolerances).transpose()?,
         model: ModelFields {
             model: args.model.clone(),
@@ -259,23 +270,27 @@ fn tolerances(text: &str) -> Result<ToleranceFields, Failure> {
     for part in text.split(',') {
         let wrong = || {
             let message = format!(
-                "--tolerance: \"{part}\" is no tolerance; expected wall=0.1mm, diameter=0.2mm or pressure=0.1bar"
+                "--tolerance: \"{part}\" is no tolerance; expected wall, diameter, length, angle, pressure, modulus or stiffness with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%"
             );
             Failure::input(ProblemKind::Quantity, message, "")
         };
         let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-        let dimension = if name.trim() == "pressure" { Dimension::Pressure } else { Dimension::Length };
+        let (slot, dimension) = match name.trim() {
+            "wall" => (&mut out.wall_mm, Dimension::Length),
+            "diameter" => (&mut out.outer_diameter_mm, Dimension::Length),
+            "length" => (&mut out.length_mm, Dimension::Length),
+            "angle" => (&mut out.angle_deg, Dimension::Angle),
+            "pressure" => (&mut out.pressure_mpa, Dimension::Pressure),
+            "modulus" => (&mut out.modulus, Dimension::Ratio),
+            "stiffness" => (&mut out.stiffness, Dimension::Ratio),
+            _ => return Err(wrong()),
+        };
         let value = quantity("--tolerance", Some(value), dimension)?.unwrap_or(0.0);
         if value < 0.0 {
             let message = format!("--tolerance: {} is below zero; tolerances are ± half-widths", part.trim());
             return Err(Failure::input(ProblemKind::Quantity, message, ""));
         }
-        match name.trim() {
-            "wall" => out.wall_mm = value,
-            "diameter" => out.outer_diameter_mm = value,
-            "pressure" => out.pressure_mpa = value,
-            _ => return Err(wrong()),
-        }
+        *slot = value;
     }
     Ok(out)
 }

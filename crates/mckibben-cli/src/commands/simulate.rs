@@ -13,7 +13,8 @@ use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::units::Dimension;
 use mckibben_app::{
-    Keep, MuscleSummary, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest, Simulated,
+    Keep, MuscleSummary, PictureFields, Problem, ProblemKind, Shapes, SimulateAnswer, SimulateRequest,
+    Simulated,
 };
 use mckibben_fem::output::{Extent, Shape, VtuFile, VtuSeries};
 use mckibben_fem::results::Solution;

@@ -83,8 +83,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             Ok(f) if f >= 0.0 => {
                 let low = match low.1 {
                     Some(value) => (low.0, value),
-                    None => taut_below(low.0, (high, f), &mut at)
-                        .ok_or_else(|| none(high, f + force_n))?,
+                    None => taut_below(low.0, (high, f), &mut at).ok_or_else(|| none(high, f + force_n))?,
                 };
                 let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
                 return sought.between(model, workspace, low, (high, f));
@@ -131,6 +130,34 @@ fn taut_below(
         }
     }
     None
+}
+
+/// The pressure in MPa at which the pull is `force_n`, below one at which it is known to be enough (pressure, pull): by Newton's
+/// method from there. `None` where that finds none.
+pub(crate) fn pressure_up_to<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    contraction: f64,
+    (end, available_n): (f64, f64),
+    options: Options,
+) -> Option<f64> {
+    let lowest = model.range().pressure_mpa.0;
+    if available_n <= force_n || end <= lowest {
+        return (available_n == force_n).then_some(end);
+    }
+    if friction(model, options.direction).is_none() {
+        let exact = model.exact_pressure(force_n, contraction);
+        let direct = exact.or_else(|| model.pressure_under_load(workspace, force_n, contraction));
+        if let Some(p) = direct {
+            return (lowest..=end).contains(&p).then_some(p);
+        }
+    }
+    let sought = Sought { along: Along::Pressure { contraction }, force_n, direction: options.direction };
+    let p =
+        sought.between(model, workspace, (lowest, f64::NEG_INFINITY), (end, available_n - force_n)).ok()?;
+    // The lower end may pull more already.
+    (p > lowest).then_some(p)
 }
 
 /// The contraction at which the pull is `force_n` at a pressure: the smallest on the falling branch that starts at ε = 0. With

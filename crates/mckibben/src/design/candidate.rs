@@ -1,14 +1,11 @@
 //! One muscle held against a specification.
 
-use super::reason::Reason;
-use super::spec::{Build, Objective, OperatingPoint, Spec};
-use crate::analysis::{
-    AnalysisError, Options, air_per_stroke, burst_pressure_mpa, free_contraction, pressure_at,
-    work_per_stroke_j,
-};
+use super::limit::{Limit, Probe, air_of, full_response, need};
+use super::spec::{Build, OperatingPoint, Spec};
+use crate::analysis::{burst_pressure_mpa, force_on, free_contraction, work_per_stroke_j};
 use crate::answer::uncertainty_n;
-use crate::model::{ForceModel, Response, ThickWall, Workspace};
-use crate::muscle::{Direction, Muscle};
+use crate::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
+use crate::muscle::Muscle;
 use serde::Serialize;
 
 /// A candidate at one operating point.
@@ -38,8 +35,14 @@ pub struct Candidate {
     /// The muscle.
     #[serde(skip)]
     pub muscle: Muscle,
-    /// Name of the model that looked at it.
+    /// Name of the model that all its numbers come from.
     pub model: String,
+    /// What it is ranked by: smaller is better.
+    #[serde(skip)]
+    pub(super) score: f64,
+    /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub binds: Option<Limit>,
     /// The operating points in the order of the specification.
     pub points: Vec<CandidatePoint>,
     /// Largest pressure any point needs, in MPa.
@@ -78,187 +81,72 @@ impl Candidate {
     }
 }
 
-/// A muscle that does not fit: the bound it misses by most, and how far it is off in all.
-#[derive(Debug, Clone)]
-pub(super) struct Miss {
-    pub(super) reason: Reason,
-    /// Sum over the bounds that are missed of (shortfall − 1).
-    pub(super) distance: f64,
-}
+/// The limit that decides: one of which less than this share is left.
+const BINDS: f64 = 0.01;
 
-impl From<Reason> for Miss {
-    fn from(reason: Reason) -> Self {
-        Self { distance: reason.shortfall() - 1.0, reason }
-    }
-}
-
-/// Whether a muscle fits, with no more work than that takes: its score (smaller is better), or the bound it misses by most.
-pub(super) fn screen(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<f64, Miss> {
-    screen_below(spec, build, muscle, f64::INFINITY)
-}
-
-/// As [`screen`], for a search that has better scores than `enough` already: once it is plain that the muscle fits and
-/// scores worse, nothing more is computed and the score is a lower bound.
-pub(super) fn screen_below(
+/// Everything about a muscle that fits, as its probe says.
+pub(super) fn candidate(
     spec: &Spec,
     build: &Build<'_>,
     muscle: &Muscle,
-    enough: f64,
-) -> Result<f64, Miss> {
-    let model = build(muscle).map_err(Reason::Model)?;
+    probe: &Probe,
+) -> Result<Candidate, ModelError> {
+    let model = build(muscle)?;
+    let model = model.as_ref();
     let workspace = &mut Workspace::new();
-    let mut margin = f64::INFINITY;
-    let mut worst: Option<Miss> = None;
-    for &point in &spec.points {
-        if !spec.extrapolate {
-            model
-                .range()
-                .check(model.name(), spec.max_pressure_mpa, point.contraction)
-                .map_err(Reason::Model)?;
-        }
+    let thick_wall = ThickWall::new(muscle);
+    let mut from_thick_wall: Vec<&'static str> = vec![];
+    let options = spec.options();
+    let mut points = Vec::with_capacity(spec.points.len());
+    for point in &spec.points {
         let available_n =
-            model.force_n(workspace, spec.max_pressure_mpa, point.contraction).map_err(Reason::Model)?;
-        margin = margin.min(available_n / point.force_n - 1.0);
-        if available_n < point.force_n {
-            keep_worst(&mut worst, Reason::Force { point, available_n, pressure_mpa: spec.max_pressure_mpa });
+            force_on(model, workspace, spec.max_pressure_mpa, point.contraction, options.direction)?;
+        let pressure_mpa = need(spec, model, workspace, point, available_n)?;
+        let (mut response, filled) =
+            full_response(model, workspace, &thick_wall, pressure_mpa, point.contraction)?;
+        response.force_n = point.force_n;
+        from_thick_wall.extend(filled);
+        let (air_normal_litres, helped) =
+            air_of(model, workspace, &thick_wall, pressure_mpa, point.contraction);
+        if helped {
+            from_thick_wall.push("air");
         }
+        points.push(CandidatePoint {
+            wanted: *point,
+            pressure_mpa,
+            available_n,
+            margin: available_n / point.force_n - 1.0,
+            response,
+            air_normal_litres,
+            uncertainty_n: uncertainty_n(model, workspace, pressure_mpa, options.direction),
+        });
     }
-    let want_air = spec.objective == Objective::Air;
-    let limits = &spec.limits;
-    let bounded =
-        limits.bulged_diameter_mm.is_some() || limits.stretch.is_some() || limits.burst_margin.is_some();
-    let mut needed = Vec::with_capacity(spec.points.len());
-    match worst {
-        // Too weak; the other bounds are looked at as well, at full pressure, to name the one that is missed by most.
-        Some(_) if bounded => needed.resize(spec.points.len(), spec.max_pressure_mpa),
-        Some(miss) => return Err(miss),
-        None if !bounded && spec.objective == Objective::Diameter && muscle.outer_diameter_mm() > enough => {
-            return Ok(muscle.outer_diameter_mm());
-        }
-        None if bounded || spec.objective != Objective::Margin => {
-            for point in &spec.points {
-                needed.push(need(spec, model.as_ref(), workspace, point)?);
-            }
-        }
-        None => {}
+    let max = spec.max_pressure_mpa;
+    let free = free_contraction(model, workspace, max, options).ok().or_else(|| {
+        from_thick_wall.push("free contraction");
+        free_contraction(&thick_wall, workspace, max, options).ok()
+    });
+    let (burst, helped) = burst_of(spec, model, workspace, &thick_wall);
+    if helped && burst.is_some() {
+        from_thick_wall.push("burst pressure");
     }
-    let highest = needed.iter().copied().fold(0.0, f64::max);
-    let mut air = 0.0_f64;
-    if bounded || want_air {
-        let thick_wall = ThickWall::new(muscle);
-        for (point, &p) in spec.points.iter().zip(&needed) {
-            let (full, _) = full_response(model.as_ref(), workspace, &thick_wall, p, point.contraction)
-                .map_err(Reason::Model)?;
-            if let (Some(limit_mm), Some(diameter_mm)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm)
-                && diameter_mm > limit_mm
-            {
-                keep_worst(&mut worst, Reason::Bulge { diameter_mm, limit_mm });
-            }
-            if let (Some(limit), Some(stretch)) = (limits.stretch, full.max_stretch)
-                && stretch > limit
-            {
-                keep_worst(&mut worst, Reason::Stretch { stretch, limit });
-            }
-            if want_air
-                && let Some(litres) = air_of(model.as_ref(), workspace, &thick_wall, p, point.contraction).0
-            {
-                air = air.max(litres);
-            }
-        }
-        if let Some(limit) = limits.burst_margin
-            && let Some(burst) = burst_of(spec, model.as_ref(), workspace, &thick_wall).0
-        {
-            let margin = burst / spec.max_pressure_mpa;
-            if margin < limit {
-                keep_worst(&mut worst, Reason::Burst { margin, limit });
-            }
-        }
-    }
-    match worst {
-        Some(miss) => Err(miss),
-        None => Ok(match spec.objective {
-            Objective::Diameter => muscle.outer_diameter_mm() + 1e-6 * highest / spec.max_pressure_mpa,
-            Objective::Pressure => highest,
-            Objective::Air => air,
-            Objective::Margin => -margin,
-        }),
-    }
-}
-
-fn keep_worst(worst: &mut Option<Miss>, reason: Reason) {
-    let shortfall = reason.shortfall();
-    match worst {
-        None => *worst = Some(reason.into()),
-        Some(miss) => {
-            miss.distance += shortfall - 1.0;
-            if shortfall > miss.reason.shortfall() {
-                miss.reason = reason;
-            }
-        }
-    }
-}
-
-/// The pressure a point takes. The pull at the maximum pressure is known to be enough.
-fn need(
-    spec: &Spec,
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    point: &OperatingPoint,
-) -> Result<f64, Reason> {
-    match pressure_at(model, workspace, point.force_n, point.contraction, spec.options()) {
-        Ok(p) => Ok(p),
-        // At the lowest pressure of its range the model already pulls more: that pressure is enough.
-        Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. })
-            if nearest_force_n >= point.force_n =>
-        {
-            Ok(nearest_pressure_mpa)
-        }
-        Err(AnalysisError::Model(error)) => Err(Reason::Model(error)),
-        Err(_) => Err(Reason::Force { point: *point, available_n: 0.0, pressure_mpa: spec.max_pressure_mpa }),
-    }
-}
-
-/// A response with what the model does not know filled in from the thick-wall model.
-fn full_response(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    thick_wall: &ThickWall,
-    p: f64,
-    contraction: f64,
-) -> Result<(Response, Vec<&'static str>), crate::model::ModelError> {
-    let mut r = model.response(workspace, p, contraction)?;
-    let mut filled = vec![];
-    if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {
-        return Ok((r, filled));
-    }
-    if let Ok(other) = thick_wall.response(workspace, p, contraction) {
-        let mut fill = |slot: &mut Option<f64>, value: Option<f64>, name| {
-            if slot.is_none() && value.is_some() {
-                *slot = value;
-                filled.push(name);
-            }
-        };
-        fill(&mut r.bulged_diameter_mm, other.bulged_diameter_mm, "bulged diameter");
-        fill(&mut r.volume_mm3, other.volume_mm3, "volume");
-        fill(&mut r.max_stretch, other.max_stretch, "stretch");
-        fill(&mut r.braid_tension_n, other.braid_tension_n, "strand tension");
-        fill(&mut r.strand_tension_n, other.strand_tension_n, "strand tension");
-        fill(&mut r.stiffness_n_per_mm, other.stiffness_n_per_mm, "stiffness");
-    }
-    Ok((r, filled))
-}
-
-fn air_of(
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    thick_wall: &ThickWall,
-    p: f64,
-    contraction: f64,
-) -> (Option<f64>, bool) {
-    match air_per_stroke(model, workspace, p, contraction) {
-        Ok(air) => (Some(air.normal_litres), false),
-        Err(_) => (air_per_stroke(thick_wall, workspace, p, contraction).ok().map(|a| a.normal_litres), true),
-    }
+    from_thick_wall.sort_unstable();
+    from_thick_wall.dedup();
+    let furthest = spec.points.iter().map(|p| p.contraction).fold(0.0, f64::max);
+    Ok(Candidate {
+        pressure_mpa: points.iter().map(|p| p.pressure_mpa).fold(0.0, f64::max),
+        margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
+        blocked_force_n: force_on(model, workspace, max, 0.0, options.direction)?,
+        free_contraction: free,
+        work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, options).ok(),
+        burst_pressure_mpa: burst,
+        from_thick_wall,
+        points,
+        model: model.name().into(),
+        score: probe.score,
+        binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
+        muscle: muscle.clone(),
+    })
 }
 
 fn burst_of(
@@ -282,62 +170,4 @@ fn burst_of(
         }
     }
     (lowest, helped)
-}
-
-/// Everything about a muscle that fits.
-pub(super) fn candidate(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Candidate, Reason> {
-    let model = build(muscle).map_err(Reason::Model)?;
-    let model = model.as_ref();
-    let workspace = &mut Workspace::new();
-    let thick_wall = ThickWall::new(muscle);
-    let mut from_thick_wall: Vec<&'static str> = vec![];
-    let mut points = Vec::with_capacity(spec.points.len());
-    for point in &spec.points {
-        let pressure_mpa = need(spec, model, workspace, point)?;
-        let (mut response, filled) =
-            full_response(model, workspace, &thick_wall, pressure_mpa, point.contraction)
-                .map_err(Reason::Model)?;
-        response.force_n = point.force_n;
-        from_thick_wall.extend(filled);
-        let available_n =
-            model.force_n(workspace, spec.max_pressure_mpa, point.contraction).map_err(Reason::Model)?;
-        let (air_normal_litres, helped) =
-            air_of(model, workspace, &thick_wall, pressure_mpa, point.contraction);
-        if helped {
-            from_thick_wall.push("air");
-        }
-        points.push(CandidatePoint {
-            wanted: *point,
-            pressure_mpa,
-            available_n,
-            margin: available_n / point.force_n - 1.0,
-            response,
-            air_normal_litres,
-            uncertainty_n: uncertainty_n(model, workspace, pressure_mpa, Direction::Mean),
-        });
-    }
-    let max = spec.max_pressure_mpa;
-    let free = free_contraction(model, workspace, max, Options::default()).ok().or_else(|| {
-        from_thick_wall.push("free contraction");
-        free_contraction(&thick_wall, workspace, max, Options::default()).ok()
-    });
-    let (burst, helped) = burst_of(spec, model, workspace, &thick_wall);
-    if helped && burst.is_some() {
-        from_thick_wall.push("burst pressure");
-    }
-    from_thick_wall.sort_unstable();
-    from_thick_wall.dedup();
-    let furthest = spec.points.iter().map(|p| p.contraction).fold(0.0, f64::max);
-    Ok(Candidate {
-        pressure_mpa: points.iter().map(|p| p.pressure_mpa).fold(0.0, f64::max),
-        margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
-        blocked_force_n: model.force_n(workspace, max, 0.0).map_err(Reason::Model)?,
-        free_contraction: free,
-        work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, Options::default()).ok(),
-        burst_pressure_mpa: burst,
-        from_thick_wall,
-        points,
-        model: model.name().into(),
-        muscle: muscle.clone(),
-    })
 }

@@ -5,15 +5,21 @@
 //! comes closest and what would have to give.
 
 mod candidate;
+mod limit;
+mod line;
 mod reason;
 mod relax;
+mod run;
 mod search;
 mod spec;
 mod tolerance;
 
 pub use candidate::{Candidate, CandidatePoint};
+pub use limit::{Limit, fits};
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
-pub use search::{Closest, Outcome, design, design_with};
-pub use spec::{BraidChoice, Build, Limits, Objective, OperatingPoint, Spec, SpecError};
+pub use run::{Closest, Models, Outcome, design, design_with};
+pub use spec::{
+    BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError, VALIDATED_STRAND_STRAIN,
+};
 pub use tolerance::{Spread, SpreadError, Tolerances, spread};

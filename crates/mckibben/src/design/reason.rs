@@ -1,5 +1,6 @@
 //! Why a muscle does not fit.
 
+use super::limit::Limit;
 use super::spec::OperatingPoint;
 use crate::model::ModelError;
 use crate::muscle::{Muscle, MuscleError};
@@ -39,6 +40,13 @@ pub enum Reason {
         /// The bound.
         limit: f64,
     },
+    /// Its strands stretch too far.
+    StrandStrain {
+        /// Largest strain at the maximum pressure.
+        strain: f64,
+        /// The bound.
+        limit: f64,
+    },
     /// The model has no answer.
     #[serde(serialize_with = "in_words")]
     Model(ModelError),
@@ -71,24 +79,38 @@ impl Reason {
             Reason::Stretch { stretch, limit } => {
                 format!("rubber stretched to {stretch:.2}, at most {limit} wanted")
             }
+            Reason::StrandStrain { strain, limit } => format!(
+                "strands stretched by {:.1} %, at most {} % wanted",
+                100.0 * strain,
+                round(100.0 * limit)
+            ),
             Reason::Model(error) => error.to_string(),
             Reason::Muscle(error) => error.to_string(),
         }
     }
 
-    /// By which factor the bound is missed (1: met; larger: further off; ∞: no answer at all).
-    pub fn shortfall(&self) -> f64 {
-        match self {
-            Reason::Force { point, available_n, .. } => {
-                // A muscle that pushes is further off than one that pulls nothing.
-                let share = available_n / point.force_n;
-                if share > 0.0 { 1.0 / share } else { 1e6 * (1.0 - share) }
-            }
-            Reason::Bulge { diameter_mm, limit_mm } => diameter_mm / limit_mm,
-            Reason::Burst { margin, limit } => limit / margin,
-            Reason::Stretch { stretch, limit } => stretch / limit,
-            Reason::Model(_) | Reason::Muscle(_) => f64::INFINITY,
-        }
+    /// The kind of limit that is missed; `None` where there is no answer at all.
+    pub fn limit(&self) -> Option<Limit> {
+        Some(match self {
+            Reason::Force { .. } => Limit::Force,
+            Reason::Bulge { .. } => Limit::BulgedDiameter,
+            Reason::Burst { .. } => Limit::BurstMargin,
+            Reason::Stretch { .. } => Limit::MaxStretch,
+            Reason::StrandStrain { .. } => Limit::StrandStrain,
+            Reason::Model(_) | Reason::Muscle(_) => return None,
+        })
+    }
+
+    /// The share of the limit by which it is missed; `None` where there is no answer at all.
+    pub fn misses_by(&self) -> Option<f64> {
+        Some(match self {
+            Reason::Force { point, available_n, .. } => 1.0 - available_n / point.force_n,
+            Reason::Bulge { diameter_mm, limit_mm } => diameter_mm / limit_mm - 1.0,
+            Reason::Burst { margin, limit } => 1.0 - margin / limit,
+            Reason::Stretch { stretch, limit } => stretch / limit - 1.0,
+            Reason::StrandStrain { strain, limit } => strain / limit - 1.0,
+            Reason::Model(_) | Reason::Muscle(_) => return None,
+        })
     }
 }
 
@@ -103,6 +125,8 @@ pub struct Rejected {
     pub outer_diameter_mm: f64,
     /// Wall in mm.
     pub wall_mm: f64,
+    /// Length in mm.
+    pub length_mm: f64,
     /// Braid angle in degrees.
     pub angle_deg: f64,
     /// Name of the rubber, where it has one.
@@ -116,6 +140,7 @@ impl Rejected {
         Self {
             outer_diameter_mm: muscle.outer_diameter_mm(),
             wall_mm: muscle.wall_mm(),
+            length_mm: muscle.length_mm(),
             angle_deg: muscle.braid().angle_deg,
             rubber: muscle.tube().rubber.name.clone(),
             reason,

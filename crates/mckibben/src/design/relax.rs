@@ -1,9 +1,8 @@
 //! Where nothing fits: which limit to relax, and by how much.
 
-use super::candidate::screen;
-use super::reason::Reason;
+use super::limit::{Limit, fits, probe};
 use super::spec::{Build, Limits, OperatingPoint, Spec};
-use crate::analysis::{Options, contraction_at, pressure_at};
+use crate::analysis::{Options, contraction_at, force_on, pressure_at};
 use crate::model::{ForceModel, ThickWall, Workspace};
 use crate::muscle::Muscle;
 use serde::Serialize;
@@ -42,6 +41,11 @@ pub enum Relaxation {
         /// Largest principal stretch.
         stretch: f64,
     },
+    /// Allow this strain of the strands.
+    StrandStrain {
+        /// Largest strain at the maximum pressure.
+        strain: f64,
+    },
     /// Accept this burst margin.
     BurstMargin {
         /// Burst pressure over maximum pressure.
@@ -54,7 +58,9 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
     let Ok(model) = build(muscle) else { return vec![] };
     let model = model.as_ref();
     let workspace = &mut Workspace::new();
-    let mut pull = |p: &OperatingPoint| model.force_n(workspace, spec.max_pressure_mpa, p.contraction).ok();
+    let direction = spec.options().direction;
+    let mut pull =
+        |p: &OperatingPoint| force_on(model, workspace, spec.max_pressure_mpa, p.contraction, direction).ok();
     let pulls: Vec<Option<f64>> = spec.points.iter().map(&mut pull).collect();
     let mut out = vec![];
     if spec.points.iter().zip(&pulls).any(|(p, pull)| falls_short(p, *pull)) {
@@ -76,27 +82,31 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
         );
         out.extend(wider(spec, build, muscle));
     }
-    match screen(spec, build, muscle).map_err(|miss| miss.reason) {
-        Err(Reason::Bulge { diameter_mm, .. }) => {
-            out.extend(
-                limit(spec, build, muscle, |l| l.bulged_diameter_mm = Some(diameter_mm))
-                    .then_some(Relaxation::BulgedDiameter { diameter_mm }),
-            );
-        }
-        Err(Reason::Stretch { stretch, .. }) => {
-            out.extend(
-                limit(spec, build, muscle, |l| l.stretch = Some(stretch))
-                    .then_some(Relaxation::Stretch { stretch }),
-            );
-        }
-        Err(Reason::Burst { margin, .. }) => {
-            out.extend(
-                limit(spec, build, muscle, |l| l.burst_margin = Some(margin))
-                    .then_some(Relaxation::BurstMargin { margin }),
-            );
-        }
-        _ => {}
-    }
+    let Ok(probe) = probe(spec, build, muscle) else { return out };
+    // The largest of each kind, and no more than the last bit beyond it.
+    let worst = |kind: Limit| {
+        let missed = probe.checks.iter().filter(|c| c.limit == kind && c.excess() > 0.0);
+        missed.max_by(|a, b| a.excess().total_cmp(&b.excess())).map(|c| c.value)
+    };
+    let mut ease =
+        |value: Option<f64>, set: &dyn Fn(&mut Limits, f64), relaxation: &dyn Fn(f64) -> Relaxation| {
+            let eased = value.filter(|v| limit(spec, build, muscle, |l| set(l, *v)));
+            out.extend(eased.map(relaxation));
+        };
+    let up = 1.0 + 1e-9;
+    ease(worst(Limit::BulgedDiameter), &|l, v| l.bulged_diameter_mm = Some(v * up), &|diameter_mm| {
+        Relaxation::BulgedDiameter { diameter_mm }
+    });
+    ease(worst(Limit::MaxStretch), &|l, v| l.stretch = Some(v * up), &|stretch| Relaxation::Stretch {
+        stretch,
+    });
+    ease(worst(Limit::StrandStrain), &|l, v| l.strand_strain = Some(v * up), &|strain| {
+        Relaxation::StrandStrain { strain }
+    });
+    // Half a percent: the strands' tension is not quite in proportion to the pressure.
+    ease(worst(Limit::BurstMargin).map(|m| 0.995 * m), &|l, v| l.burst_margin = Some(v), &|margin| {
+        Relaxation::BurstMargin { margin }
+    });
     out
 }
 
@@ -104,14 +114,13 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
 fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> {
     let model = build(muscle).ok()?;
     let workspace = &mut Workspace::new();
-    let needs = spec
-        .points
-        .iter()
-        .map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, Options::extrapolating()));
+    let beyond = Options { extrapolate: true, ..spec.options() };
+    let needs =
+        spec.points.iter().map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, beyond));
     let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
     let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
     let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };
-    screen(&relaxed, build, muscle).is_ok().then_some(Relaxation::Pressure { pressure_mpa, extrapolated })
+    fits(&relaxed, build, muscle).then_some(Relaxation::Pressure { pressure_mpa, extrapolated })
 }
 
 fn falls_short(p: &OperatingPoint, pull: Option<f64>) -> bool {
@@ -137,15 +146,14 @@ fn points(
     // The last bit of an inverse must not decide.
     let eased = list.iter().map(|p| OperatingPoint { force_n: p.force_n * (1.0 - 1e-9), ..*p }).collect();
     let relaxed = Spec { points: eased, ..spec.clone() };
-    screen(&relaxed, build, muscle).ok()?;
-    Some(changed)
+    fits(&relaxed, build, muscle).then_some(changed)
 }
 
 /// Whether another limit alone makes the muscle fit.
 fn limit(spec: &Spec, build: &Build<'_>, muscle: &Muscle, ease: impl Fn(&mut Limits)) -> bool {
     let mut relaxed = spec.clone();
     ease(&mut relaxed.limits);
-    screen(&relaxed, build, muscle).is_ok()
+    fits(&relaxed, build, muscle)
 }
 
 /// The smallest diameter beyond the bound that fits: by the design's model or, outside of its range, by the thick-wall
@@ -176,16 +184,16 @@ fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> 
 
 fn smallest_wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<f64> {
     let (_, high) = spec.outer_diameter_mm.bounds();
-    let fits = |d0: f64| {
+    let does = |d0: f64| {
         let muscle = muscle.with_section(d0, muscle.wall_mm());
-        muscle.is_ok_and(|m| screen(spec, build, &m).is_ok())
+        muscle.is_ok_and(|m| fits(spec, build, &m))
     };
     let wide = |i: i32| high * (1.0 + 0.05 * f64::from(i));
-    let first = (1..=40).find(|&i| fits(wide(i)))?;
+    let first = (1..=40).find(|&i| does(wide(i)))?;
     let (mut low, mut top) = (wide(first - 1), wide(first));
     for _ in 0..30 {
         let mid = 0.5 * (low + top);
-        if fits(mid) { top = mid } else { low = mid }
+        if does(mid) { top = mid } else { low = mid }
     }
     Some((top * 100.0).ceil() / 100.0)
 }

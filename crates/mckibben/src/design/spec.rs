@@ -2,7 +2,7 @@
 
 use crate::analysis::Options;
 use crate::model::{ForceModel, ModelError};
-use crate::muscle::{Muscle, MuscleError, Rubber};
+use crate::muscle::{Direction, Muscle, MuscleError, Rubber};
 use crate::units::Values;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -32,6 +32,11 @@ pub enum Objective {
     Air,
     /// Largest pull to spare at the maximum pressure.
     Margin,
+    /// Smallest outer diameter at the operating points.
+    #[serde(rename = "bulged-diameter")]
+    BulgedDiameter,
+    /// Shortest length between the terminals at rest.
+    Length,
 }
 
 /// Which angle the braid has.
@@ -44,18 +49,42 @@ pub enum BraidChoice {
     StrandLengthPerTurn(Vec<f64>),
 }
 
+/// Largest strand strain up to which the models were compared with anything.
+pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
+/// Burst pressure over maximum pressure that a muscle has where nothing else is said.
+pub const SAFETY: f64 = 1.5;
+
 /// Bounds on what comes out.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Limits {
     /// Largest outer diameter at any operating point, in mm.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub bulged_diameter_mm: Option<f64>,
-    /// Least ratio of burst pressure to maximum pressure.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    /// Least ratio of burst pressure to maximum pressure; holds where the strands' strength is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub burst_margin: Option<f64>,
     /// Largest principal stretch of the rubber at any operating point.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub stretch: Option<f64>,
+    /// Where `stretch` is not given: each rubber is stretched no further than its law was fitted.
+    pub fitted_stretch: bool,
+    /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strand_strain: Option<f64>,
+}
+
+impl Limits {
+    /// The limits that keep people safe: burst pressure at least [`SAFETY`] times the maximum pressure, strand strain up to
+    /// [`VALIDATED_STRAND_STRAIN`], rubber stretched no further than its law was fitted.
+    pub fn safe() -> Self {
+        Self {
+            burst_margin: Some(SAFETY),
+            strand_strain: Some(VALIDATED_STRAND_STRAIN),
+            fitted_stretch: true,
+            ..Self::default()
+        }
+    }
 }
 
 /// A specification.
@@ -71,6 +100,8 @@ pub struct Spec {
     pub outer_diameter_mm: Values,
     /// Walls in mm.
     pub wall_mm: Values,
+    /// Lengths between the terminals in mm; the base muscle's where there are none.
+    pub length_mm: Option<Values>,
     /// Braid angles, or sleeves.
     pub braid: BraidChoice,
     /// Rubbers; empty means the base muscle's.
@@ -114,11 +145,6 @@ pub enum SpecError {
         /// Its value.
         value: f64,
     },
-    /// Burst margin asked for without the strands' strength.
-    #[error(
-        "a burst margin needs the strands' strength: give [braid] strands and strand_strength in the muscle file"
-    )]
-    NoStrength,
     /// No combination is a muscle at all.
     #[error("none of the combinations is a muscle: {0}")]
     NoMuscle(MuscleError),
@@ -132,7 +158,8 @@ pub enum SpecError {
 
 impl Spec {
     /// A specification of points and a supply: the prototype's length, braid and rubber, diameters from 5 to 80 mm and walls
-    /// from 0.5 to 10 mm, the smallest diameter the best, five candidates. Everything else is a field to be set.
+    /// from 0.5 to 10 mm, the limits of [`Limits::safe`], the smallest diameter the best, five candidates. Everything else is a
+    /// field to be set.
     pub fn new(points: Vec<OperatingPoint>, max_pressure_mpa: f64) -> Self {
         let base = Muscle::prototype();
         Self {
@@ -142,17 +169,19 @@ impl Spec {
             wall_mm: Values::Interval(0.5, 10.0),
             braid: BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
             base,
+            length_mm: None,
             rubbers: vec![],
-            limits: Limits::default(),
+            limits: Limits::safe(),
             objective: Objective::default(),
             top: 5,
             extrapolate: false,
         }
     }
 
-    /// How its models are asked.
-    pub(super) fn options(&self) -> Options {
-        Options { extrapolate: self.extrapolate, ..Options::default() }
+    /// How its models are asked: with friction, for the pull that remains while the muscle shortens.
+    pub fn options(&self) -> Options {
+        let direction = if self.base.friction().is_some() { Direction::Contraction } else { Direction::Mean };
+        Options { extrapolate: self.extrapolate, direction, ..Options::default() }
     }
 
     /// Checks the specification.
@@ -178,15 +207,13 @@ impl Spec {
             ("the largest bulged diameter", self.limits.bulged_diameter_mm),
             ("the least burst margin", self.limits.burst_margin),
             ("the largest stretch", self.limits.stretch),
+            ("the largest strand strain", self.limits.strand_strain),
+            ("the length", self.length_mm.as_ref().map(|v| v.bounds().0)),
         ];
         for (name, value) in bounds {
             if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
                 return Err(SpecError::Bound { name, value });
             }
-        }
-        let strength = self.base.braid().strands.and_then(|s| s.strength_n);
-        if self.limits.burst_margin.is_some() && strength.is_none() {
-            return Err(SpecError::NoStrength);
         }
         let count = |v: &Values| match v {
             Values::List(list) => list.len() as f64,
@@ -196,8 +223,9 @@ impl Spec {
             BraidChoice::Angle(v) => count(v),
             BraidChoice::StrandLengthPerTurn(list) => list.len() as f64,
         };
-        let all =
-            count(&self.outer_diameter_mm) * count(&self.wall_mm) * braids * self.rubbers.len().max(1) as f64;
+        let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
+        let lengths = self.length_mm.as_ref().map_or(1.0, count);
+        let all = sections * lengths * braids * self.rubbers.len().max(1) as f64;
         if all > 5e6 { Err(SpecError::TooMany(all)) } else { Ok(()) }
     }
 }

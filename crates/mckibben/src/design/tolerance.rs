@@ -2,7 +2,7 @@
 
 use super::spec::{Build, OperatingPoint};
 use crate::model::{ModelError, Workspace};
-use crate::muscle::{Muscle, MuscleError};
+use crate::muscle::{Braid, BraidStiffness, Muscle, MuscleError};
 use serde::Serialize;
 use thiserror::Error;
 
@@ -15,6 +15,31 @@ pub struct Tolerances {
     pub outer_diameter_mm: f64,
     /// Pressure in MPa.
     pub pressure_mpa: f64,
+    /// Braid angle in degrees.
+    pub angle_deg: f64,
+    /// Length in mm.
+    pub length_mm: f64,
+    /// All moduli of the rubber, as a share.
+    pub modulus: f64,
+    /// Stiffness k of a strand family, as a share.
+    pub stiffness: f64,
+}
+
+impl Tolerances {
+    /// How many things may vary.
+    pub const COUNT: usize = 7;
+
+    fn half_widths(&self) -> [f64; Self::COUNT] {
+        [
+            self.wall_mm,
+            self.outer_diameter_mm,
+            self.pressure_mpa,
+            self.angle_deg,
+            self.length_mm,
+            self.modulus,
+            self.stiffness,
+        ]
+    }
 }
 
 /// The pull at one operating point under tolerances.
@@ -43,7 +68,28 @@ pub enum SpreadError {
     Model(#[from] ModelError),
 }
 
-/// Spread of a muscle's pull at a point and pressure: all eight corners, and each effect alone.
+/// A muscle that differs by `by` in each of what may vary, and the difference of its pressure.
+fn varied(muscle: &Muscle, by: &[f64; Tolerances::COUNT]) -> Result<(Muscle, f64), MuscleError> {
+    let [wall, diameter, pressure, angle, length, modulus, stiffness] = *by;
+    let mut tube = muscle.tube().clone();
+    let mut braid = muscle.braid().clone();
+    tube.wall_mm += wall;
+    tube.outer_diameter_mm += diameter;
+    tube.length_mm += length;
+    if modulus != 0.0 {
+        tube.rubber.law = tube.rubber.law.scaled(1.0 + modulus);
+    }
+    braid.angle_deg += angle;
+    let other = Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())?;
+    let Some(k) = other.family_stiffness_n_per_mm().filter(|_| stiffness != 0.0) else {
+        return Ok((other, pressure));
+    };
+    let braid =
+        Braid { stiffness: BraidStiffness::NewtonPerMm(k * (1.0 + stiffness)), ..other.braid().clone() };
+    Ok((other.with_braid(braid)?, pressure))
+}
+
+/// Spread of a muscle's pull at a point and pressure: all corners of what varies, and each effect alone.
 ///
 /// # Errors
 /// [`SpreadError`] where a corner has no answer. Corners may lie outside of the model's range by the tolerance.
@@ -54,25 +100,28 @@ pub fn spread(
     pressure_mpa: f64,
     tolerances: Tolerances,
 ) -> Result<Spread, SpreadError> {
-    let pull = |wall: f64, diameter: f64, pressure: f64| -> Result<f64, SpreadError> {
-        let corner = muscle.with_section(
-            muscle.outer_diameter_mm() + diameter * tolerances.outer_diameter_mm,
-            muscle.wall_mm() + wall * tolerances.wall_mm,
-        )?;
-        let p = (pressure_mpa + pressure * tolerances.pressure_mpa).max(0.0);
+    let widths = tolerances.half_widths();
+    let pull = |sign: &dyn Fn(usize) -> f64| -> Result<f64, SpreadError> {
+        let by = std::array::from_fn(|i| sign(i) * widths[i]);
+        let (corner, pressure) = varied(muscle, &by)?;
+        let p = (pressure_mpa + pressure).max(0.0);
         Ok(build(&corner)?.force_n(&mut Workspace::new(), p, wanted.contraction)?)
     };
+    let varying: Vec<usize> = (0..widths.len()).filter(|&i| widths[i] != 0.0).collect();
     let (mut low_n, mut high_n) = (f64::INFINITY, f64::NEG_INFINITY);
-    for corner in 0..8 {
-        let sign = |bit: u32| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
-        let f = pull(sign(0), sign(1), sign(2))?;
+    for corner in 0..1usize << varying.len() {
+        let side = |i: usize| match varying.iter().position(|&v| v == i) {
+            Some(bit) if corner >> bit & 1 == 1 => 1.0,
+            Some(_) => -1.0,
+            None => 0.0,
+        };
+        let f = pull(&side)?;
         (low_n, high_n) = (low_n.min(f), high_n.max(f));
     }
-    let single = [
-        pull(1.0, 0.0, 0.0)? - pull(-1.0, 0.0, 0.0)?,
-        pull(0.0, 1.0, 0.0)? - pull(0.0, -1.0, 0.0)?,
-        pull(0.0, 0.0, 1.0)? - pull(0.0, 0.0, -1.0)?,
-    ];
-    let likely_n = single.iter().map(|d| 0.25 * d * d).sum::<f64>().sqrt();
-    Ok(Spread { wanted, pressure_mpa, low_n, high_n, likely_n })
+    let mut squares = 0.0;
+    for &v in &varying {
+        let one = |sign: f64| pull(&|i| if i == v { sign } else { 0.0 });
+        squares += 0.25 * (one(1.0)? - one(-1.0)?).powi(2);
+    }
+    Ok(Spread { wanted, pressure_mpa, low_n, high_n, likely_n: squares.sqrt() })
 }

@@ -3,7 +3,8 @@
 use crate::output::text::{
     PressureUnit, braid_name, number, or_dash, percent, plus_minus, rubber_name, table,
 };
-use mckibben::design::{Candidate, Closest, OperatingPoint, Outcome, Rejected, Relaxation};
+use mckibben::design::{Candidate, Closest, Limit, OperatingPoint, Outcome, Rejected, Relaxation};
+use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben_app::{DesignAnswer, SpreadAnswer};
 
 /// The design for people.
@@ -12,13 +13,20 @@ pub fn of(answer: &DesignAnswer, p: PressureUnit) -> String {
     let one = |q: &OperatingPoint| format!("{} N at {}", number(q.force_n, 5), percent(q.contraction));
     let wanted: Vec<String> = spec.points.iter().map(one).collect();
     let mut out = format!("Wanted: {} with at most {}\n", wanted.join(", "), p.show(spec.max_pressure_mpa));
+    let with = if answer.searched_with == answer.model {
+        String::new()
+    } else {
+        format!(", searched with {}", answer.searched_with)
+    };
+    let length = match &spec.length_mm {
+        None => format!("L0 {} mm, ", number(spec.base.length_mm(), 5)),
+        Some(_) => String::new(),
+    };
+    let (looked_at, fit) = (answer.looked_at, answer.fitting);
     out.push_str(&format!(
-        "Model {}; {} muscles looked at, {} fit; L0 {} mm, braid {}\n\n",
+        "Model {}{with}; {looked_at} muscles looked at, {fit} fit; {length}braid {}\n\n",
         answer.model,
-        answer.looked_at,
-        answer.fitting,
-        number(spec.base.length_mm(), 5),
-        braid_name(&spec.base)
+        braid_of(&spec.base)
     ));
     if let Some(closest) = &outcome.closest {
         out.push_str(&nothing_fits(closest, p));
@@ -27,14 +35,6 @@ pub fn of(answer: &DesignAnswer, p: PressureUnit) -> String {
         }
     } else {
         out.push_str(&candidates(outcome, p));
-        for c in outcome.candidates.iter().filter(|c| c.model != answer.model) {
-            let (d0, s) = (number(c.muscle.outer_diameter_mm(), 4), number(c.muscle.wall_mm(), 3));
-            out.push_str(&format!(
-                "D0 {d0}, s {s}: by {}, since it is outside of the range of {}.
-",
-                c.model, answer.model
-            ));
-        }
         out.push_str(&verified(answer, p));
         out.push_str(&spread_text(&answer.tolerance, p));
     }
@@ -45,9 +45,36 @@ pub fn of(answer: &DesignAnswer, p: PressureUnit) -> String {
     }
     let skip = usize::from(outcome.closest.is_some());
     for r in outcome.rejected.iter().skip(skip) {
-        out.push_str(&format!("  {}: {}\n", measures(r), r.reason.describe(|v| p.show(v))));
+        let by = r.reason.misses_by().filter(|share| *share < 1.0);
+        let by = by.map_or_else(String::new, |share| format!(" ({} short)", percent(thousandth(share))));
+        out.push_str(&format!("  {}: {}{by}\n", measures(r), r.reason.describe(|v| p.show(v))));
     }
     out
+}
+
+/// The braid that is searched with; its stiffness may differ from muscle to muscle.
+fn braid_of(base: &Muscle) -> String {
+    match (base.braid().stiffness, base.braid().strands) {
+        (BraidStiffness::OfStrands, Some(strands)) => format!("of {} strands", strands.count),
+        _ => braid_name(base),
+    }
+}
+
+fn thousandth(share: f64) -> f64 {
+    (1e3 * share).ceil() / 1e3
+}
+
+/// What keeps the best from being better.
+fn binds(best: &Candidate) -> String {
+    let Some(limit) = best.binds else { return String::new() };
+    let what = match limit {
+        Limit::Force => "the pull that is wanted",
+        Limit::BulgedDiameter => "the largest bulged diameter",
+        Limit::MaxStretch => "the largest stretch of its rubber",
+        Limit::StrandStrain => "the largest strain of its strands",
+        Limit::BurstMargin => "the burst pressure",
+    };
+    format!("What binds for the first: {what}.\n")
 }
 
 fn measures(r: &Rejected) -> String {
@@ -59,24 +86,30 @@ fn candidates(outcome: &Outcome, p: PressureUnit) -> String {
     let unit = p.name();
     let needs = format!("needs [{unit}]");
     let several_rubbers = list.windows(2).any(|w| w[0].muscle.tube().rubber != w[1].muscle.tube().rubber);
+    let several_lengths = list.windows(2).any(|w| w[0].muscle.length_mm() != w[1].muscle.length_mm());
+    let stiffness = |c: &Candidate| c.muscle.family_stiffness_n_per_mm();
+    let several_braids = list.windows(2).any(|w| stiffness(&w[0]) != stiffness(&w[1]));
     let strands = list.iter().any(|c| c.largest(|q| q.response.strand_tension_n).is_some());
     let burst = list.iter().any(|c| c.burst_pressure_mpa.is_some());
     let burst_title = format!("bursts [{unit}]");
-    let mut header = vec![
-        "",
-        "D0 [mm]",
-        "s [mm]",
-        "θ0 [°]",
-        &needs,
+    let mut header = vec!["", "D0 [mm]", "s [mm]", "θ0 [°]"];
+    if several_lengths {
+        header.push("L0 [mm]");
+    }
+    if several_braids {
+        header.push("k [N/mm]");
+    }
+    header.extend([
+        needs.as_str(),
         "to spare",
         "F blocked [N]",
         "ε free",
         "bulges to [mm]",
         "stiffness [N/mm]",
-        "air [nl]",
+        "air [nL]",
         if strands { "strand [N]" } else { "braid [N]" },
         "±",
-    ];
+    ]);
     if burst {
         header.push(&burst_title);
     }
@@ -98,6 +131,14 @@ fn candidates(outcome: &Outcome, p: PressureUnit) -> String {
                 number(c.muscle.outer_diameter_mm(), 4),
                 number(c.muscle.wall_mm(), 3),
                 number(c.muscle.braid().angle_deg, 4),
+            ];
+            if several_lengths {
+                row.push(number(c.muscle.length_mm(), 4));
+            }
+            if several_braids {
+                row.push(or_dash(stiffness(c), |k| number(k, 3)));
+            }
+            row.extend([
                 needs.join(", "),
                 percent((1000.0 * c.margin).floor() / 1000.0),
                 number(c.blocked_force_n, 4),
@@ -107,7 +148,7 @@ fn candidates(outcome: &Outcome, p: PressureUnit) -> String {
                 or_dash(c.air_normal_litres(), |v| number(v, 3)),
                 or_dash(tension, |v| number(v, 3)),
                 plus_minus(c.largest(|q| q.uncertainty_n)).replace("± ", ""),
-            ];
+            ]);
             if burst {
                 row.push(or_dash(c.burst_pressure_mpa, |v| number(p.value(v), 3)));
             }
@@ -120,11 +161,12 @@ fn candidates(outcome: &Outcome, p: PressureUnit) -> String {
     let mut out = table(&header, rows);
     let braid =
         if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
+    let k = if several_braids { "k: stiffness of one strand family. " } else { "" };
     out.push_str(&format!(
-        "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{braid}.\n±: 95 % of the model's error in the pull, against what it was made from; muscles themselves scatter by some 5 %.\n"
+        "\nto spare: pull above what is wanted, at the maximum pressure. air: normal litres from rest to the point.\n{k}{braid}.\n±: 95 % half-width of the pull at the point, against a measured muscle.\n"
     ));
+    out.push_str(&list.first().map_or_else(String::new, binds));
     out.push_str(&list.first().map_or_else(String::new, doubt));
-    out.push_str(&list.first().map_or_else(String::new, strain));
     if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
@@ -145,24 +187,13 @@ fn doubt(best: &Candidate) -> String {
     })
 }
 
-/// Strands that stretch further than the models were looked at.
-fn strain(best: &Candidate) -> String {
-    let tension = best.largest(|q| q.response.braid_tension_n);
-    let strain = tension.and_then(|t| best.muscle.strand_strain(t)).filter(|s| *s > 0.06);
-    strain.map_or_else(String::new, |s| {
-        format!(
-            "Its strands stretch by {}: past 6 % the models have not been compared with anything.\n",
-            percent((s * 1e3).round() / 1e3)
-        )
-    })
-}
-
 /// What finite elements say of the first candidate.
 fn verified(answer: &DesignAnswer, p: PressureUnit) -> String {
     let (Some(verified), Some(winner)) = (&answer.verification, answer.candidates.first()) else {
         return String::new();
     };
-    let mut out = String::from("\nThe first by finite elements\n");
+    let holds = if verified.holds { "holds" } else { "does NOT hold" };
+    let mut out = format!("\nBy finite elements the first {holds}\n");
     for (c, q) in verified.points.iter().zip(&winner.points) {
         let (at, max) = (percent(c.contraction), p.show(answer.max_pressure_mpa));
         let line = match (c.force_at_max_pressure_n, &c.cause) {
@@ -245,6 +276,9 @@ fn nothing_fits(closest: &Closest, p: PressureUnit) -> String {
             }
             Relaxation::Stretch { stretch } => {
                 format!("a largest stretch of {}", number((stretch * 100.0).ceil() / 100.0, 3))
+            }
+            Relaxation::StrandStrain { strain } => {
+                format!("a strand strain of {}", percent((strain * 1e4).ceil() / 1e4))
             }
             Relaxation::BurstMargin { margin } => {
                 format!("a burst margin of {}", number((margin * 100.0).floor() / 100.0, 3))

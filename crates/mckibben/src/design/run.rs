@@ -1,0 +1,154 @@
+//! A design: searched with a fast model, settled with the one that is believed.
+
+use super::candidate::{Candidate, candidate};
+use super::limit::{Probe, probe};
+use super::reason::{Reason, Rejected};
+use super::relax::{Relaxation, relaxations};
+use super::search::{Harvest, Pick, Search};
+use super::spec::{Build, Spec, SpecError};
+use crate::muscle::{Muscle, Rubber};
+use crate::progress::{Progress, Silent};
+use crate::units::Values;
+use rayon::prelude::*;
+use std::sync::atomic::AtomicUsize;
+
+/// The models of a design.
+#[derive(Clone, Copy)]
+pub struct Models<'a> {
+    /// Looks at very many muscles; outside of its range as well, where another one decides.
+    pub search: &'a Build<'a>,
+    /// Decides of those that are printed: their diameters are corrected until the specification holds by it, and all their numbers
+    /// are its. `None`: the model of the search.
+    pub settle: Option<&'a Build<'a>>,
+}
+
+/// What a design found.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// Muscles that fit, best first.
+    pub candidates: Vec<Candidate>,
+    /// Muscles that do not, those that came closest first.
+    pub rejected: Vec<Rejected>,
+    /// How many muscles were looked at, and how many of them fit.
+    pub looked_at: (usize, usize),
+    /// Where nothing fits: the muscle that comes closest, and what would have to give.
+    pub closest: Option<Closest>,
+}
+
+/// The muscle that comes closest where nothing fits.
+#[derive(Debug, Clone)]
+pub struct Closest {
+    /// Its measures and why it does not fit.
+    pub rejected: Rejected,
+    /// The muscle itself.
+    pub muscle: Muscle,
+    /// What would have to give, one limit at a time.
+    pub relaxations: Vec<Relaxation>,
+}
+
+/// Muscles that miss by at most this by the model of the search are asked of the other one, too.
+const NEARLY: f64 = 0.02;
+/// Shares by which the two models' diameters may differ, tried one after the other.
+const WIDTHS: [f64; 3] = [0.01, 0.05, 0.25];
+
+/// Searches a specification with one model.
+///
+/// # Errors
+/// [`SpecError`] where the specification cannot be searched, also because none of its combinations is a muscle; that
+/// nothing fits is an [`Outcome`].
+pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
+    design_with(spec, Models { search: build, settle: None }, &Silent)
+}
+
+/// [`design`] with two models, which tells how far it is and can be ended before it is done.
+///
+/// # Errors
+/// As [`design`]; [`SpecError::Cancelled`].
+pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Result<Outcome, SpecError> {
+    spec.check()?;
+    let own = [spec.base.tube().rubber.clone()];
+    let rubbers: &[Rubber] = if spec.rubbers.is_empty() { &own } else { &spec.rubbers };
+    let most = if models.settle.is_some() { spec.top + SPARE } else { spec.top };
+    let extrapolate = spec.extrapolate || models.settle.is_some();
+    let searched = Spec { extrapolate, ..spec.clone() };
+    let build = models.search;
+    let search = Search { spec: &searched, build, rubbers, progress, done: AtomicUsize::new(0), most };
+    let mut harvest = search.run();
+    if harvest.fits.is_empty()
+        && harvest.misses.is_empty()
+        && let Some(error) = harvest.invalid.take()
+        && !progress.cancelled()
+    {
+        return Err(SpecError::NoMuscle(error));
+    }
+    let candidates = settled(&search, models, &harvest);
+    if progress.cancelled() {
+        return Err(SpecError::Cancelled);
+    }
+    let decides = models.settle.unwrap_or(models.search);
+    let mut misses: Vec<(Muscle, Reason)> = vec![];
+    for &(_, pick) in harvest.misses.iter() {
+        if misses.len() < spec.top
+            && let Ok(muscle) = search.muscle(pick)
+            && let Some(reason) = search.reason(&muscle, decides)
+        {
+            misses.push((muscle, reason));
+        }
+    }
+    // A muscle that fitted by the search alone, and no other is left.
+    if candidates.is_empty() && misses.is_empty() {
+        let first = harvest.fits.first().and_then(|f| search.muscle(f.1).ok());
+        misses.extend(first.and_then(|m| search.reason(&m, decides).map(|reason| (m, reason))));
+    }
+    let closest = misses.first().filter(|_| candidates.is_empty()).map(|(muscle, reason)| Closest {
+        rejected: Rejected::of(muscle, reason.clone()),
+        muscle: muscle.clone(),
+        relaxations: relaxations(spec, decides, muscle),
+    });
+    let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
+    Ok(Outcome { candidates, rejected, looked_at: (harvest.looked_at, harvest.fitted), closest })
+}
+
+/// More muscles than are printed: some may not hold by the model that decides.
+const SPARE: usize = 3;
+
+/// The muscles that hold by the model that decides, best first.
+fn settled(search: &Search<'_>, models: Models<'_>, harvest: &Harvest) -> Vec<Candidate> {
+    let spec = search.spec;
+    let build = models.settle.unwrap_or(models.search);
+    let one = |pick: &Pick| -> Option<Candidate> {
+        if search.progress.cancelled() {
+            return None;
+        }
+        let pick = if models.settle.is_some() { corrected(search, build, *pick)? } else { *pick };
+        let muscle = search.muscle(pick).ok()?;
+        let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
+        candidate(spec, build, &muscle, &probe).ok()
+    };
+    let picks: Vec<Pick> = harvest.fits.iter().map(|f| f.1).collect();
+    let mut found: Vec<Candidate> = picks.par_iter().filter_map(one).collect();
+    if found.len() < spec.top && models.settle.is_some() {
+        let nearly: Vec<Pick> = harvest.misses.iter().filter(|m| m.0 < NEARLY).map(|m| m.1).collect();
+        found.extend(nearly.par_iter().filter_map(one).collect::<Vec<_>>());
+    }
+    found.sort_by(|a, b| a.score.total_cmp(&b.score));
+    found.dedup_by(|a, b| a.muscle == b.muscle);
+    found.truncate(spec.top);
+    found
+}
+
+/// The muscle with the diameter that the model which decides asks for.
+fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick> {
+    let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
+    for width in WIDTHS {
+        let (from, to) = ((pick.d0 * (1.0 - width)).max(*low), (pick.d0 * (1.0 + width)).min(*high));
+        let (fit, _) = search.stretch(pick, (from, to), build, &mut Harvest::default());
+        let Some(fit) = fit else { continue };
+        // At an edge that is not a bound of the search the best one lies beyond.
+        let edge = (fit.x - from < 1e-3 * fit.x && from > *low) || (to - fit.x < 1e-3 * fit.x && to < *high);
+        if !edge || width == WIDTHS[WIDTHS.len() - 1] {
+            return Some(pick.with_diameter(fit.x));
+        }
+    }
+    None
+}
