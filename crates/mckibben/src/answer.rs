@@ -88,6 +88,7 @@ pub fn point<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<Answer, ModelError> {
     let mut warnings = check_range(model, pressure_mpa, contraction, options)?;
+    warnings.extend(model.muscle().warnings());
     warnings.extend(model.notes(workspace));
     let (mut response, free_contraction) =
         match response_on(model, workspace, pressure_mpa, contraction, options.direction) {

@@ -51,6 +51,7 @@ pub mod nearest;
 pub mod prelude;
 pub mod progress;
 pub mod rubber;
+pub mod sleeve;
 pub mod status;
 pub mod study;
 pub mod units;

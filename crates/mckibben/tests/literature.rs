@@ -87,3 +87,13 @@ fn every_named_rubber_cites_its_source() {
         assert!(line.contains("identified with") || !cited(line).is_empty(), "{line}");
     }
 }
+
+#[test]
+fn every_named_sleeve_and_material_says_where_its_figures_stand() {
+    let library = fs::read_to_string(root().join("crates/mckibben/data/braids.toml")).unwrap();
+    let citations: Vec<_> = library.lines().filter(|l| l.starts_with("citation = ")).collect();
+    assert!(citations.len() >= 5);
+    for line in citations {
+        assert!(line.contains("http") || !cited(line).is_empty(), "{line}");
+    }
+}

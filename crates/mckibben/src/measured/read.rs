@@ -45,8 +45,8 @@ impl Section {
     /// [`MuscleError`].
     pub fn apply(&self, muscle: &Muscle) -> Result<Muscle, MuscleError> {
         let mut tube = muscle.tube().clone();
-        let mut braid = muscle.braid().clone();
         tube.outer_diameter_mm = self.outer_diameter_mm.unwrap_or(tube.outer_diameter_mm);
+        let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
         tube.wall_mm = self.wall_mm.unwrap_or(tube.wall_mm);
         tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
         braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);

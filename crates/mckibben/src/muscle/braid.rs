@@ -3,6 +3,10 @@
 use super::NEUTRAL_ANGLE_DEG;
 use super::error::{MuscleError, positive};
 use super::tube::Tube;
+use crate::sleeve::{SleeveError, SleeveShape};
+
+/// How far a written angle may be from that of a named sleeve on the tube, in degrees.
+pub const SLEEVE_ANGLE_TOLERANCE_DEG: f64 = 0.5;
 
 /// How stiff a strand family is, as a force per length of a cut across the strands: k = E·A/spacing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,9 +55,13 @@ pub struct Braid {
     pub measured: Option<MeasuredStrand>,
     /// Whether strands carry compression, as the paper's trusses do. Real strands buckle: default false.
     pub compression: bool,
+    /// The named sleeve that it was cut from, which gives its angle on another tube.
+    pub sleeve: Option<SleeveShape>,
 }
 
 impl Braid {
+    /// Outer diameters in mm from which the stiffness `paper` comes: its muscles had these.
+    pub const PAPER_DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
     /// k of the braid `paper` at D0 40 mm, in N/mm.
     pub const PAPER_AT_40_N_PER_MM: f64 = 452.0;
     /// Its k grows like this power of D0.
@@ -67,7 +75,37 @@ impl Braid {
             strands: None,
             measured: None,
             compression: false,
+            sleeve: None,
         }
+    }
+
+    /// This braid on a tube of another diameter: a named sleeve has another angle there; any other braid stays as it is.
+    ///
+    /// # Errors
+    /// [`SleeveError`] where the sleeve does not fit the tube.
+    pub fn on_diameter(self, outer_diameter_mm: f64) -> Result<Self, SleeveError> {
+        let angle_deg = match &self.sleeve {
+            Some(sleeve) => sleeve.angle_deg_on(outer_diameter_mm)?,
+            None => self.angle_deg,
+        };
+        Ok(Self { angle_deg, ..self })
+    }
+
+    /// This braid with an angle that somebody stated, on a tube of a diameter.
+    ///
+    /// # Errors
+    /// [`MuscleError::SleeveAngle`] where it is not that of the named sleeve within [`SLEEVE_ANGLE_TOLERANCE_DEG`], or
+    /// [`MuscleError::Sleeve`] where the sleeve does not fit.
+    pub fn with_stated_angle(self, angle_deg: f64, outer_diameter_mm: f64) -> Result<Self, MuscleError> {
+        if let Some(sleeve) = &self.sleeve {
+            let of_sleeve_deg = sleeve.angle_deg_on(outer_diameter_mm)?;
+            // A NaN is no angle, and `check` says so.
+            if (angle_deg - of_sleeve_deg).abs() > SLEEVE_ANGLE_TOLERANCE_DEG {
+                let name = sleeve.name.clone();
+                return Err(MuscleError::SleeveAngle { name, angle_deg, of_sleeve_deg, outer_diameter_mm });
+            }
+        }
+        Ok(Self { angle_deg, ..self })
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
@@ -103,6 +141,19 @@ impl Braid {
             positive("braid.turns", m.turns, "")?;
         }
         Ok(())
+    }
+
+    /// What the user should know of this braid on this tube.
+    pub(super) fn warning(&self, tube: &Tube) -> Option<String> {
+        let (least, largest) = Self::PAPER_DIAMETERS_MM;
+        let d = tube.outer_diameter_mm;
+        let scaled = self.stiffness == BraidStiffness::Paper && !(least..=largest).contains(&d);
+        scaled.then(|| {
+            format!(
+                "the braid `paper` is known for D0 {least} to {largest} mm; on {d} mm its stiffness is scaled like D0^{}, which no sleeve does: name a sleeve, or state stiffness or strands",
+                Self::PAPER_EXPONENT
+            )
+        })
     }
 
     /// θ0 in radians.

@@ -1,6 +1,7 @@
 //! Why parts do not make a muscle.
 
 use crate::rubber::LawError;
+use crate::sleeve::SleeveError;
 use std::borrow::Cow;
 use thiserror::Error;
 
@@ -48,14 +49,34 @@ pub enum MuscleError {
     /// Rubber constants that make no law.
     #[error("tube.material: {0}")]
     Rubber(#[from] LawError),
+    /// A named sleeve that is not known, does not fit, or does not say enough.
+    #[error("braid: {0}")]
+    Sleeve(#[from] SleeveError),
+    /// An angle beside a named sleeve that has another one on this tube.
+    #[error(
+        "braid.angle is {angle_deg} deg, but {name} has {of_sleeve_deg:.2} deg on a tube of {outer_diameter_mm} mm: leave one of them out"
+    )]
+    SleeveAngle {
+        /// The sleeve.
+        name: String,
+        /// The angle that was given, in degrees.
+        angle_deg: f64,
+        /// The sleeve's, in degrees.
+        of_sleeve_deg: f64,
+        /// The tube's outer diameter in mm.
+        outer_diameter_mm: f64,
+    },
+    /// A strand's cross-section both as an area and as a diameter.
+    #[error("braid: give either `strand_area` or `strand_diameter`; here stand both")]
+    SectionTwice,
     /// A stiffness together with the three lines it replaces.
     #[error(
-        "braid: give either `stiffness`, or `strands`, `strand_area` and `strand_modulus`; here stand both"
+        "braid: give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; here stand both"
     )]
     StiffnessTwice,
     /// Some but not all of the three strand lines.
     #[error(
-        "braid: {missing} is missing; a braid described by its strands needs `strands`, `strand_area` and `strand_modulus`"
+        "braid: {missing} is missing; a braid described by its strands needs `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`"
     )]
     StrandsIncomplete {
         /// The missing key.
@@ -111,6 +132,12 @@ impl MuscleError {
                 let constant = error.constant().map(|name| Cow::from(format!("tube.material.{name}")));
                 return constant.into_iter().chain(["tube.material".into()]).collect();
             }
+            MuscleError::Sleeve(SleeveError::OutOfRange { .. } | SleeveError::NoContraction { .. }) => {
+                vec!["braid.name", "tube.outer_diameter"]
+            }
+            MuscleError::Sleeve(_) => vec!["braid.name"],
+            MuscleError::SleeveAngle { .. } => vec!["braid.angle"],
+            MuscleError::SectionTwice => vec!["braid.strand_diameter"],
             MuscleError::StiffnessTwice => vec!["braid.stiffness"],
             MuscleError::StrandsIncomplete { .. } => {
                 vec!["braid.strand_area", "braid.strand_modulus", "braid.strands"]

@@ -12,7 +12,7 @@ mod rubber;
 mod terminals;
 mod tube;
 
-pub use braid::{Braid, BraidStiffness, MeasuredStrand, Strands};
+pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use derived::BuildSheet;
 pub use direction::{Direction, UnknownDirection};
 pub use error::MuscleError;
@@ -98,12 +98,32 @@ impl Muscle {
         self.friction.as_ref()
     }
 
-    /// The same muscle with another tube.
+    /// What the user should know of this muscle, in sentences, whatever is asked of it.
+    pub fn warnings(&self) -> Vec<String> {
+        self.braid.warning(&self.tube).into_iter().collect()
+    }
+
+    /// The same muscle with another tube. A braid cut from a named sleeve has the sleeve's angle on another diameter.
     ///
     /// # Errors
-    /// As [`Muscle::new`].
+    /// As [`Muscle::new`], and [`MuscleError::Sleeve`] where the sleeve does not fit the tube.
     pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
-        Self::new(tube, self.braid.clone(), self.terminals.clone(), self.friction)
+        let braid = self.braid_on(tube.outer_diameter_mm)?;
+        Self::new(tube, braid, self.terminals.clone(), self.friction)
+    }
+
+    /// The braid of this muscle on a tube of a diameter: its own on its own, that of its named sleeve on another.
+    ///
+    /// # Errors
+    /// [`MuscleError::Sleeve`] where the sleeve does not fit the tube.
+    pub fn braid_on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
+        let braid = self.braid.clone();
+        // An angle that was stated for this diameter stays.
+        if outer_diameter_mm == self.tube.outer_diameter_mm {
+            Ok(braid)
+        } else {
+            Ok(braid.on_diameter(outer_diameter_mm)?)
+        }
     }
 
     /// The same muscle with another diameter and wall.

@@ -176,6 +176,51 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[braid]\nstrand_strength = \"40 N\"", 2, "braid.strand_strength = \"40 N\": needs braid.strands"),
     ("[braid]\nstrand_length = 340", 2, "braid.turns is missing; a strand measured on the muscle has both"),
     ("[braid]\nturns = 2", 2, "braid.strand_length is missing"),
+    // A named sleeve.
+    (
+        "[braid]\nname = \"nfl-18\"",
+        2,
+        "braid.name = \"nfl-18\": there is no sleeve named \"nfl-18\" (did you mean nfl-19?)",
+    ),
+    ("[braid]\nname = 19", 2, "braid.name = 19: is a number; expected the name of a sleeve"),
+    (
+        "[tube]\nouter_diameter = 20\n[braid]\nname = \"nfl-19\"",
+        4,
+        "the source of nfl-19 does not state strand_diameter and strand_modulus; give `strand_diameter` and `strand_modulus`",
+    ),
+    (
+        "[braid]\nname = \"s-muscle-20\"\nstiffness = \"inextensible\"",
+        2,
+        "s-muscle-20 fits tubes from 0.4788 to 6.4544 mm; the tube has an outer diameter of 30 mm",
+    ),
+    (
+        "[tube]\nouter_diameter = 34\n[braid]\nangle = 50\nname = \"nfl-19\"\nstiffness = 300",
+        5,
+        "nfl-19 has an angle of 63.24 deg on 34 mm, and a muscle contracts below 54.7356 deg only",
+    ),
+    (
+        "[tube]\nouter_diameter = 20\n[braid]\nname = \"nfl-19\"\nstiffness = 300\nangle = 28",
+        6,
+        "braid.angle = 28: is 28 deg, but nfl-19 has 31.68 deg on a tube of 20 mm: leave one of them out",
+    ),
+    (
+        "[tube]\nouter_diameter = 20\n[braid]\nname = \"nfl-19\"\nstiffness = 300\nstrand_modulus = 8000",
+        5,
+        "give either `stiffness`, or `strands`",
+    ),
+    (
+        "[braid]\nstrands = 48\nstrand_area = 0.1\nstrand_diameter = 0.3\nstrand_modulus = 2500",
+        4,
+        "give either `strand_area` or `strand_diameter`; here stand both",
+    ),
+    (
+        "[braid]\nstrands = 48\nstrand_diameter = \"-0.3 mm\"\nstrand_modulus = 2500",
+        3,
+        "braid.strand_diameter = \"-0.3 mm\": is -0.3 mm; it must be above zero",
+    ),
+    ("[braid]\nstrands = 48\nstrand_diameter = 0.3", 3, "strand_modulus is missing"),
+    ("[braid]\nstrand_diameter = 0.3\nstrand_modulus = 2500", 2, "strands is missing"),
+    ("[braid]\nstrand_diametr = 0.3", 2, "did you mean strand_diameter?"),
     ("[braid]\ncompression = \"yes\"", 2, "is a text; expected true or false, without quotes"),
     // Terminals and friction.
     (

@@ -4,13 +4,16 @@ use super::error::{FileError, Problem};
 use super::read::ALL;
 use super::source::{Section, WordOr};
 use crate::muscle::{Braid, BraidStiffness, MeasuredStrand, MuscleError, Strands};
+use crate::sleeve::{Sleeve, library};
 use crate::units::Dimension;
 
 const KEYS: &[&str] = &[
+    "name",
     "angle",
     "stiffness",
     "strands",
     "strand_area",
+    "strand_diameter",
     "strand_modulus",
     "strand_strength",
     "strand_length",
@@ -18,12 +21,17 @@ const KEYS: &[&str] = &[
     "compression",
 ];
 
-pub(super) fn read(section: &Section<'_>) -> Result<Braid, FileError> {
+/// The braid on a tube of an outer diameter.
+pub(super) fn read(section: &Section<'_>, outer_diameter_mm: f64) -> Result<Braid, FileError> {
     section.only(KEYS, &ALL)?;
     let default = Braid::paper();
-    let angle_deg = section.quantity("angle", Dimension::Angle)?.unwrap_or(default.angle_deg);
+    let angle_deg = section.quantity("angle", Dimension::Angle)?;
+    let sleeve = sleeve(section)?;
     let written = stiffness(section)?;
-    let (strands, described) = strands(section)?;
+    let (strands, described) = match &sleeve {
+        Some(sleeve) => of_sleeve(section, sleeve, written.is_some())?,
+        None => strands(section)?,
+    };
     let stiffness = match (written, described) {
         (Some(_), true) => return Err(refused(section, "stiffness", MuscleError::StiffnessTwice)),
         (Some(stiffness), false) => stiffness,
@@ -32,7 +40,76 @@ pub(super) fn read(section: &Section<'_>) -> Result<Braid, FileError> {
         (None, false) => default.stiffness,
     };
     let compression = section.boolean("compression")?.unwrap_or(default.compression);
-    Ok(Braid { angle_deg, stiffness, strands, measured: measured(section)?, compression })
+    let measured = measured(section)?;
+    let shape = sleeve.map(|s| s.shape);
+    let braid = Braid { stiffness, strands, measured, compression, sleeve: shape, ..default };
+    match angle_deg {
+        Some(angle) => {
+            braid.with_stated_angle(angle, outer_diameter_mm).map_err(|e| of_braid(section, "angle", e))
+        }
+        None => braid.on_diameter(outer_diameter_mm).map_err(|e| of_braid(section, "name", e.into())),
+    }
+}
+
+/// The sleeve that `name` means.
+fn sleeve(section: &Section<'_>) -> Result<Option<Sleeve>, FileError> {
+    let name = section.text("name", "the name of a sleeve, such as \"nfl-19\"")?;
+    name.map(library::find).transpose().map_err(|e| refused(section, "name", e.into()))
+}
+
+/// An error of the sleeve belongs to its name, whatever key was read when it was found.
+fn of_braid(section: &Section<'_>, key: &'static str, error: MuscleError) -> FileError {
+    let key = if matches!(error, MuscleError::Sleeve(_)) { "name" } else { key };
+    refused(section, key, error)
+}
+
+/// The strands of a named sleeve, with what the file says of them, and whether they give the stiffness. Where it is written, they only
+/// inform.
+fn of_sleeve(
+    section: &Section<'_>,
+    sleeve: &Sleeve,
+    stiffness: bool,
+) -> Result<(Option<Strands>, bool), FileError> {
+    let area = area(section)?;
+    let modulus = section.quantity("strand_modulus", Dimension::Pressure)?;
+    if stiffness && (area.is_some() || modulus.is_some()) {
+        return Ok((None, true));
+    }
+    // An area is that of one round filament, as wide as it.
+    let diameter = area.map(|a| 2.0 * (a / std::f64::consts::PI).sqrt());
+    let sleeve = Sleeve {
+        strands: count(section)?.or(sleeve.strands),
+        filaments: if diameter.is_some() { 1 } else { sleeve.filaments },
+        strand_diameter_mm: diameter.or(sleeve.strand_diameter_mm),
+        strand_modulus_mpa: modulus.or(sleeve.strand_modulus_mpa),
+        strand_strength_n: section
+            .quantity("strand_strength", Dimension::Force)?
+            .or(sleeve.strand_strength_n),
+        shape: sleeve.shape.clone(),
+    };
+    if stiffness {
+        return Ok((sleeve.strands_beside_stiffness(), false));
+    }
+    let mut strands = sleeve.of_strands().map_err(|e| refused(section, "name", e.into()))?;
+    if let (Some(area), Some(section)) = (area, &mut strands.section) {
+        // To the last bit, not by way of the diameter.
+        section.0 = area;
+    }
+    Ok((Some(strands), true))
+}
+
+/// The cross-section of a strand, as an area or the diameter of a round one.
+fn area(section: &Section<'_>) -> Result<Option<f64>, FileError> {
+    let area = section.quantity("strand_area", Dimension::Area)?;
+    let diameter = section.quantity("strand_diameter", Dimension::Length)?;
+    match (area, diameter) {
+        (Some(_), Some(_)) => Err(refused(section, "strand_diameter", MuscleError::SectionTwice)),
+        (_, Some(d)) if !(d.is_finite() && d > 0.0) => {
+            let error = MuscleError::NotPositive { key: "braid.strand_diameter", value: d, unit: "mm" };
+            Err(refused(section, "strand_diameter", error))
+        }
+        (area, diameter) => Ok(area.or(diameter.map(|d| std::f64::consts::PI * d * d / 4.0))),
+    }
 }
 
 fn refused(section: &Section<'_>, key: &str, error: MuscleError) -> FileError {
@@ -56,11 +133,12 @@ fn stiffness(section: &Section<'_>) -> Result<Option<BraidStiffness>, FileError>
 /// The strands, and whether they describe the braid's stiffness.
 fn strands(section: &Section<'_>) -> Result<(Option<Strands>, bool), FileError> {
     let count = count(section)?;
-    let area = section.quantity("strand_area", Dimension::Area)?;
+    let area = area(section)?;
     let modulus = section.quantity("strand_modulus", Dimension::Pressure)?;
     let strength_n = section.quantity("strand_strength", Dimension::Force)?;
     let described = area.is_some() || modulus.is_some();
-    let beside = if area.is_some() { "strand_area" } else { "strand_modulus" };
+    let beside =
+        ["strand_area", "strand_diameter"].into_iter().find(|k| section.has(k)).unwrap_or("strand_modulus");
     let incomplete = |missing| Err(refused(section, beside, MuscleError::StrandsIncomplete { missing }));
     match (count, area, modulus) {
         // Both at once is the more telling complaint; the caller makes it.

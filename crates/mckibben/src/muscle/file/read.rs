@@ -34,10 +34,12 @@ const KEYS: &[&str] = &[
     "tube.material.law",
     "tube.material.bulk_modulus",
     "tube.material.fitted_to_stretch",
+    "braid.name",
     "braid.angle",
     "braid.stiffness",
     "braid.strands",
     "braid.strand_area",
+    "braid.strand_diameter",
     "braid.strand_modulus",
     "braid.strand_strength",
     "braid.strand_length",
@@ -77,7 +79,7 @@ pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle
     root.text("name", "a text in quotes")?;
     root.text("notes", "a text in quotes")?;
     let tube = tube(&root)?;
-    let braid = braid::read(&root.section("braid", "braid")?)?;
+    let braid = braid::read(&root.section("braid", "braid")?, tube.outer_diameter_mm)?;
     let terminals = terminals(&root)?;
     let friction = friction(&root.section("friction", "friction")?)?;
     Muscle::new(tube, braid, terminals, friction).map_err(|e| located(&source, e))

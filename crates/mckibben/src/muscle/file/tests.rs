@@ -67,6 +67,7 @@ fn braid() -> impl Strategy<Value = Braid> {
             strands,
             measured,
             compression,
+            sleeve: None,
         },
     )
 }
@@ -224,6 +225,54 @@ fn an_unused_strand_section_is_written_as_a_comment() {
     assert!(text.contains("\n# strand_area = \"0.3 mm2\""), "{text}");
     let strands = parse_muscle(&text).unwrap().braid().strands;
     assert_eq!(strands, Some(Strands { count: 48, section: None, strength_n: None }));
+}
+
+/// A named sleeve gives angle and strands, stays a name, and says only what it does not say by itself.
+#[test]
+fn named_sleeves_are_read_and_written_by_name() {
+    let read = |diameter: f64, braid: &str| {
+        let text = format!("[tube]\nouter_diameter = {diameter}\nwall_thickness = 0.4\n[braid]\n{braid}");
+        let muscle = parse_muscle(&text).unwrap();
+        let written = to_toml(&muscle);
+        assert_eq!(parse_muscle(&written).unwrap(), muscle, "{written}");
+        (muscle, written)
+    };
+    let (muscle, text) = read(2.0, "name = \"SM20\"\nstrand_modulus = \"5 GPa\"");
+    assert!((muscle.braid().angle_deg - 18.0).abs() < 1e-12);
+    let strands = muscle.braid().strands.unwrap();
+    assert_eq!((strands.count, strands.section.unwrap().1), (24, 5000.0));
+    assert!(text.contains("name = \"s-muscle-20\"") && !text.contains("angle ="), "{text}");
+    // Its diameter is not stated by the seller; with it the number of strands follows from the range.
+    let (muscle, text) = read(12.0, "name = \"flexo-overexpanded-0.38in\"\nstrand_diameter = \"0.25 mm\"");
+    let sleeve = crate::sleeve::library::find("flexo-overexpanded-0.38in").unwrap();
+    let same = sleeve.with_strands(Some(0.25), None).unwrap().on(12.0).unwrap();
+    assert_eq!(muscle.braid(), &same);
+    assert!(text.contains("strands = 232") && text.contains("strand_area = "), "{text}");
+    // A counted number stands against the one that follows.
+    let counted = "name = \"flexo-overexpanded-0.38in\"\nstrand_diameter = 0.25\nstrands = 96";
+    assert_eq!(read(12.0, counted).0.braid().strands.unwrap().count, 96);
+    // A stiffness beside the name is k on this tube.
+    let (muscle, text) = read(20.0, "name = \"nfl-19\"\nstiffness = \"300 N/mm\"\nangle = \"31.5 deg\"");
+    assert_eq!(muscle.family_stiffness_n_per_mm(), Some(300.0));
+    assert_eq!(muscle.braid().angle_deg, 31.5);
+    assert!(text.contains("name = \"nfl-19\"") && text.contains("angle = \"31.5 deg\""), "{text}");
+    // An angle that the sleeve does not have is written instead of its name.
+    let other = Braid { angle_deg: 25.0, ..muscle.braid().clone() };
+    let text = to_toml(&muscle.with_braid(other).unwrap());
+    assert!(!text.contains("nfl-19") && text.contains("angle = \"25 deg\""), "{text}");
+}
+
+/// `strand_diameter` is a circle's: A = π d²/4.
+#[test]
+fn a_strand_diameter_is_a_round_cross_section() {
+    let text = "[braid]\nstrands = 48\nstrand_diameter = \"0.5 mm\"\nstrand_modulus = \"2.5 GPa\"";
+    let muscle = parse_muscle(text).unwrap();
+    let area = std::f64::consts::PI / 16.0;
+    assert_eq!(muscle.braid().strands.unwrap().section, Some((area, 2500.0)));
+    let spacing = muscle.braid().strand_spacing_mm(muscle.tube(), 48);
+    let k = muscle.family_stiffness_n_per_mm().unwrap();
+    assert!((k * spacing / (2500.0 * area) - 1.0).abs() < 1e-12);
+    assert_eq!(parse_muscle(&to_toml(&muscle)).unwrap(), muscle);
 }
 
 /// A named rubber stays a name, whichever of its laws is used; one whose constants were changed does not.

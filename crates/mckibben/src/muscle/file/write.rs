@@ -2,6 +2,7 @@
 
 use crate::muscle::{Braid, BraidStiffness, Bulk, EndFactor, Muscle, Rubber};
 use crate::rubber::library;
+use crate::sleeve::{self, Sleeve};
 use std::fmt::Write;
 
 /// The column of the comments.
@@ -19,7 +20,7 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.key("wall_thickness", &quantity(tube.wall_mm, "mm"), "");
     out.key("length", &quantity(tube.length_mm, "mm"), "between the terminals");
     out.rubber(&tube.rubber);
-    out.braid(muscle.braid());
+    out.braid(muscle.braid(), tube.outer_diameter_mm);
     out.table("terminals");
     let insertion = quantity(muscle.terminals().insertion_mm, "mm");
     out.key("insertion", &insertion, "tube and braid clamped on each plug");
@@ -113,9 +114,16 @@ impl Text {
         }
     }
 
-    fn braid(&mut self, braid: &Braid) {
+    fn braid(&mut self, braid: &Braid, outer_diameter_mm: f64) {
         self.table("braid");
-        self.key("angle", &quantity(braid.angle_deg, "deg"), "strands to the muscle's axis, at rest");
+        let sleeve = named_sleeve(braid, outer_diameter_mm);
+        if let Some(sleeve) = &sleeve {
+            self.key("name", &text(sleeve.name()), "a sleeve: `mckibben braid show`");
+        }
+        if !sleeve.as_ref().is_some_and(|s| s.shape.angle_deg_on(outer_diameter_mm) == Ok(braid.angle_deg)) {
+            let comment = "strands to the muscle's axis, at rest";
+            self.key("angle", &quantity(braid.angle_deg, "deg"), comment);
+        }
         let stiffness = match braid.stiffness {
             BraidStiffness::Paper => Some(text("paper")),
             BraidStiffness::Inextensible => Some(text("inextensible")),
@@ -126,7 +134,12 @@ impl Text {
             let comment = "k of one strand family: \"321 N/mm\", \"inextensible\", or \"paper\"";
             self.key("stiffness", stiffness, comment);
         }
-        if let Some(strands) = &braid.strands {
+        // What the sleeve says by itself need not be written.
+        let known = sleeve.and_then(|s| match stiffness {
+            Some(_) => s.strands_beside_stiffness(),
+            None => s.of_strands().ok(),
+        });
+        if let Some(strands) = braid.strands.as_ref().filter(|s| known.as_ref() != Some(s)) {
             self.key("strands", &strands.count.to_string(), "both families together");
             if let Some((area, modulus)) = strands.section {
                 let unused = if stiffness.is_some() { "# " } else { "" };
@@ -148,6 +161,13 @@ impl Text {
             self.key("compression", "true", "strands that carry compression");
         }
     }
+}
+
+/// The sleeve that the braid was cut from, where its name and angle may stand beside each other in a file.
+fn named_sleeve(braid: &Braid, outer_diameter_mm: f64) -> Option<Sleeve> {
+    let shape = braid.sleeve.as_ref()?;
+    let sleeve = sleeve::library::find(&shape.name).ok().filter(|s| s.shape == *shape)?;
+    braid.clone().with_stated_angle(braid.angle_deg, outer_diameter_mm).is_ok().then_some(sleeve)
 }
 
 /// A text in quotes, on one line.

@@ -1,0 +1,250 @@
+//! Named sleeves, from `data/braids.toml`, which states source and terms of each.
+
+use super::{Helix, Sleeve, SleeveError, SleeveShape};
+use crate::nearest::nearest;
+use std::fmt;
+use std::sync::OnceLock;
+use toml_edit::{Document, Item, TableLike, Value};
+
+/// From what a sleeve's helix was found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum HelixFrom {
+    /// An angle at a diameter, as stated.
+    Angle,
+    /// Least and largest diameter, at which the strands are taken to touch.
+    Range,
+    /// The least diameter and the width of all strands, which are taken to touch there.
+    LeastAndStrands,
+}
+
+impl fmt::Display for HelixFrom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Angle => "the angle that its source states at a diameter",
+            Self::Range => "the range that its source states; strands are taken to touch at both ends of it",
+            Self::LeastAndStrands => "its least diameter and its strands, which are taken to touch there",
+        })
+    }
+}
+
+/// A sleeve of the library.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SleeveEntry {
+    /// The sleeve.
+    pub sleeve: Sleeve,
+    /// Other names it answers to.
+    pub aliases: Vec<String>,
+    /// What it is, for people.
+    pub title: String,
+    /// What its strands are, in a word.
+    pub material: String,
+    /// Nominal diameter in mm, where there is one.
+    pub nominal_mm: Option<f64>,
+    /// From what its helix was found.
+    pub helix_from: HelixFrom,
+    /// Where the data come from.
+    pub source: String,
+    /// Terms under which they may be used.
+    pub terms: String,
+    /// What else one should know.
+    pub note: Option<String>,
+    /// What its modulus is taken from, where it is one of [`materials`].
+    pub modulus_of: Option<&'static Material>,
+}
+
+/// What strands are made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Name, such as `aramid-49`.
+    pub name: String,
+    /// What it is, for people.
+    pub title: String,
+    /// Young's modulus in MPa.
+    pub modulus_mpa: f64,
+    /// Where the modulus comes from.
+    pub source: String,
+    /// What else one should know.
+    pub note: Option<String>,
+}
+
+const TEXT: &str = include_str!("../../data/braids.toml");
+
+/// All sleeves, in the order of the table.
+///
+/// # Errors
+/// [`SleeveError::Damaged`], which no released program should see.
+pub fn entries() -> Result<&'static [SleeveEntry], SleeveError> {
+    static ENTRIES: OnceLock<Result<Vec<SleeveEntry>, SleeveError>> = OnceLock::new();
+    ENTRIES.get_or_init(|| read_entries(TEXT, materials()?)).as_deref().map_err(SleeveError::clone)
+}
+
+/// All materials, in the order of the table.
+///
+/// # Errors
+/// As [`entries`].
+pub fn materials() -> Result<&'static [Material], SleeveError> {
+    static MATERIALS: OnceLock<Result<Vec<Material>, SleeveError>> = OnceLock::new();
+    MATERIALS.get_or_init(|| read_materials(TEXT)).as_deref().map_err(SleeveError::clone)
+}
+
+/// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
+///
+/// # Errors
+/// [`SleeveError::Unknown`] with the nearest name.
+pub fn entry(name: &str) -> Result<&'static SleeveEntry, SleeveError> {
+    let entries = entries()?;
+    let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
+    let found = entries.iter().find(|e| e.sleeve.name() == plain || e.aliases.contains(&plain));
+    found.ok_or_else(|| {
+        let names =
+            entries.iter().flat_map(|e| e.aliases.iter().map(String::as_str).chain([e.sleeve.name()]));
+        SleeveError::Unknown {
+            name: name.chars().take(60).collect(),
+            nearest: nearest(&plain, names).map(str::to_string),
+            known: entries.iter().map(|e| e.sleeve.name().to_string()).collect(),
+        }
+    })
+}
+
+/// The sleeve of a name.
+///
+/// # Errors
+/// As [`entry`].
+pub fn find(name: &str) -> Result<Sleeve, SleeveError> {
+    entry(name).map(|e| e.sleeve.clone())
+}
+
+fn damaged(what: impl Into<String>) -> SleeveError {
+    SleeveError::Damaged { what: what.into() }
+}
+
+fn parse(text: &str) -> Result<Document<&str>, SleeveError> {
+    Document::parse(text).map_err(|e| damaged(e.to_string()))
+}
+
+fn text(table: &dyn TableLike, key: &str) -> Result<String, SleeveError> {
+    let found = table.get(key).and_then(Item::as_str).map(str::to_string);
+    found.ok_or_else(|| damaged(format!("an entry without {key}")))
+}
+
+/// A number above zero, where the key is there.
+fn number(table: &dyn TableLike, key: &str) -> Result<Option<f64>, SleeveError> {
+    let Some(item) = table.get(key) else { return Ok(None) };
+    let value = item.as_float().or_else(|| item.as_integer().map(|i| i as f64));
+    match value {
+        Some(v) if v.is_finite() && v > 0.0 => Ok(Some(v)),
+        _ => Err(damaged(format!("{key} is no number above zero"))),
+    }
+}
+
+fn count(table: &dyn TableLike, key: &str) -> Result<Option<u32>, SleeveError> {
+    let Some(item) = table.get(key) else { return Ok(None) };
+    let value = item.as_integer().and_then(|i| u32::try_from(i).ok()).filter(|n| *n > 0);
+    value.map(Some).ok_or_else(|| damaged(format!("{key} is no count")))
+}
+
+/// The table of sources, by key.
+fn source<'a>(document: &'a Document<&str>, key: &str) -> Result<&'a dyn TableLike, SleeveError> {
+    let sources = document.get("sources").and_then(Item::as_table_like);
+    let found = sources.and_then(|s| s.get(key)).and_then(Item::as_table_like);
+    found.ok_or_else(|| damaged(format!("unknown source {key}")))
+}
+
+fn read_materials(file: &str) -> Result<Vec<Material>, SleeveError> {
+    let document = parse(file)?;
+    let tables = document.get("material").and_then(Item::as_array_of_tables);
+    let one = |table: &toml_edit::Table| {
+        Ok(Material {
+            name: text(table, "name")?,
+            title: text(table, "title")?,
+            modulus_mpa: number(table, "modulus")?.ok_or_else(|| damaged("a material without modulus"))?,
+            source: text(source(&document, &text(table, "source")?)?, "citation")?,
+            note: table.get("note").and_then(Item::as_str).map(str::to_string),
+        })
+    };
+    tables.ok_or_else(|| damaged("no materials"))?.iter().map(one).collect()
+}
+
+fn read_entries(file: &str, materials: &'static [Material]) -> Result<Vec<SleeveEntry>, SleeveError> {
+    let document = parse(file)?;
+    let tables = document.get("sleeve").and_then(Item::as_array_of_tables);
+    let tables = tables.ok_or_else(|| damaged("no sleeves"))?;
+    tables.iter().map(|t| read_entry(t, &document, materials)).collect()
+}
+
+fn read_entry(
+    table: &dyn TableLike,
+    document: &Document<&str>,
+    materials: &'static [Material],
+) -> Result<SleeveEntry, SleeveError> {
+    let name = text(table, "name")?;
+    let material = text(table, "material")?;
+    let origin = source(document, &text(table, "source")?)?;
+    let modulus_of = materials.iter().find(|m| m.name == material);
+    let (nominal_mm, angle) = (number(table, "nominal_diameter")?, number(table, "angle")?);
+    let (least, largest) = (number(table, "least_diameter")?, number(table, "largest_diameter")?);
+    let (strands, filaments) = (count(table, "strands")?, count(table, "filaments")?.unwrap_or(1));
+    let strand_diameter_mm = number(table, "strand_diameter")?;
+    let width = strands.zip(strand_diameter_mm).map(|(n, d)| f64::from(n * filaments) * d);
+    let wrong = |what: &str| damaged(format!("{name}: {what}"));
+    let (helix, helix_from) = match (nominal_mm.zip(angle), least.zip(largest), least.zip(width)) {
+        (Some((diameter, angle)), _, _) => (Helix::at(diameter, angle), HelixFrom::Angle),
+        (None, Some((least, largest)), _) => (Helix::jammed_at(least, largest), HelixFrom::Range),
+        (None, None, Some((least, width))) => {
+            (Helix::jammed_at_least(least, width), HelixFrom::LeastAndStrands)
+        }
+        (None, None, None) => (None, HelixFrom::Angle),
+    };
+    let helix = helix.ok_or_else(|| wrong("nothing that gives a helix"))?;
+    // What is not stated of the range is where the strands jam.
+    let jams = width.and_then(|w| helix.jams_at(w));
+    let bounds = least.or(jams.map(|j| j.0)).zip(largest.or(jams.map(|j| j.1)));
+    let (least_mm, largest_mm) = bounds.ok_or_else(|| wrong("no range"))?;
+    let aliases = table.get("aliases").and_then(Item::as_array);
+    Ok(SleeveEntry {
+        sleeve: Sleeve {
+            shape: SleeveShape { name, helix, least_mm, largest_mm },
+            strands,
+            filaments,
+            strand_diameter_mm,
+            strand_modulus_mpa: number(table, "strand_modulus")?.or(modulus_of.map(|m| m.modulus_mpa)),
+            strand_strength_n: number(table, "strand_strength")?,
+        },
+        aliases: aliases.into_iter().flatten().filter_map(Value::as_str).map(str::to_string).collect(),
+        title: text(table, "title")?,
+        material,
+        nominal_mm,
+        helix_from,
+        source: text(origin, "citation")?,
+        terms: text(origin, "terms")?,
+        note: table.get("note").and_then(Item::as_str).map(str::to_string),
+        modulus_of: modulus_of.filter(|_| table.get("strand_modulus").is_none()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn damage(sleeve: &str) -> String {
+        let text = format!(
+            "[sources.s]\ncitation = \"c\"\nterms = \"t\"\n[[sleeve]]\nname = \"n\"\ntitle = \"T\"\nsource = \"s\"\nmaterial = \"m\"\n{sleeve}"
+        );
+        read_entries(&text, &[]).map_or_else(|e| e.to_string(), |_| "read".into())
+    }
+
+    #[test]
+    fn a_damaged_table_is_an_error() {
+        for text in ["", "x =", "[[sleeve]]\nname = \"n\"", "[[material]]\nname = \"n\"\n[[sleeve]]\n"] {
+            assert!(matches!(read_entries(text, &[]), Err(SleeveError::Damaged { .. })), "{text}");
+            assert!(matches!(read_materials(text), Err(SleeveError::Damaged { .. })), "{text}");
+        }
+        assert_eq!(damage("least_diameter = 3\nlargest_diameter = 4.0"), "read");
+        assert_eq!(damage("least_diameter = 2\nstrands = 24\nstrand_diameter = 0.25"), "read");
+        assert!(damage("").contains("n: nothing that gives a helix"));
+        assert!(damage("nominal_diameter = 3\nangle = 20").contains("n: no range"));
+        assert!(damage("least_diameter = 4\nlargest_diameter = 3").contains("helix"));
+        assert!(damage("least_diameter = -4\nlargest_diameter = 3").contains("least_diameter"));
+        assert!(damage("strands = 0").contains("strands is no count"));
+    }
+}

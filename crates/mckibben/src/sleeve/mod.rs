@@ -1,0 +1,308 @@
+//! Braided sleeves that one can buy: what a sleeve is on a tube of any diameter.
+//!
+//! A sleeve keeps its strands and their helix; angle and stiffness follow from the tube it is pulled over. With n strands in all, each of
+//! f filaments of diameter d side by side, and Young's modulus E:
+//!
+//! ```text
+//! θ0 = asin(π D0/ℓ)                     [helix]
+//! A  = f π d²/4
+//! k  = E A/(π D0 cosθ0/(n/2))           N/mm, one of the two families
+//! ε_end = 1 − cosθ_end/cosθ0            what contraction is left, θ_end = 54.7° or where the strands jam
+//! ```
+//!
+//! k E A and ℓ do not depend on D0, so that k is least where D0 cosθ0 is greatest, at 45°. The paper's k ∝ D0^1.2 is another thing: another
+//! sleeve for each diameter, which no shop sells. It matters: taking strands as rigid overestimates the pull of soft braids by up to
+//! 70 % (Chambers & Wereley 2022 \[chambers2022\]). [`library`] holds the named sleeves, each with its source.
+
+mod helix;
+pub mod library;
+
+pub use helix::Helix;
+pub use library::{HelixFrom, Material, SleeveEntry};
+
+use crate::muscle::{Braid, BraidStiffness, NEUTRAL_ANGLE_DEG, Strands};
+use std::f64::consts::PI;
+use thiserror::Error;
+
+/// The shape of a sleeve: what gives the angle on a tube.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SleeveShape {
+    /// Name, such as `nfl-19`.
+    pub name: String,
+    /// The helix of its strands.
+    pub helix: Helix,
+    /// Least diameter it closes to, in mm.
+    pub least_mm: f64,
+    /// Largest diameter it opens to, in mm.
+    pub largest_mm: f64,
+}
+
+/// A sleeve: its shape and its strands, as far as they are known.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sleeve {
+    /// Name, helix, range.
+    pub shape: SleeveShape,
+    /// n, strands of both families together.
+    pub strands: Option<u32>,
+    /// f, filaments of a strand, side by side.
+    pub filaments: u32,
+    /// d, diameter of one filament, in mm.
+    pub strand_diameter_mm: Option<f64>,
+    /// E of a filament, in MPa.
+    pub strand_modulus_mpa: Option<f64>,
+    /// Force at which one strand breaks, in N.
+    pub strand_strength_n: Option<f64>,
+}
+
+/// Why a sleeve makes no braid of a muscle.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SleeveError {
+    /// No sleeve of that name.
+    #[error(
+        "there is no sleeve named \"{name}\"{}",
+        .nearest.as_ref().map_or_else(
+            || format!("; known: {}", .known.join(", ")),
+            |n| format!(" (did you mean {n}?)"),
+        )
+    )]
+    Unknown {
+        /// The name as given.
+        name: String,
+        /// The name that was probably meant.
+        nearest: Option<String>,
+        /// All names.
+        known: Vec<String>,
+    },
+    /// The sleeve neither closes nor opens to this diameter.
+    #[error(
+        "{name} fits tubes from {} to {} mm; the tube has an outer diameter of {} mm",
+        short(.least_mm),
+        short(.largest_mm),
+        short(.outer_diameter_mm)
+    )]
+    OutOfRange {
+        /// The sleeve.
+        name: String,
+        /// The tube's outer diameter in mm.
+        outer_diameter_mm: f64,
+        /// Least diameter of the sleeve in mm.
+        least_mm: f64,
+        /// Largest diameter of the sleeve in mm.
+        largest_mm: f64,
+    },
+    /// The sleeve opens to this diameter, but a muscle of it would not contract.
+    #[error(
+        "{name} has an angle of {angle_deg:.2} deg on {} mm, and a muscle contracts below 54.7356 deg only: from {} to {} mm",
+        short(.outer_diameter_mm),
+        short(.least_mm),
+        short(.neutral_mm)
+    )]
+    NoContraction {
+        /// The sleeve.
+        name: String,
+        /// The tube's outer diameter in mm.
+        outer_diameter_mm: f64,
+        /// θ0 on it in degrees.
+        angle_deg: f64,
+        /// Least diameter of the sleeve in mm.
+        least_mm: f64,
+        /// The diameter at 54.7356°, in mm.
+        neutral_mm: f64,
+    },
+    /// What gives the stiffness is not stated by the sleeve's source.
+    #[error(
+        "the source of {name} does not state {}; give {} or `stiffness`, or take strands that do not stretch (stiffness inextensible)",
+        .missing.join(" and "),
+        .missing.iter().map(|m| format!("`{m}`")).collect::<Vec<_>>().join(" and ")
+    )]
+    Incomplete {
+        /// The sleeve.
+        name: String,
+        /// Keys of a muscle file that would complete it.
+        missing: Vec<&'static str>,
+    },
+    /// A measure that must be above zero.
+    #[error("`{key}` is {value}; it must be above zero and finite")]
+    NotPositive {
+        /// Key as in the muscle file.
+        key: &'static str,
+        /// What was given.
+        value: f64,
+    },
+    /// The built-in table cannot be read.
+    #[error("the built-in table of sleeves is damaged: {what}")]
+    Damaged {
+        /// What is wrong with it.
+        what: String,
+    },
+}
+
+/// A length for a message, to a tenth of a micrometre.
+fn short(mm: &f64) -> f64 {
+    (mm * 1e4).round() / 1e4
+}
+
+impl SleeveShape {
+    /// θ0 in degrees on a tube of this outer diameter.
+    ///
+    /// # Errors
+    /// [`SleeveError::OutOfRange`] beyond the sleeve's range, [`SleeveError::NoContraction`] from 54.7° on.
+    pub fn angle_deg_on(&self, outer_diameter_mm: f64) -> Result<f64, SleeveError> {
+        let name = || self.name.clone();
+        let (least_mm, largest_mm) = (self.least_mm, self.largest_mm);
+        // Where a range was turned from inches, its ends belong to it.
+        let fits =
+            outer_diameter_mm >= least_mm * (1.0 - 1e-9) && outer_diameter_mm <= largest_mm * (1.0 + 1e-9);
+        let angle = fits.then(|| self.helix.angle_deg(outer_diameter_mm)).flatten();
+        match angle {
+            Some(angle_deg) if angle_deg < NEUTRAL_ANGLE_DEG => Ok(angle_deg),
+            Some(angle_deg) => Err(SleeveError::NoContraction {
+                name: name(),
+                outer_diameter_mm,
+                angle_deg,
+                least_mm,
+                neutral_mm: self.helix.diameter_mm(NEUTRAL_ANGLE_DEG),
+            }),
+            None => Err(SleeveError::OutOfRange { name: name(), outer_diameter_mm, least_mm, largest_mm }),
+        }
+    }
+
+    /// The contraction at which a muscle on this tube ends: at 54.7°, or where the strands jam before.
+    ///
+    /// # Errors
+    /// As [`SleeveShape::angle_deg_on`].
+    pub fn largest_contraction_on(&self, outer_diameter_mm: f64) -> Result<f64, SleeveError> {
+        let start = self.angle_deg_on(outer_diameter_mm)?;
+        let jammed = self.helix.angle_deg(self.largest_mm).unwrap_or(90.0);
+        let end = jammed.min(NEUTRAL_ANGLE_DEG);
+        Ok((1.0 - end.to_radians().cos() / start.to_radians().cos()).max(0.0))
+    }
+
+    /// Diameters of tubes from which a muscle can be made: the sleeve's range, cut where θ reaches 54.7°.
+    pub fn tubes_mm(&self) -> (f64, f64) {
+        (self.least_mm, self.largest_mm.min(self.helix.diameter_mm(NEUTRAL_ANGLE_DEG)))
+    }
+}
+
+impl Sleeve {
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.shape.name
+    }
+
+    /// Least and largest diameter in mm.
+    pub fn diameters(&self) -> (f64, f64) {
+        (self.shape.least_mm, self.shape.largest_mm)
+    }
+
+    /// A = f π d²/4, cross-section of one strand in mm², where d is known.
+    pub fn strand_area_mm2(&self) -> Option<f64> {
+        self.strand_diameter_mm.map(|d| f64::from(self.filaments) * PI * d * d / 4.0)
+    }
+
+    /// n: as stated, or, where only the range and d are, as many as touch at its ends (an even number, rounded). No more than these
+    /// fit, so that this n, and k with it, are upper bounds where the ends of the range are not jammed.
+    pub fn strand_count(&self) -> Option<u32> {
+        self.strands.or_else(|| {
+            let width = f64::from(self.filaments) * self.strand_diameter_mm?;
+            let pairs = (0.5 * self.shape.helix.width_that_jams_mm(self.shape.least_mm)? / width).round();
+            // The bounds make the cast exact; a NaN is not within them.
+            (1.0..1e6).contains(&pairs).then_some(2 * pairs as u32)
+        })
+    }
+
+    /// What is not known and its stiffness needs: keys of a muscle file.
+    pub fn missing(&self) -> Vec<&'static str> {
+        let area = self.strand_area_mm2();
+        let needs = [
+            // With a diameter the number follows from the range.
+            ("strands", self.strand_count().is_none() && area.is_some()),
+            ("strand_diameter", area.is_none()),
+            ("strand_modulus", self.strand_modulus_mpa.is_none()),
+        ];
+        needs.iter().filter(|n| n.1).map(|n| n.0).collect()
+    }
+
+    /// The strands of a braid.
+    ///
+    /// # Errors
+    /// [`SleeveError::Incomplete`] with what is not known.
+    pub fn of_strands(&self) -> Result<Strands, SleeveError> {
+        let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
+        match (self.strand_count(), section) {
+            (Some(count), Some(_)) => Ok(Strands { count, section, strength_n: self.strand_strength_n }),
+            _ => Err(SleeveError::Incomplete { name: self.shape.name.clone(), missing: self.missing() }),
+        }
+    }
+
+    /// This sleeve with a strand diameter (mm) and modulus (MPa) in place of its own, where they are given.
+    ///
+    /// # Errors
+    /// [`SleeveError::NotPositive`].
+    pub fn with_strands(
+        self,
+        strand_diameter_mm: Option<f64>,
+        strand_modulus_mpa: Option<f64>,
+    ) -> Result<Self, SleeveError> {
+        for (key, value) in [("strand_diameter", strand_diameter_mm), ("strand_modulus", strand_modulus_mpa)]
+        {
+            if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
+                return Err(SleeveError::NotPositive { key, value });
+            }
+        }
+        Ok(Self {
+            filaments: if strand_diameter_mm.is_some() { 1 } else { self.filaments },
+            strand_diameter_mm: strand_diameter_mm.or(self.strand_diameter_mm),
+            strand_modulus_mpa: strand_modulus_mpa.or(self.strand_modulus_mpa),
+            ..self
+        })
+    }
+
+    /// k of one family in N/mm on a tube of an outer diameter; `None` where the strands are not known.
+    ///
+    /// # Errors
+    /// As [`SleeveShape::angle_deg_on`].
+    pub fn stiffness_n_per_mm(&self, outer_diameter_mm: f64) -> Result<Option<f64>, SleeveError> {
+        let cos = self.shape.angle_deg_on(outer_diameter_mm)?.to_radians().cos();
+        let section = self.strand_area_mm2().zip(self.strand_modulus_mpa);
+        Ok(section.zip(self.strand_count()).map(|((area, modulus), count)| {
+            modulus * area * f64::from(count) / (2.0 * PI * outer_diameter_mm * cos)
+        }))
+    }
+
+    /// The strands of a braid whose stiffness is stated otherwise: their number, where it is known, which only informs.
+    pub fn strands_beside_stiffness(&self) -> Option<Strands> {
+        self.strands.map(|count| Strands { count, section: None, strength_n: self.strand_strength_n })
+    }
+
+    /// The braid that this sleeve is on a tube. Costs an arcsine and a copy of the name: cheap enough for a search.
+    ///
+    /// ```
+    /// use mckibben::sleeve::library;
+    /// let mut sleeve = library::find("flexo-overexpanded-0.38in")?;
+    /// // Its seller does not state the filaments: measured with a calliper.
+    /// sleeve.strand_diameter_mm = Some(0.2);
+    /// let braid = sleeve.on(12.0)?;
+    /// assert!((braid.angle_deg - 17.79).abs() < 0.01);
+    /// assert!(sleeve.on(60.0).unwrap_err().to_string().contains("from 9.525"));
+    /// # Ok::<(), mckibben::sleeve::SleeveError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SleeveError::OutOfRange`], [`SleeveError::NoContraction`], [`SleeveError::Incomplete`].
+    pub fn on(&self, outer_diameter_mm: f64) -> Result<Braid, SleeveError> {
+        let angle_deg = self.shape.angle_deg_on(outer_diameter_mm)?;
+        let strands = self.of_strands()?;
+        Ok(Braid {
+            angle_deg,
+            stiffness: BraidStiffness::OfStrands,
+            strands: Some(strands),
+            measured: None,
+            compression: false,
+            sleeve: Some(self.shape.clone()),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;
