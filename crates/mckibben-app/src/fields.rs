@@ -36,6 +36,15 @@ pub struct MuscleFields {
     /// A rubber of the library, as NAME or NAME:LAW.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rubber: Option<String>,
+    /// A sleeve of the library: its angle on this diameter, its strands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub braid: Option<String>,
+    /// Diameter of one strand of that sleeve, mm, where its source does not state it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strand_diameter_mm: Option<f64>,
+    /// Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strand_modulus_mpa: Option<f64>,
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,

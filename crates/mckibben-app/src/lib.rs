@@ -24,6 +24,7 @@
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 #[cfg(feature = "files")]
+mod braid;
 mod campaign;
 mod commands;
 mod compare;
@@ -48,6 +49,7 @@ mod validate;
 pub mod words;
 
 #[cfg(feature = "files")]
+pub use braid::*;
 pub use campaign::*;
 pub use commands::{COMMANDS, CommandEntry, ask, schema};
 pub use compare::*;
@@ -58,7 +60,7 @@ pub use fit::*;
 pub use identify::*;
 pub use model::{Model, ModelEntry, Purpose};
 pub use models::*;
-pub use muscle::{MuscleSummary, muscle_of, rubber};
+pub use muscle::{MuscleSummary, muscle_of, rubber, sleeve};
 pub use point::*;
 pub use problem::*;
 pub use rubber::*;

@@ -4,8 +4,9 @@ use crate::fields::{MuscleFields, NamedStiffness, Stiffness, TextFile};
 use crate::problem::{Problem, ProblemKind};
 use crate::words;
 use mckibben::muscle::file::parse_muscle;
-use mckibben::muscle::{BraidStiffness, EndFactor, MeasuredStrand, Muscle, Rubber};
+use mckibben::muscle::{Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, Rubber};
 use mckibben::rubber::library;
+use mckibben::sleeve::{self, Sleeve, SleeveError};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::Path;
@@ -28,17 +29,13 @@ impl MuscleFields {
     /// As [`MuscleFields::resolve`].
     pub fn over(&self, base: &Muscle) -> Result<Muscle, Problem> {
         let mut tube = base.tube().clone();
-        let mut braid = base.braid().clone();
         let mut terminals = base.terminals().clone();
         tube.outer_diameter_mm = self.outer_diameter_mm.unwrap_or(tube.outer_diameter_mm);
         tube.wall_mm = self.wall_mm.unwrap_or(tube.wall_mm);
         tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
-        braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
+        let mut braid = self.braid_on(tube.outer_diameter_mm, base)?;
         if let Some(name) = &self.rubber {
             tube.rubber = rubber(name)?;
-        }
-        if let Some(stiffness) = self.stiffness {
-            braid.stiffness = stiffness.into();
         }
         if let Some(k) = self.end_factor {
             terminals.end_factor = Some(EndFactor::Constant(k));
@@ -57,6 +54,35 @@ impl MuscleFields {
             }
         }
         Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?)
+    }
+
+    /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.
+    fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid, Problem> {
+        let strands = self.strand_diameter_mm.is_some() || self.strand_modulus_mpa.is_some();
+        if strands && (self.braid.is_none() || self.stiffness.is_some()) {
+            let message = "`strand_diameter_mm` and `strand_modulus_mpa` complete a named `braid`, in place of a `stiffness`";
+            return Err(Problem::new(ProblemKind::Usage, message, "other strands stand in a muscle file"));
+        }
+        let mut braid = match self.braid.as_deref().map(sleeve).transpose()? {
+            Some(sleeve) => {
+                let sleeve = sleeve.with_strands(self.strand_diameter_mm, self.strand_modulus_mpa)?;
+                let (stiffness, strands) = match self.stiffness {
+                    Some(stiffness) => (stiffness.into(), sleeve.strands_beside_stiffness()),
+                    None => (BraidStiffness::OfStrands, Some(sleeve.of_strands()?)),
+                };
+                let own = base.braid().clone();
+                Braid { stiffness, strands, sleeve: Some(sleeve.shape), ..own }
+                    .on_diameter(outer_diameter_mm)?
+            }
+            None => base.braid_on(outer_diameter_mm)?,
+        };
+        if let Some(angle_deg) = self.angle_deg {
+            braid = braid.with_stated_angle(angle_deg, outer_diameter_mm)?;
+        }
+        if let Some(stiffness) = self.stiffness {
+            braid.stiffness = stiffness.into();
+        }
+        Ok(braid)
     }
 }
 
@@ -86,6 +112,25 @@ pub fn rubber(name: &str) -> Result<Rubber, Problem> {
     library::find(name.trim()).map_err(|e| Problem::new(ProblemKind::Rubber, e.to_string(), ""))
 }
 
+/// A sleeve of the library.
+///
+/// # Errors
+/// [`Problem`] of kind `braid`.
+pub fn sleeve(name: &str) -> Result<Sleeve, Problem> {
+    Ok(sleeve::library::find(name)?)
+}
+
+impl From<SleeveError> for Problem {
+    fn from(error: SleeveError) -> Self {
+        // Keys of a muscle file there, fields of a request here.
+        let message = error
+            .to_string()
+            .replace("`strand_diameter`", "`strand_diameter_mm`")
+            .replace("`strand_modulus`", "`strand_modulus_mpa`");
+        Self::new(ProblemKind::Braid, message, "")
+    }
+}
+
 /// A muscle's measures.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MuscleSummary {
@@ -99,7 +144,7 @@ pub struct MuscleSummary {
     pub angle_deg: f64,
     /// The rubber, by name or law.
     pub rubber: String,
-    /// The braid: `paper`, `inextensible`, its stiffness, or its strands.
+    /// The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     pub braid: String,
 }
 

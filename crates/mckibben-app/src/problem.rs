@@ -29,6 +29,8 @@ pub enum ProblemKind {
     File,
     /// A rubber that is not known.
     Rubber,
+    /// A sleeve that is not known, does not fit, or does not say enough.
+    Braid,
     /// A model that is not known.
     Model,
     /// A mesh that cannot be made.

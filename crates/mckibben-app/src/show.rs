@@ -153,7 +153,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             strands: sheet.strands,
             rubber_volume_mm3: sheet.rubber_volume_mm3,
         },
-        warnings: warnings.iter().map(ToString::to_string).collect(),
+        warnings: muscle.warnings().into_iter().chain(warnings.iter().map(ToString::to_string)).collect(),
         characteristics,
         muscle,
     })

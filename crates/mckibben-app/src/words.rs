@@ -85,7 +85,7 @@ pub fn law_text(law: &Law) -> String {
 
 /// The braid in one word or figure.
 pub fn braid_name(m: &Muscle) -> String {
-    match m.braid().stiffness {
+    let stiffness = match m.braid().stiffness {
         BraidStiffness::Paper => "paper".into(),
         BraidStiffness::Inextensible => "inextensible".into(),
         BraidStiffness::NewtonPerMm(k) => format!("{} N/mm", number(k, 4)),
@@ -93,5 +93,9 @@ pub fn braid_name(m: &Muscle) -> String {
             (Some(s), Some(k)) => format!("{} strands, {} N/mm", s.count, number(k, 4)),
             _ => "strands".into(),
         },
+    };
+    match &m.braid().sleeve {
+        Some(sleeve) => format!("{}, {stiffness}", sleeve.name),
+        None => stiffness,
     }
 }

@@ -47,6 +47,68 @@ fn words_of_the_contract_are_fields() {
 }
 
 #[test]
+fn a_named_sleeve_gives_angle_and_stiffness_of_the_tube_that_it_is_on() {
+    let braid = json!({ "outer_diameter_mm": 12, "wall_mm": 1, "braid": "flexo-overexpanded-0.38in", "strand_diameter_mm": 0.25 });
+    let shown = asked("muscle-show", braid.clone());
+    let sleeve = asked(
+        "braid-show",
+        json!({ "name": "flexo-overexpanded-0.38in", "outer_diameter_mm": 12, "strand_diameter_mm": 0.25 }),
+    );
+    let point = &sleeve["points"][0];
+    for key in ["angle_deg", "stiffness_n_per_mm"] {
+        let (a, b) = (shown[key].as_f64().unwrap(), point[key].as_f64().unwrap());
+        assert!((a / b - 1.0).abs() < 1e-12, "{key}: {a} {b}");
+    }
+    assert!(shown["braid"].as_str().unwrap().starts_with("flexo-overexpanded-0.38in, 232 strands, "));
+    assert_eq!(sleeve["strands_stated"], false);
+    // Another tube over a file's sleeve.
+    let file =
+        "[tube]\nouter_diameter = 12\nwall_thickness = 1\n[braid]\nname = \"nfl-19\"\nstiffness = 300\n";
+    let text = file.replace("= 12", "= 20");
+    let wider = asked(
+        "muscle-show",
+        json!({ "muscle": { "name": "m.toml", "text": text }, "outer_diameter_mm": 25 }),
+    );
+    assert!((wider["angle_deg"].as_f64().unwrap() - 41.04).abs() < 0.01, "{wider}");
+    let problem = |request: Value| ask("muscle-show", &request.to_string(), &Silent).unwrap_err();
+    let refused = problem(json!({ "muscle": { "name": "m.toml", "text": file } }));
+    assert!(
+        refused.message.contains("m.toml:5:8: braid.name") && refused.message.contains("from 15 to 35 mm")
+    );
+    let refused = problem(json!({ "outer_diameter_mm": 20, "braid": "nfl-19" }));
+    assert_eq!(refused.kind, ProblemKind::Braid);
+    assert!(refused.message.contains("give `strand_diameter_mm` and `strand_modulus_mpa` or `stiffness`"));
+    let refused =
+        problem(json!({ "outer_diameter_mm": 20, "braid": "nfl-19", "stiffness": 300, "angle_deg": 28 }));
+    assert!(refused.message.contains("31.68 deg"), "{}", refused.message);
+    assert!(problem(json!({ "strand_diameter_mm": 0.2 })).message.contains("complete a named `braid`"));
+}
+
+/// The paper's braid beyond its diameters: said by every command that answers with warnings, once a point.
+#[test]
+fn the_papers_braid_on_a_small_tube_is_a_warning_everywhere() {
+    let small = json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "pressure_mpa": 0.2, "contraction": 0.1, "model": "thick-wall" });
+    let said = |answer: &Value| {
+        let warnings = answer["warnings"].as_array().unwrap();
+        warnings
+            .iter()
+            .filter(|w| w.as_str().unwrap().contains("the braid `paper` is known for D0 30 to 50 mm"))
+            .count()
+    };
+    assert_eq!(said(&asked("force", small.clone())), 1);
+    let mut named = small.clone();
+    named["stiffness"] = json!("inextensible");
+    assert_eq!(said(&asked("force", named)), 0);
+    assert_eq!(said(&asked("muscle-show", json!({ "outer_diameter_mm": 60 }))), 1);
+    assert_eq!(said(&asked("muscle-show", json!({ "outer_diameter_mm": 50 }))), 0);
+    let curve = asked(
+        "curve",
+        json!({ "outer_diameter_mm": 20, "wall_mm": 1.5, "test": "isobaric", "pressures_mpa": [0.2], "contractions": [0, 0.1], "model": "thick-wall" }),
+    );
+    assert!(curve["points"].as_array().unwrap().iter().all(|p| said(p) == 1));
+}
+
+#[test]
 fn problems_name_the_field_and_never_a_flag() {
     let problem = |command: &str, request: Value| ask(command, &request.to_string(), &Silent).unwrap_err();
     let cases = [

@@ -1,6 +1,7 @@
 //! The commands. Each command's flags stand in its own file; help, completions and parsing come from there.
 
 use crate::commands;
+use crate::commands::braid::{BraidListArgs, BraidShowArgs};
 use crate::commands::campaign::CampaignArgs;
 use crate::commands::compare::CompareArgs;
 use crate::commands::curve::CurveArgs;
@@ -81,6 +82,9 @@ pub enum Command {
     /// Named rubbers
     #[command(subcommand)]
     Rubber(RubberCommand),
+    /// Named sleeves: braids that one can buy
+    #[command(subcommand)]
+    Braid(BraidCommand),
     /// The force models: what they are, their source, and where they hold
     #[command(after_help = "Example:\n  mckibben models")]
     Models(ModelsArgs),
@@ -114,6 +118,17 @@ pub enum FormulaCommand {
     #[command(after_help = commands::formula::EXAMPLES)]
     Show(FormulaShowArgs),
 }
+/// `braid …`.
+#[derive(Debug, Subcommand)]
+pub enum BraidCommand {
+    /// All named sleeves, and moduli of strands
+    #[command(after_help = "Example:\n  mckibben braid list")]
+    List(BraidListArgs),
+    /// One sleeve: its data, source and terms; angle, stiffness and contraction over its diameters
+    #[command(after_help = commands::braid::EXAMPLES)]
+    Show(BraidShowArgs),
+}
+
 /// `rubber …`.
 #[derive(Debug, Subcommand)]
 pub enum RubberCommand {

@@ -31,6 +31,9 @@ const FIELDS: &[&str] = &[
     "length_mm",
     "angle_deg",
     "rubber",
+    "braid",
+    "strand_diameter_mm",
+    "strand_modulus_mpa",
     "stiffness",
     "end_factor",
     "cone_factor",
@@ -193,6 +196,9 @@ impl From<Problem> for Failure {
         if problem.hint.is_empty() {
             problem.hint = match problem.kind {
                 ProblemKind::Rubber => "`mckibben rubber list` shows all names",
+                ProblemKind::Braid => {
+                    "`mckibben braid list` shows all sleeves, `mckibben braid show NAME` one"
+                }
                 ProblemKind::Model => "`mckibben models` describes them",
                 ProblemKind::Formula => "`mckibben fit` writes such files",
                 ProblemKind::Parameter => "`mckibben identify --help` shows the forms",

@@ -35,6 +35,15 @@ pub struct MuscleFlags {
     /// Rubber from the library, as NAME or NAME:LAW (see `mckibben rubber list`) [paper]
     #[arg(long, value_name = "NAME")]
     pub rubber: Option<String>,
+    /// Sleeve from the library, which gives angle and strands (see `mckibben braid list`) [none]
+    #[arg(long, value_name = "NAME")]
+    pub braid: Option<String>,
+    /// Diameter of one strand of that sleeve, where its source does not state it
+    #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
+    pub strand_diameter: Option<String>,
+    /// Young's modulus of a strand of that sleeve, where its source does not state it
+    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
+    pub strand_modulus: Option<String>,
     /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
     #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
     pub stiffness: Option<String>,
@@ -100,6 +109,13 @@ impl MuscleFlags {
             length_mm: length("--length", &self.length)?,
             angle_deg: quantity("--angle", self.angle.as_deref(), Dimension::Angle)?,
             rubber: self.rubber.clone(),
+            braid: self.braid.clone(),
+            strand_diameter_mm: length("--strand-diameter", &self.strand_diameter)?,
+            strand_modulus_mpa: quantity(
+                "--strand-modulus",
+                self.strand_modulus.as_deref(),
+                Dimension::Pressure,
+            )?,
             stiffness: self.stiffness.as_deref().map(stiffness).transpose()?,
             end_factor: ratio("--end-factor", self.end_factor.as_deref())?,
             cone_factor: ratio("--cone-factor", self.cone_factor.as_deref())?,

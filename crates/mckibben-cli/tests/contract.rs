@@ -29,6 +29,8 @@ fn assert_units(value: &Value) {
         "fitting",
         "turns",
         "strands",
+        "filaments",
+        "largest_contraction",
         "r_squared",
         "up_to_strain",
         "fitted_end_factor",
@@ -398,6 +400,21 @@ fn muscles_rubbers_and_models() {
         assert!(fits.iter().all(|f| f["shear_modulus_mpa"].as_f64().is_some_and(|mu| mu > 0.0)), "{name}");
         json(&format!("muscle show --rubber {name}"));
     }
+    let list = json("braid list");
+    assert!(list["materials"].as_array().unwrap().len() >= 4);
+    for braid in list["braids"].as_array().unwrap() {
+        let name = braid["name"].as_str().unwrap();
+        let one = json(&format!("braid show {name}"));
+        assert_eq!(one["name"], name);
+        assert_units(&one);
+        assert!(!one["source"].as_str().unwrap().is_empty() && !one["terms"].as_str().unwrap().is_empty());
+        let points = one["points"].as_array().unwrap();
+        assert!(points.len() >= 5, "{name}: {points:?}");
+        numbers(&points[0], &["outer_diameter_mm", "angle_deg", "largest_contraction"]);
+        let diameter = points[0]["outer_diameter_mm"].as_f64().unwrap();
+        let wall = diameter / 10.0;
+        json(&format!("muscle show -D {diameter} -s {wall} --braid {name} --stiffness inextensible"));
+    }
     let models = json("models");
     for model in models["models"].as_array().unwrap() {
         assert!(!model["description"].as_str().unwrap().is_empty());
@@ -420,6 +437,9 @@ fn nothing_is_printed_that_is_no_number() {
         "curve --study thickness --model thick-wall",
         "compare --models ideal,thick-wall,klute-hannaford",
         "rubber list",
+        "braid list",
+        "braid show s-muscle-20 --strand-modulus 5GPa",
+        "braid show nfl-19 -D 20mm",
         "muscle show",
     ]) {
         for format in ["text", "json", "csv"] {

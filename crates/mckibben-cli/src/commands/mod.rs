@@ -1,5 +1,6 @@
 //! One file a command.
 
+pub mod braid;
 pub mod campaign;
 pub mod compare;
 pub mod curve;
@@ -17,7 +18,7 @@ pub mod simulate;
 mod study;
 pub mod validate;
 
-use crate::cli::{Cli, Command, FormulaCommand, MuscleCommand, RubberCommand};
+use crate::cli::{BraidCommand, Cli, Command, FormulaCommand, MuscleCommand, RubberCommand};
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::emit;
@@ -40,6 +41,8 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Formula(FormulaCommand::Show(args)) => formula::show(&args, format),
         Command::Identify(args) => identify::run(&args, format),
         Command::Muscle(MuscleCommand::Show(args)) => muscle::show(&args, format),
+        Command::Braid(BraidCommand::List(args)) => braid::list(&args, format),
+        Command::Braid(BraidCommand::Show(args)) => braid::show(&args, format),
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),
         Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args, format),
         Command::Rubber(RubberCommand::Fit(args)) => rubber_fit::run(&args, format),

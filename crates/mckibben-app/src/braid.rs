@@ -1,0 +1,243 @@
+//! `braid list` and `braid show`: the sleeves of the library, and what each is on a tube.
+
+use crate::muscle::sleeve;
+use crate::problem::Problem;
+use mckibben::muscle::NEUTRAL_ANGLE_DEG;
+use mckibben::sleeve::{Material, Sleeve, SleeveEntry, library};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// All named sleeves.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct BraidListRequest {}
+
+/// All named sleeves.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BraidListAnswer {
+    /// The sleeves, in the order of the library.
+    pub braids: Vec<BraidSummary>,
+    /// What strands are made of.
+    pub materials: Vec<MaterialSummary>,
+}
+
+/// A sleeve in a line.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BraidSummary {
+    /// The word for `braid`.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// What its strands are.
+    pub material: String,
+    /// Least outer diameter of a tube in it, mm.
+    pub least_diameter_mm: f64,
+    /// Largest outer diameter of a tube in it, mm.
+    pub largest_diameter_mm: f64,
+    /// Angle on the least diameter, degrees.
+    pub least_angle_deg: f64,
+    /// Strands of both families, where they are known.
+    pub strands: Option<u32>,
+    /// What its source does not state and its stiffness needs, with spaces between.
+    pub missing: String,
+    /// Where the data come from.
+    pub source: String,
+}
+
+/// A material of strands.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MaterialSummary {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// Young's modulus, MPa.
+    pub modulus_mpa: f64,
+    /// Where the modulus comes from.
+    pub source: String,
+    /// What else one should know.
+    pub note: Option<String>,
+}
+
+/// One sleeve.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct BraidShowRequest {
+    /// Its name.
+    pub name: String,
+    /// Only on this outer diameter of a tube, mm.
+    pub outer_diameter_mm: Option<f64>,
+    /// Diameter of a strand, where its source does not state it, mm.
+    pub strand_diameter_mm: Option<f64>,
+    /// Young's modulus of a strand, where its source does not state it, MPa.
+    pub strand_modulus_mpa: Option<f64>,
+}
+
+/// A sleeve, its source and terms, and what it is on tubes.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BraidShowAnswer {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub title: String,
+    /// What its strands are.
+    pub material: String,
+    /// Nominal diameter, mm.
+    pub nominal_diameter_mm: Option<f64>,
+    /// Least diameter it closes to, mm.
+    pub least_diameter_mm: f64,
+    /// Largest diameter it opens to, mm.
+    pub largest_diameter_mm: f64,
+    /// The diameter at 54.7°, beyond which a muscle does not contract, mm.
+    pub neutral_diameter_mm: f64,
+    /// Length of strand per turn, mm, which stays on any tube.
+    pub strand_length_per_turn_mm: f64,
+    /// From what that was found.
+    pub helix_from: String,
+    /// Strands of both families; those that fit, where only range and diameter are known.
+    pub strands: Option<u32>,
+    /// Whether that number is stated; otherwise it and the stiffness are upper bounds.
+    pub strands_stated: bool,
+    /// Filaments of a strand.
+    pub filaments: u32,
+    /// Diameter of one filament, mm.
+    pub strand_diameter_mm: Option<f64>,
+    /// Its Young's modulus, MPa.
+    pub strand_modulus_mpa: Option<f64>,
+    /// Where that comes from, where not from the sleeve's own source.
+    pub modulus_source: Option<String>,
+    /// Force at which a strand breaks, N.
+    pub strand_strength_n: Option<f64>,
+    /// What its source does not state and its stiffness needs: keys of a muscle file.
+    pub missing: Vec<String>,
+    /// What it is on tubes.
+    pub points: Vec<BraidPoint>,
+    /// Where the data come from.
+    pub source: String,
+    /// Terms under which the data may be used.
+    pub terms: String,
+    /// What else one should know.
+    pub note: Option<String>,
+}
+
+/// A sleeve on a tube.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct BraidPoint {
+    /// Outer diameter D0 of the tube, mm.
+    pub outer_diameter_mm: f64,
+    /// Angle θ0 on it, degrees.
+    pub angle_deg: f64,
+    /// Stiffness k of one strand family, N/mm, where the strands are known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness_n_per_mm: Option<f64>,
+    /// Contraction that is left: to 54.7°, or to where the strands jam before.
+    pub largest_contraction: f64,
+}
+
+/// All named sleeves.
+///
+/// # Errors
+/// [`Problem`] of kind `braid` where the library is damaged, which no released program should see.
+pub fn braid_list(_: &BraidListRequest) -> Result<BraidListAnswer, Problem> {
+    let one = |entry: &SleeveEntry| {
+        let (least_diameter_mm, largest_diameter_mm) = entry.sleeve.shape.tubes_mm();
+        Ok(BraidSummary {
+            name: entry.sleeve.name().into(),
+            title: entry.title.clone(),
+            material: entry.material.clone(),
+            least_diameter_mm,
+            largest_diameter_mm,
+            least_angle_deg: entry.sleeve.shape.angle_deg_on(least_diameter_mm)?,
+            strands: entry.sleeve.strands,
+            missing: entry.sleeve.missing().join(" "),
+            source: entry.source.clone(),
+        })
+    };
+    let material = |m: &Material| MaterialSummary {
+        name: m.name.clone(),
+        title: m.title.clone(),
+        modulus_mpa: m.modulus_mpa,
+        source: m.source.clone(),
+        note: m.note.clone(),
+    };
+    Ok(BraidListAnswer {
+        braids: library::entries()?.iter().map(one).collect::<Result<_, Problem>>()?,
+        materials: library::materials()?.iter().map(material).collect(),
+    })
+}
+
+/// One sleeve.
+///
+/// # Errors
+/// [`Problem`] of kind `braid` with the name that was probably meant, or the range that the sleeve has.
+pub fn braid_show(request: &BraidShowRequest) -> Result<BraidShowAnswer, Problem> {
+    let entry = library::entry(&request.name)?;
+    let known = sleeve(&request.name)?;
+    let sleeve = known.with_strands(request.strand_diameter_mm, request.strand_modulus_mpa)?;
+    let diameters = match request.outer_diameter_mm {
+        Some(diameter) => vec![diameter],
+        None => round_diameters(sleeve.shape.tubes_mm()),
+    };
+    let (least_diameter_mm, largest_diameter_mm) = sleeve.diameters();
+    let modulus_of = entry.modulus_of.filter(|_| request.strand_modulus_mpa.is_none());
+    Ok(BraidShowAnswer {
+        name: sleeve.name().into(),
+        title: entry.title.clone(),
+        material: entry.material.clone(),
+        nominal_diameter_mm: entry.nominal_mm,
+        least_diameter_mm,
+        largest_diameter_mm,
+        neutral_diameter_mm: sleeve.shape.helix.diameter_mm(NEUTRAL_ANGLE_DEG),
+        strand_length_per_turn_mm: sleeve.shape.helix.strand_length_per_turn_mm(),
+        helix_from: entry.helix_from.to_string(),
+        strands: sleeve.strand_count(),
+        strands_stated: sleeve.strands.is_some(),
+        filaments: sleeve.filaments,
+        strand_diameter_mm: sleeve.strand_diameter_mm,
+        strand_modulus_mpa: sleeve.strand_modulus_mpa,
+        modulus_source: modulus_of.map(|m| match &m.note {
+            Some(note) => format!("{}: {}. {note}", m.title, m.source),
+            None => format!("{}: {}", m.title, m.source),
+        }),
+        strand_strength_n: sleeve.strand_strength_n,
+        missing: sleeve.missing().into_iter().map(str::to_string).collect(),
+        points: diameters.iter().map(|d| point(&sleeve, *d)).collect::<Result<_, Problem>>()?,
+        source: entry.source.clone(),
+        terms: entry.terms.clone(),
+        note: entry.note.clone(),
+    })
+}
+
+fn point(sleeve: &Sleeve, outer_diameter_mm: f64) -> Result<BraidPoint, Problem> {
+    Ok(BraidPoint {
+        outer_diameter_mm,
+        angle_deg: sleeve.shape.angle_deg_on(outer_diameter_mm)?,
+        stiffness_n_per_mm: sleeve.stiffness_n_per_mm(outer_diameter_mm)?,
+        largest_contraction: sleeve.shape.largest_contraction_on(outer_diameter_mm)?,
+    })
+}
+
+/// The least diameter, and round ones below the largest.
+fn round_diameters((least, largest): (f64, f64)) -> Vec<f64> {
+    let decade = 10f64.powf((largest - least).log10().floor() - 1.0);
+    let steps = [1.0, 2.0, 5.0, 10.0, 20.0].map(|s| s * decade);
+    let step = steps.into_iter().find(|s| (largest - least) / s <= 12.0).unwrap_or(largest - least);
+    let first = (least / step * (1.0 + 1e-9)).floor() + 1.0;
+    let count = ((largest - least) / step).ceil();
+    // Multiples of a power of ten, without the last binary digits.
+    let round = |v: f64| (v * 1e6).round() / 1e6;
+    let inside = (0..=count as u32).map(|i| round((first + f64::from(i)) * step));
+    std::iter::once(least).chain(inside.filter(|d| *d < largest)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn diameters_are_round_and_inside() {
+        let tubes = round_diameters((9.525, 32.0));
+        assert_eq!(tubes, [9.525, 10.0, 12.0, 14.0, 16.0, 18.0, 20.0, 22.0, 24.0, 26.0, 28.0, 30.0]);
+        assert_eq!(round_diameters((15.0, 31.1))[..3], [15.0, 16.0, 18.0]);
+    }
+}
