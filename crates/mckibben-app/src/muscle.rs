@@ -57,7 +57,7 @@ impl MuscleFields {
     }
 
     /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.
-    fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid, Problem> {
+    pub(crate) fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid, Problem> {
         let strands = self.strand_diameter_mm.is_some() || self.strand_modulus_mpa.is_some();
         if strands && (self.braid.is_none() || self.stiffness.is_some()) {
             let message = "`strand_diameter_mm` and `strand_modulus_mpa` complete a named `braid`, in place of a `stiffness`";

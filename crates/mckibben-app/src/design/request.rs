@@ -2,7 +2,7 @@
 
 use crate::fields::{ModelFields, MuscleFields, Stiffness, TextFile};
 use crate::model::{Model, Purpose};
-use crate::muscle::rubber;
+use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::words::PressureUnit;
@@ -10,7 +10,7 @@ use mckibben::design::{
     BraidChoice, Limits, Objective, OperatingPoint, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
 };
 use mckibben::model::{ForceModel, ModelError};
-use mckibben::muscle::{Muscle, Tube};
+use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -51,6 +51,12 @@ pub struct DesignRequest {
     pub angle_deg: Option<Choice>,
     /// Sleeves as sold: lengths of strand per turn, mm; the diameter then sets the angle.
     pub strand_length_per_turn_mm: Vec<f64>,
+    /// Named sleeves; the diameter then sets the angle and, where the strands are known, the stiffness.
+    pub braids: Vec<String>,
+    /// Diameter of a strand of the named sleeves, mm, where they do not state it.
+    pub strand_diameter_mm: Option<f64>,
+    /// Young's modulus of their strands, MPa, likewise.
+    pub strand_modulus_mpa: Option<f64>,
     /// Rubbers of the library.
     pub rubbers: Vec<String>,
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
@@ -225,12 +231,14 @@ impl DesignRequest {
                 elements: Model::choose(&self.model, Purpose::Answer)?,
             },
         };
-        let braid = match (&self.strand_length_per_turn_mm[..], &self.angle_deg) {
-            ([], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
-            ([], Some(angles)) => BraidChoice::Angle(angles.values("angle_deg")?),
-            (sleeves, None) => BraidChoice::StrandLengthPerTurn(sleeves.to_vec()),
-            (_, Some(_)) => {
-                let message = "`strand_length_per_turn_mm` sets the angle: leave out `angle_deg`";
+        let sleeves = self.sleeves(&base)?;
+        let braid = match (&self.strand_length_per_turn_mm[..], &sleeves[..], &self.angle_deg) {
+            ([], [], None) => BraidChoice::Angle(Values::List(vec![base.braid().angle_deg])),
+            ([], [], Some(angles)) => BraidChoice::Angle(angles.values("angle_deg")?),
+            (turns, [], None) => BraidChoice::StrandLengthPerTurn(turns.to_vec()),
+            ([], _, None) => BraidChoice::Sleeves(sleeves),
+            _ => {
+                let message = "`braids`, `strand_length_per_turn_mm` and `angle_deg` each set the angle: give one of them";
                 return Err(Problem::new(ProblemKind::Usage, message, ""));
             }
         };
@@ -268,6 +276,26 @@ impl DesignRequest {
             extrapolate: self.extrapolate,
         };
         Ok(Search { spec, model })
+    }
+
+    /// The named sleeves, or the base muscle's.
+    fn sleeves(&self, base: &Muscle) -> Result<Vec<Braid>, Problem> {
+        if self.braids.is_empty() {
+            let own = base.braid().sleeve.is_some() && self.angle_deg.is_none();
+            return Ok(if own { vec![base.braid().clone()] } else { vec![] });
+        }
+        let braid = |name: &String| {
+            let fields = MuscleFields {
+                braid: Some(name.clone()),
+                stiffness: self.stiffness,
+                strand_diameter_mm: self.strand_diameter_mm,
+                strand_modulus_mpa: self.strand_modulus_mpa,
+                ..MuscleFields::default()
+            };
+            // Laid on any tube that it fits; the search lays it on others.
+            fields.braid_on(sleeve(name)?.diameters().0, base)
+        };
+        self.braids.iter().map(braid).collect()
     }
 
     /// The operating points; without a contraction where a stroke is to set it.

@@ -120,6 +120,15 @@ pub struct DesignArgs {
         help_heading = "Search space"
     )]
     pub strand_length_per_turn: Option<String>,
+    /// Sleeves and braids that one can buy, by name (mckibben braid list); the diameter then sets angle and stiffness
+    #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], help_heading = "Search space")]
+    pub braid: Vec<String>,
+    /// Diameter of their strands, where they do not state it
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Search space")]
+    pub strand_diameter: Option<String>,
+    /// Young's modulus of their strands, likewise
+    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true, help_heading = "Search space")]
+    pub strand_modulus: Option<String>,
     /// Rubbers, by name [paper]
     #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Search space")]
     pub rubber: Vec<String>,
@@ -237,6 +246,13 @@ fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequ
         wall_mm: choice("--wall", &args.wall, Dimension::Length)?,
         angle_deg: choice("--angle", &args.angle, Dimension::Angle)?,
         strand_length_per_turn_mm: sleeves,
+        braids: args.braid.clone(),
+        strand_diameter_mm: length("--strand-diameter", &args.strand_diameter)?,
+        strand_modulus_mpa: quantity(
+            "--strand-modulus",
+            args.strand_modulus.as_deref(),
+            Dimension::Pressure,
+        )?,
         rubbers: args.rubber.clone(),
         stiffness: args.stiffness.as_deref().map(stiffness).transpose()?,
         length_mm: choice("--length", &args.length, Dimension::Length)?,

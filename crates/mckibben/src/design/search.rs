@@ -8,7 +8,7 @@ use super::limit::probe;
 use super::line::{self, Found, Merit, Place, Sample, golden};
 use super::reason::Reason;
 use super::spec::{BraidChoice, Build, Objective, Spec};
-use crate::muscle::{Muscle, MuscleError, Rubber, Tube};
+use crate::muscle::{Braid, Muscle, MuscleError, Rubber, Tube};
 use crate::progress::Progress;
 use crate::units::Values;
 use rayon::prelude::*;
@@ -33,6 +33,8 @@ struct Choice {
 enum BraidRule {
     Angle(f64),
     PerTurn(f64),
+    /// Number of a sleeve.
+    Sleeve(usize),
 }
 
 /// Where in the search space a muscle stands; the muscle is built again when it is needed.
@@ -113,12 +115,14 @@ impl Place for Tried {
 impl Search<'_> {
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
         let base = &self.spec.base;
-        let mut braid = base.braid().clone();
-        braid.angle_deg = match pick.choice.braid {
-            BraidRule::Angle(angle) => angle,
-            BraidRule::PerTurn(length) => {
-                (std::f64::consts::PI * pick.d0 / length).min(1.0).asin().to_degrees()
+        let angled = |angle_deg: f64| Braid { angle_deg, ..base.braid().clone() };
+        let braid = match (pick.choice.braid, &self.spec.braid) {
+            (BraidRule::Angle(angle), _) => angled(angle),
+            (BraidRule::PerTurn(length), _) => {
+                angled((std::f64::consts::PI * pick.d0 / length).min(1.0).asin().to_degrees())
             }
+            (BraidRule::Sleeve(i), BraidChoice::Sleeves(list)) => list[i].clone().on_diameter(pick.d0)?,
+            (BraidRule::Sleeve(_), _) => base.braid().clone(),
         };
         let tube = Tube {
             outer_diameter_mm: pick.d0,
@@ -240,6 +244,7 @@ impl Search<'_> {
         };
         let braids = match &self.spec.braid {
             BraidChoice::StrandLengthPerTurn(list) => list.len(),
+            BraidChoice::Sleeves(list) => list.len(),
             BraidChoice::Angle(angles) => count(angles, ANGLES),
         };
         let lengths = self.spec.length_mm.as_ref().map_or(1, |v| count(v, LENGTHS));
@@ -292,6 +297,7 @@ impl Search<'_> {
             BraidChoice::StrandLengthPerTurn(list) => {
                 self.gather(list.iter().map(|&length| braided(BraidRule::PerTurn(length))))
             }
+            BraidChoice::Sleeves(list) => self.gather((0..list.len()).map(|i| braided(BraidRule::Sleeve(i)))),
             BraidChoice::Angle(angles) => self.axis(angles, ANGLES, &|a| braided(BraidRule::Angle(a))),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::analysis::Options;
 use crate::model::{ForceModel, ModelError};
-use crate::muscle::{Direction, Muscle, MuscleError, Rubber};
+use crate::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
 use crate::units::Values;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -47,6 +47,8 @@ pub enum BraidChoice {
     /// A sleeve as sold: the length of strand per turn in mm is fixed, so that the diameter it is pulled over sets the
     /// angle, sinθ0 = π D0/ℓ.
     StrandLengthPerTurn(Vec<f64>),
+    /// Named sleeves: each braid lies on a tube as its sleeve does there ([`Braid::on_diameter`]).
+    Sleeves(Vec<Braid>),
 }
 
 /// Largest strand strain up to which the models were compared with anything.
@@ -222,6 +224,7 @@ impl Spec {
         let braids = match &self.braid {
             BraidChoice::Angle(v) => count(v),
             BraidChoice::StrandLengthPerTurn(list) => list.len() as f64,
+            BraidChoice::Sleeves(list) => list.len() as f64,
         };
         let sections = count(&self.outer_diameter_mm) * count(&self.wall_mm);
         let lengths = self.length_mm.as_ref().map_or(1.0, count);
