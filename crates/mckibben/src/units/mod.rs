@@ -5,6 +5,8 @@
 
 mod quantity;
 mod range;
+mod unit;
 
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
+pub use unit::Unit;

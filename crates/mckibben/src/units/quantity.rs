@@ -1,5 +1,6 @@
 //! One number with a unit.
 
+use super::unit::Unit;
 use thiserror::Error;
 
 /// What a number measures; decides which units it may carry and what a bare number means.
@@ -21,38 +22,43 @@ pub enum Dimension {
     Area,
 }
 
-/// A unit: its spellings and the exact fraction `num / den` that turns it into the unit used inside. Keeping
-/// the fraction makes `1.5bar` the same number as `0.15MPa`, to the last bit.
-type Unit = (&'static [&'static str], f64, f64);
+/// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it into the unit used
+/// inside. Keeping the fraction makes `1.5bar` the same number as `0.15MPa`, to the last bit.
+pub(super) type Spelled = (&'static [&'static str], f64, f64);
 
-const LENGTHS: &[Unit] = &[
+const LENGTHS: &[Spelled] = &[
     (&["mm"], 1.0, 1.0),
     (&["cm"], 10.0, 1.0),
     (&["m"], 1000.0, 1.0),
     (&["um", "µm", "μm"], 1.0, 1000.0),
-    (&["in", "inch"], 25.4, 1.0),
+    (&["in", "inch", "inches", "\"", "″"], 25.4, 1.0),
 ];
-const PRESSURES: &[Unit] = &[
-    (&["MPa", "N/mm2", "N/mm²"], 1.0, 1.0),
+const PRESSURES: &[Spelled] = &[
+    (&["MPa", "N/mm2", "N/mm²", "N/mm^2"], 1.0, 1.0),
     (&["bar"], 1.0, 10.0),
     (&["mbar"], 1.0, 10_000.0),
     (&["kPa"], 1.0, 1000.0),
-    (&["Pa"], 1.0, 1_000_000.0),
+    (&["hPa"], 1.0, 10_000.0),
+    (&["Pa", "N/m2", "N/m²", "N/m^2"], 1.0, 1_000_000.0),
     (&["GPa"], 1000.0, 1.0),
     (&["psi"], 0.006_894_757_293_168_361, 1.0),
+    (&["kgf/cm2", "kgf/cm²", "kgf/cm^2", "kp/cm2", "kp/cm²"], 0.098_066_5, 1.0),
+    (&["atm"], 0.101_325, 1.0),
 ];
-const ANGLES: &[Unit] = &[(&["deg", "°"], 1.0, 1.0), (&["rad"], 180.0, std::f64::consts::PI)];
-const FORCES: &[Unit] = &[
+const ANGLES: &[Spelled] = &[(&["deg", "°"], 1.0, 1.0), (&["rad"], 180.0, std::f64::consts::PI)];
+const FORCES: &[Spelled] = &[
     (&["N"], 1.0, 1.0),
     (&["kN"], 1000.0, 1.0),
     (&["mN"], 1.0, 1000.0),
     (&["lbf"], 4.448_221_615_260_5, 1.0),
-    (&["kgf"], 9.806_65, 1.0),
+    (&["kgf", "kp"], 9.806_65, 1.0),
+    (&["gf"], 9.806_65, 1000.0),
+    (&["daN"], 10.0, 1.0),
 ];
-const RATIOS: &[Unit] = &[(&["%"], 1.0, 100.0)];
-const STIFFNESSES: &[Unit] =
+const RATIOS: &[Spelled] = &[(&["%"], 1.0, 100.0), (&["‰"], 1.0, 1000.0)];
+const STIFFNESSES: &[Spelled] =
     &[(&["N/mm"], 1.0, 1.0), (&["N/m"], 1.0, 1000.0), (&["kN/m"], 1.0, 1.0), (&["kN/mm"], 1000.0, 1.0)];
-const AREAS: &[Unit] = &[
+const AREAS: &[Spelled] = &[
     (&["mm2", "mm²", "mm^2"], 1.0, 1.0),
     (&["cm2", "cm²", "cm^2"], 100.0, 1.0),
     (&["um2", "µm²", "um^2"], 1.0, 1_000_000.0),
@@ -69,7 +75,7 @@ impl Dimension {
         Dimension::Area,
     ];
 
-    fn units(self) -> &'static [Unit] {
+    pub(super) fn units(self) -> &'static [Spelled] {
         match self {
             Dimension::Length => LENGTHS,
             Dimension::Pressure => PRESSURES,
@@ -109,10 +115,10 @@ impl Dimension {
         }
     }
 
-    /// The fraction for a unit's spelling: exact first, then without regard to case where that leaves one
-    /// meaning (`mPa` and `MN` would not, and are refused).
-    pub(super) fn unit(self, name: &str) -> Option<(f64, f64)> {
-        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(|u| (u.1, u.2));
+    /// The unit of a spelling: exact first, then without regard to case where that leaves one meaning (`mPa` and `MN`
+    /// would not, and are refused).
+    pub fn unit(self, name: &str) -> Option<Unit> {
+        let exact = |d: Dimension| d.units().iter().find(|u| u.0.contains(&name)).map(Unit::of);
         if let Some(found) = exact(self) {
             return Some(found);
         }
@@ -120,7 +126,7 @@ impl Dimension {
         if careful.contains(&name) || Dimension::ALL.into_iter().any(|d| exact(d).is_some()) {
             return None;
         }
-        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(|u| (u.1, u.2))
+        self.units().iter().find(|u| u.0.iter().any(|s| s.eq_ignore_ascii_case(name))).map(Unit::of)
     }
 }
 
@@ -214,7 +220,7 @@ pub(super) fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64
         return Ok((1.0, 1.0));
     }
     if let Some(found) = expected.unit(unit) {
-        return Ok(found);
+        return Ok(found.fraction);
     }
     match Dimension::ALL.into_iter().find(|d| d.unit(unit).is_some()) {
         Some(found) => Err(QuantityError::WrongDimension { text: text.trim().into(), found, expected }),
