@@ -1,18 +1,19 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
 use crate::curve::{check_count, contractions, list, steps};
-use crate::fields::{AskFields, Direction, MeshFields, MuscleFields, TextFile};
+use crate::fields::{AskFields, Columns, Direction, MeshFields, MuscleFields, TextFile, UnderstoodTable};
 use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::words::{PressureUnit, number};
 use mckibben::answer::{Options, point};
-use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches, read_measured};
+use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
 use mckibben::identify::{
     DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
 };
 use mckibben::least_squares::Loss;
+use mckibben::measured::{PointOptions, read_points};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -31,8 +32,10 @@ pub struct CompareRequest {
     /// The mesh of finite elements.
     #[serde(flatten)]
     pub mesh: MeshFields,
-    /// Measured points (CSV: pressure_mpa, contraction, force_n, branch).
+    /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and pulls, with their units.
     pub data: Option<TextFile>,
+    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    pub columns: Columns,
     /// Which branch of measured hysteresis.
     pub branch: Direction,
     /// Constants to fit to the points, for each model that knows them.
@@ -96,6 +99,8 @@ pub struct CompareAnswer {
     pub largest_force_n: f64,
     /// The muscle.
     pub muscle: MuscleSummary,
+    /// What was understood of the measured points; empty without.
+    pub understood: Vec<UnderstoodTable>,
     /// The models.
     pub models: Vec<ComparedModel>,
     /// The figure, where it was asked for.
@@ -173,7 +178,8 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     let muscle = request.muscle.resolve()?;
     let options = request.asking.options(&muscle)?;
     let models = request.chosen()?;
-    let measured = request.data.as_ref().map(|file| on_branch(file, request.branch)).transpose()?;
+    let read = request.data.as_ref().map(|file| request.on_branch(file, &muscle)).transpose()?;
+    let (measured, understood) = read.unzip();
     if measured.is_none() && !request.fit.is_empty() {
         return Err(Problem::missing("data", "measured points to fit to"));
     }
@@ -230,6 +236,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         points: points.len(),
         largest_force_n: points.iter().map(|p| p.force_n).fold(0.0, f64::max),
         muscle: (&muscle).into(),
+        understood: understood.into_iter().collect(),
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
         figure,
     })
@@ -254,21 +261,30 @@ impl CompareRequest {
         }
         Ok(models)
     }
-}
 
-/// The measured points of a file, on the branch that was asked for.
-fn on_branch(file: &TextFile, branch: Direction) -> Result<Vec<MeasuredPoint>, Problem> {
-    let wrong = |message: String| Problem::new(ProblemKind::Data, format!("{}: {message}", file.name), "");
-    let points = read_measured(file.text.as_bytes()).map_err(|e| wrong(e.to_string()))?;
-    if branch.is_mean() {
-        return Ok(mean_of_branches(&points));
+    /// The measured points of a file, on the branch that was asked for.
+    fn on_branch(
+        &self,
+        file: &TextFile,
+        muscle: &Muscle,
+    ) -> Result<(Vec<MeasuredPoint>, UnderstoodTable), Problem> {
+        let options =
+            PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
+        let (points, table) = read_points(file.text.as_bytes(), &options)
+            .map_err(|error| Problem::of_table(&file.name, &error))?;
+        let understood = UnderstoodTable { data: file.name.clone(), table };
+        let points: Vec<MeasuredPoint> = points.into_iter().map(|p| p.at).collect();
+        if self.branch.is_mean() {
+            return Ok((mean_of_branches(&points), understood));
+        }
+        let points: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == self.branch).collect();
+        if points.is_empty() {
+            let message = format!("{}: there are no points of that branch", file.name);
+            let hint = "its column `branch` must say contraction or elongation";
+            return Err(Problem::new(ProblemKind::Data, message, hint));
+        }
+        Ok((points, understood))
     }
-    let points: Vec<MeasuredPoint> = points.into_iter().filter(|p| p.branch == branch).collect();
-    if points.is_empty() {
-        let hint = "its column `branch` must say contraction or elongation";
-        return Err(wrong("there are no points of that branch".into()).with_hint(hint));
-    }
-    Ok(points)
 }
 
 /// Pressures and contractions of the figure, and of the comparison without measured points.

@@ -1,6 +1,7 @@
 //! Fields that requests share.
 
 pub use mckibben::muscle::Direction;
+pub use mckibben::table::{Columns, Understood, UnderstoodColumn};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -11,6 +12,23 @@ pub struct TextFile {
     pub name: String,
     /// What stands in it.
     pub text: String,
+}
+
+/// What was understood of a table.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct UnderstoodTable {
+    /// The table.
+    pub data: String,
+    /// What was understood of it.
+    #[serde(flatten)]
+    pub table: Understood,
+}
+
+impl UnderstoodTable {
+    /// One line for people: `bench.csv: 45 points; P1 → pressure (kPa), …`.
+    pub fn line(&self) -> String {
+        format!("{}: {}", self.data, self.table.line())
+    }
 }
 
 /// A muscle: a muscle file, and values that take the place of what it says. What nobody says is that of the paper's

@@ -1,7 +1,7 @@
 //! `identify`: constants of rubber, braid and friction from measured or published points.
 
 use crate::curve::{check_count, contractions, list, steps};
-use crate::fields::{MeshFields, ModelFields, MuscleFields, TextFile};
+use crate::fields::{Columns, MeshFields, ModelFields, MuscleFields, TextFile, UnderstoodTable};
 use crate::figure;
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
@@ -13,7 +13,9 @@ use mckibben::identify::{
     identify_default, identify_with,
 };
 use mckibben::least_squares::{EstimateError, Loss};
-use mckibben::measured::{DataPoint, MeasuredPoint, Quantity, Section, mean_of_data, read_data};
+use mckibben::measured::{
+    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
+};
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
@@ -35,8 +37,10 @@ pub struct IdentifyRequest {
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
-    /// Tables of points (CSV: pressure_mpa, contraction, force_n, and more).
+    /// Tables of pressures, contractions (or shortenings, or lengths) and pulls, with their units, and more.
     pub data: Vec<TextFile>,
+    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    pub columns: Columns,
     /// A published formula as data: the name of a model, or of one of `formulas`.
     pub formula: Option<String>,
     /// Pressures P of `formula` in MPa; 0.05 to 0.25 by 0.05 where they are left out.
@@ -97,6 +101,8 @@ pub struct IdentifyAnswer {
     pub model: String,
     /// Where the points come from.
     pub data: String,
+    /// What was understood of each table.
+    pub understood: Vec<UnderstoodTable>,
     /// What was free, with its value and error.
     pub parameters: Vec<Identified>,
     /// Correlation of the parameters, row by row.
@@ -204,7 +210,7 @@ impl IdentifyAnswer {
 pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<IdentifyAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
-    let (points, origin) = request.points(&muscle)?;
+    let Data { points, origin, understood } = request.points(&muscle)?;
     let (free, fixed) = request.parameters(&muscle)?;
     let asked = Request {
         muscle: &muscle,
@@ -228,6 +234,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     Ok(IdentifyAnswer {
         model: model.name().into(),
         data: origin,
+        understood,
         parameters: found.parameters.clone(),
         correlation: found.correlation.clone(),
         rms_before_n: found.rms_before_n,
@@ -249,20 +256,33 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
 /// What is free, and what is held at a value.
 type Parameters = (Vec<Parameter>, Vec<(Target, f64)>);
 
+/// All points.
+struct Data {
+    points: Vec<DataPoint>,
+    /// Where they come from.
+    origin: String,
+    /// What was understood of tables.
+    understood: Vec<UnderstoodTable>,
+}
+
 impl IdentifyRequest {
     /// All points, and where they come from.
-    fn points(&self, muscle: &Muscle) -> Result<(Vec<DataPoint>, String), Problem> {
+    fn points(&self, muscle: &Muscle) -> Result<Data, Problem> {
         let mut sets: Vec<(Vec<DataPoint>, String)> = vec![];
+        let mut understood = vec![];
+        let options =
+            PointOptions { columns: self.columns.clone(), rest_length_mm: Some(muscle.tube().length_mm) };
         for file in &self.data {
-            let read = read_data(file.text.as_bytes())
-                .map_err(|e| Problem::new(ProblemKind::Data, format!("{}: {e}", file.name), ""))?;
+            let (read, table) = read_points(file.text.as_bytes(), &options)
+                .map_err(|error| Problem::of_table(&file.name, &error))?;
+            understood.push(UnderstoodTable { data: file.name.clone(), table });
             sets.push((read, file.name.clone()));
         }
         if let Some(name) = &self.formula {
             sets.push((self.of_formula(name, muscle)?, format!("the formula {name}")));
         }
         if sets.is_empty() {
-            let hint = "give `data` with pressure_mpa, contraction and force_n, or `formula` paper";
+            let hint = "give `data` with pressures, contractions and forces, or `formula` paper";
             return Err(Problem::new(ProblemKind::MissingInput, "there is nothing to identify from", hint));
         }
         self.check_weights(sets.len())?;
@@ -275,7 +295,7 @@ impl IdentifyRequest {
             points = mean_of_data(&points);
         }
         let origin: Vec<String> = sets.into_iter().map(|set| set.1).collect();
-        Ok((points, origin.join(", ")))
+        Ok(Data { points, origin: origin.join(", "), understood })
     }
 
     /// A formula's pulls as if they had been measured.

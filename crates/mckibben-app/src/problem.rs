@@ -1,13 +1,13 @@
 //! Why a request has no answer: one type for every front end.
 
 use mckibben::analysis::AnalysisError;
-use mckibben::compare::MeasuredError;
 use mckibben::design::{SpecError, SpreadError};
 use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
+use mckibben::table::TableError;
 use mckibben_fem::FemError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -272,9 +272,10 @@ impl From<FormulaError> for Problem {
     }
 }
 
-impl From<MeasuredError> for Problem {
-    fn from(error: MeasuredError) -> Self {
-        Self::new(ProblemKind::Data, error.to_string(), "")
+impl Problem {
+    /// A table that cannot be read.
+    pub fn of_table(name: &str, error: &TableError) -> Self {
+        Self::new(ProblemKind::Data, format!("{name}: {error}"), "")
     }
 }
 

@@ -1,6 +1,6 @@
 //! `rubber fit`: laws from tension tests.
 
-use crate::fields::TextFile;
+use crate::fields::{Columns, TextFile, UnderstoodTable};
 use crate::figure;
 use crate::muscle::muscle_of;
 use crate::point::finite;
@@ -9,7 +9,7 @@ use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::rubber::fit::{
     FitSettings, FittedLaw, Form, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
-    TensionFitError, fit_tension, read_tension,
+    TensionFitError, fit_tension, read_tests,
 };
 use mckibben::rubber::{RubberLaw, Stability};
 use mckibben_report::Figure;
@@ -22,18 +22,20 @@ use std::path::Path;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct RubberFitRequest {
-    /// Tension tests (CSV: mode; stretch, engineering_strain or strain_percent; nominal_stress_mpa, true_stress_mpa or
-    /// force_n).
+    /// Tension tests: a table of stretches, strains or extensions, and of stresses or forces, with their units; where it has
+    /// one, of modes.
     pub data: Option<TextFile>,
+    /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
+    pub columns: Columns,
     /// Laws by name, or `all`; all that the points carry where none is named.
     pub laws: Vec<String>,
     /// Terms of `ogden`; 1, 2 and 3 where it is left out.
     pub terms: Option<usize>,
     /// How the specimens were stretched, where the table has no column `mode`.
     pub mode: Mode,
-    /// Cross-section of the specimen at rest, mm², for a column force_n.
+    /// Cross-section of the specimen at rest, mm², for a column of forces.
     pub area_mm2: Option<f64>,
-    /// Length of the specimen at rest, mm, for a column extension_mm.
+    /// Length of the specimen at rest, mm, for a column of extensions or lengths.
     pub gauge_length_mm: Option<f64>,
     /// Leave out what is stretched further.
     pub up_to_stretch: Option<f64>,
@@ -60,6 +62,8 @@ pub struct RubberFitRequest {
 pub struct RubberFitAnswer {
     /// The table.
     pub data: String,
+    /// What was understood of it.
+    pub understood: Vec<UnderstoodTable>,
     /// Points that were fitted.
     pub points: usize,
     /// Points that were left out.
@@ -208,13 +212,14 @@ pub fn rubber_fit(request: &RubberFitRequest) -> Result<RubberFitAnswer, Problem
         area_mm2: positive("area_mm2", request.area_mm2)?,
         gauge_length_mm: positive("gauge_length_mm", request.gauge_length_mm)?,
     };
-    let points = read_tension(file.text.as_bytes(), options)
-        .map_err(|e| Problem::new(ProblemKind::Data, format!("{}: {e}", file.name), ""))?;
+    let (points, table) = read_tests(file.text.as_bytes(), options, &request.columns)
+        .map_err(|error| Problem::of_table(&file.name, &error))?;
     let fit = fit_tension(&points, &settings)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
     let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(RubberFitAnswer {
         data: file.name.clone(),
+        understood: vec![UnderstoodTable { data: file.name.clone(), table }],
         points: fit.points.len(),
         left_out: fit.left_out,
         fitted_to_stretch: fit.fitted_to_stretch,

@@ -60,6 +60,7 @@ const FIELDS: &[&str] = &[
     "verify",
     "models",
     "data",
+    "columns",
     "branch",
     "fit",
     "free",

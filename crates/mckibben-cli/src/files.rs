@@ -2,7 +2,9 @@
 
 use crate::failure::Failure;
 use mckibben::muscle::file::read_text;
+use mckibben::table::{self, TableError};
 use mckibben_app::{Model, Problem, ProblemKind, TextFile};
+use std::fs::File;
 use std::path::Path;
 
 /// A file written by hand: a muscle, a plan.
@@ -11,28 +13,19 @@ pub fn text(path: &Path) -> Result<TextFile, Failure> {
     Ok(TextFile { name: path.display().to_string(), text })
 }
 
-/// A table of measured points. Such files may be long.
+/// A table, whatever program wrote it. Such files may be long.
 pub fn table(path: &Path) -> Result<TextFile, Failure> {
-    let text = String::from_utf8(bytes(path)?).map_err(|e| {
-        let message = format!("{}: is not UTF-8: {}", path.display(), e.utf8_error());
-        Failure::input(ProblemKind::Data, message, "save it as a CSV file in UTF-8")
-    })?;
-    Ok(TextFile { name: path.display().to_string(), text })
-}
-
-/// A table of a test machine, whose program may be older than UTF-8: a degree sign is no reason to refuse its numbers.
-pub fn test_table(path: &Path) -> Result<TextFile, Failure> {
-    let text = String::from_utf8_lossy(&bytes(path)?).into_owned();
-    Ok(TextFile { name: path.display().to_string(), text })
-}
-
-fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     let meta = std::fs::metadata(path).map_err(|e| Failure::unreadable(path, e))?;
     if !meta.is_file() {
         let message = format!("{} is not a file", path.display());
         return Err(Failure::input(ProblemKind::File, message, "give a CSV file"));
     }
-    std::fs::read(path).map_err(|e| Failure::unreadable(path, e))
+    let file = File::open(path).map_err(|e| Failure::unreadable(path, e))?;
+    let text = table::read_text(file).map_err(|error| match error {
+        TableError::Io(error) => Failure::unreadable(path, error),
+        error => Problem::of_table(&path.display().to_string(), &error).into(),
+    })?;
+    Ok(TextFile { name: path.display().to_string(), text })
 }
 
 /// The formula behind a model's word, where that is the path of one and not the name of a model.

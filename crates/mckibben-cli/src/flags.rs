@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use mckibben::units::Dimension;
 use mckibben_app::words::PressureUnit;
 use mckibben_app::{
-    AskFields, Direction, Keep, MeshFields, ModelFields, MuscleFields, NamedStiffness, ProblemKind,
+    AskFields, Columns, Direction, Keep, MeshFields, ModelFields, MuscleFields, NamedStiffness, ProblemKind,
     Stiffness, Terminal, TerminalMaterial,
 };
 use std::path::{Path, PathBuf};
@@ -59,6 +59,23 @@ pub struct MuscleFlags {
     /// Turns of that strand, for belforte
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub turns: Option<String>,
+}
+
+/// Which column of a table is what.
+#[derive(Debug, Clone, Default, Args)]
+pub struct ColumnsFlag {
+    /// Columns whose heading does not say what they are, as QUANTITY="HEADING:UNIT" (#2 is the second column); such as
+    /// pressure="P1:kPa",contraction="x:mm"
+    #[arg(long, value_name = "LIST", help_heading = "Data")]
+    pub columns: Option<String>,
+}
+
+impl ColumnsFlag {
+    /// The columns that were chosen.
+    pub fn fields(&self) -> Result<Columns, Failure> {
+        let parsed = self.columns.as_deref().map(Columns::parse).transpose();
+        Ok(parsed.map_err(|e| Failure::flag("--columns", ProblemKind::Usage, e))?.unwrap_or_default())
+    }
 }
 
 /// The model and how it is asked.

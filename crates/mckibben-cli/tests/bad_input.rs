@@ -472,9 +472,9 @@ fn muscle_files() {
 }
 
 const POINTS: &[File] = &[
-    ("empty", b"", "data", "no column pressure_mpa"),
-    ("no column of pressures", b"contraction,force_n\n0,1\n", "data", "no column pressure_mpa"),
-    ("no column of pulls", b"pressure_mpa,contraction\n0.1,0\n", "data", "no column force_n"),
+    ("empty", b"", "data", "no column of pressures"),
+    ("no column of pressures", b"contraction,force_n\n0,1\n", "data", "no column of pressures"),
+    ("no column of pulls", b"pressure_mpa,contraction\n0.1,0\n", "data", "no column of forces"),
     ("NaN", b"pressure_mpa,contraction,force_n\n0.1,NaN,3\n", "data", "line 2, column contraction"),
     ("infinite", b"pressure_mpa,contraction,force_n\n0.1,0,3\n0.1,0,inf\n", "data", "line 3, column force_n"),
     ("text", b"pressure_mpa,contraction,force_n\n0.1,0,lots\n", "data", "\"lots\""),
@@ -489,9 +489,9 @@ const POINTS: &[File] = &[
     ("percent", b"pressure_mpa,contraction,force_n\n0.1,15,3\n", "data", "write 0.15 for 15 %"),
     ("pressure below zero", b"pressure_mpa,contraction,force_n\n-0.1,0,3\n", "data", "below zero"),
     ("a short line", b"pressure_mpa,contraction,force_n\n0.1,0\n", "data", "2 fields"),
-    ("not UTF-8", b"pressure_mpa,contraction,force_n\n0.1,0,\xff\n", "data", "UTF-8"),
+    ("not a number", b"pressure_mpa,contraction,force_n\n0.1,0,\xff\n", "data", "line 2, column force_n"),
     ("an unknown branch", b"pressure_mpa,contraction,force_n,branch\n0.1,0,3,up\n", "data", "neither"),
-    ("an unknown unit", b"pressure_psi,contraction,force_n\n30,0,3\n", "data", "pressure_psi"),
+    ("an unknown unit", b"Pressure [ell],contraction,force_n\n30,0,3\n", "data", "--columns pressure="),
 ];
 
 #[test]

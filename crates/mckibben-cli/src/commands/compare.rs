@@ -2,9 +2,9 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{AskFlags, Format, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
+use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
 use crate::output::show;
-use crate::output::text::{number, percent, table};
+use crate::output::text::{number, percent, table, understood};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, points};
@@ -28,9 +28,11 @@ pub struct CompareArgs {
     /// One model, as --models
     #[arg(long, value_name = "NAME", conflicts_with = "models")]
     pub model: Option<String>,
-    /// Measured points (CSV: pressure_mpa, contraction, force_n, branch)
-    #[arg(long, value_name = "FILE.csv")]
+    /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units
+    #[arg(long, value_name = "FILE.csv", help_heading = "Data")]
     pub data: Option<PathBuf>,
+    #[command(flatten)]
+    pub columns: ColumnsFlag,
     /// Which branch of measured hysteresis
     #[arg(long, value_parser = word::<Direction>(), default_value = "mean")]
     pub branch: Direction,
@@ -70,6 +72,7 @@ pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
         formulas,
         mesh: args.asking.mesh_fields()?,
         data: args.data.as_deref().map(files::table).transpose()?,
+        columns: args.columns.fields()?,
         branch: args.branch,
         fit: args.fit.iter().map(|word| constant(word)).collect::<Result<_, _>>()?,
         pressures_mpa: points("--pressure", args.pressure.as_deref(), Dimension::Pressure, 5)?,
@@ -94,7 +97,8 @@ fn constant(word: &str) -> Result<FitConstant, Failure> {
 }
 
 fn as_text(args: &CompareArgs, answer: &CompareAnswer) -> String {
-    let mut out = format!("{}\n", answer.muscle.line());
+    let mut out = understood(&answer.understood);
+    out.push_str(&format!("{}\n", answer.muscle.line()));
     match &args.data {
         Some(path) => {
             let mean = args.branch == Direction::Mean;

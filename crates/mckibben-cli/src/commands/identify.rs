@@ -4,7 +4,7 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, MuscleFlags, PlotFlag, pressure_unit};
+use crate::flags::{ColumnsFlag, Format, MuscleFlags, PlotFlag, pressure_unit};
 use crate::output::text::PressureUnit;
 use crate::output::{save, show};
 use crate::plot;
@@ -31,9 +31,11 @@ pub struct IdentifyArgs {
     /// Muscle file (TOML) with a value for everything; flags override it
     #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
     pub file: Option<PathBuf>,
-    /// Points (CSV: pressure_mpa, contraction, force_n, and more); may be repeated
+    /// Points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units; may be repeated
     #[arg(long, value_name = "FILE.csv", help_heading = "Data")]
     pub data: Vec<PathBuf>,
+    #[command(flatten)]
+    pub columns: ColumnsFlag,
     /// A published formula as data: a model's name or a formula's JSON, at -p and -e (-D and -s may be lists)
     #[arg(long, value_name = "NAME or FILE.json", help_heading = "Data")]
     pub formula: Option<String>,
@@ -168,6 +170,7 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
             mesh: MeshFields { mesh: args.mesh.clone(), ..MeshFields::default() },
         },
         data: args.data.iter().map(|path| files::table(path)).collect::<Result<_, _>>()?,
+        columns: args.columns.fields()?,
         formula: args.formula.clone(),
         pressures_mpa: pressures(args.pressure.as_deref(), 5)?,
         contractions: contractions(args.contraction.as_deref())?,

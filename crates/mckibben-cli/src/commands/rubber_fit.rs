@@ -4,7 +4,7 @@ mod text;
 
 use crate::failure::{Failure, in_flags};
 use crate::files;
-use crate::flags::{Format, PlotFlag};
+use crate::flags::{ColumnsFlag, Format, PlotFlag};
 use crate::output::{save, show, warn};
 use crate::plot;
 use crate::quantities::{quantity, ratio};
@@ -37,8 +37,10 @@ fn laws() -> String {
 /// `rubber fit`.
 #[derive(Debug, Args)]
 pub struct RubberFitArgs {
-    /// Tension tests (CSV: mode; stretch, engineering_strain or strain_percent; nominal_stress_mpa, true_stress_mpa or force_n)
+    /// Tension tests: a table of stretches, strains or extensions, and of stresses or forces, with units
     pub file: PathBuf,
+    #[command(flatten)]
+    pub columns: ColumnsFlag,
     #[arg(long, value_name = "LIST", value_delimiter = ',', help = laws())]
     pub law: Vec<String>,
     /// Terms of `ogden` [1, 2 and 3]
@@ -47,10 +49,10 @@ pub struct RubberFitArgs {
     /// How the specimens were stretched, where the file has no column `mode`
     #[arg(long, value_parser = word_or::<Mode>(&[("planar", "pure-shear"), ("equibiaxial", "biaxial")]), default_value = "uniaxial")]
     pub mode: Mode,
-    /// Cross-section of the specimen at rest, for a column force_n
+    /// Cross-section of the specimen at rest, for a column of forces
     #[arg(long, value_name = "AREA", allow_hyphen_values = true)]
     pub area: Option<String>,
-    /// Length of the specimen at rest, for a column extension_mm
+    /// Length of the specimen at rest, for a column of extensions or lengths
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub gauge_length: Option<String>,
     /// Leave out what is stretched further: a stretch (3), or a strain (200%)
@@ -123,7 +125,8 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
         hoop_stretch: ratio("--hoop-stretch", Some(&args.hoop_stretch))?,
         name: args.name.clone(),
         muscle: args.muscle.as_deref().map(files::text).transpose()?,
-        data: Some(files::test_table(&args.file)?),
+        data: Some(files::table(&args.file)?),
+        columns: args.columns.fields()?,
         figure: args.plot.plot.is_some(),
     })
 }

@@ -1,6 +1,7 @@
 //! Text for people: aligned, with units, rounded to what is worth reading.
 
 use comfy_table::{CellAlignment, Table, presets};
+use mckibben_app::UnderstoodTable;
 pub use mckibben_app::words::{PressureUnit, braid_name, law_text, number, percent, rubber_name};
 
 /// A number or a dash.
@@ -34,6 +35,11 @@ pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
 pub fn pairs(list: &[(&str, String)]) -> String {
     let width = list.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     list.iter().map(|(name, value)| format!("  {name:<width$}   {value}\n")).collect()
+}
+
+/// What was understood of tables, a line each.
+pub fn understood(tables: &[UnderstoodTable]) -> String {
+    tables.iter().map(|table| table.line() + "\n").collect()
 }
 
 /// `± 41 N`, or that nothing is known.

@@ -1,6 +1,6 @@
 //! Models against measured points: rms and largest error of each.
 
-pub use crate::measured::{MeasuredError, MeasuredPoint, mean_of_branches, read_measured};
+pub use crate::measured::{MeasuredPoint, mean_of_branches, read_measured};
 
 use crate::analysis::{Options, force_on};
 use crate::model::{ForceModel, ModelError, Workspace};

@@ -1,10 +1,7 @@
 //! Measured points, and the mean of both branches.
 
-use super::read::read_data;
 use crate::muscle::Direction;
 use serde::{Deserialize, Serialize};
-use std::io::Read;
-use thiserror::Error;
 
 /// One measured point of a muscle.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -24,73 +21,6 @@ pub struct MeasuredPoint {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands over references")]
 fn is_mean(branch: &Direction) -> bool {
     *branch == Direction::Mean
-}
-
-/// Why measured points cannot be read. Lines are counted from 1, the header being line 1.
-#[derive(Debug, Error)]
-pub enum MeasuredError {
-    /// No column of that meaning.
-    #[error(
-        "no column {wanted} (the columns are: {found}); measured points need pressure_mpa (or pressure_kpa, pressure_bar), contraction and force_n, and may have branch"
-    )]
-    MissingColumn {
-        /// What is needed.
-        wanted: &'static str,
-        /// What is there.
-        found: String,
-    },
-    /// A field that is not a finite number.
-    #[error("line {line}, column {column}: \"{text}\" is not a finite number")]
-    NotANumber {
-        /// Line in the file.
-        line: u64,
-        /// Column name.
-        column: String,
-        /// The field as written.
-        text: String,
-    },
-    /// A number no muscle has.
-    #[error("line {line}, column {column}: {value} {expected}")]
-    Impossible {
-        /// Line in the file.
-        line: u64,
-        /// Column name.
-        column: String,
-        /// The value.
-        value: f64,
-        /// What is expected.
-        expected: &'static str,
-    },
-    /// A word in the branch column that is not known.
-    #[error("line {line}: branch \"{text}\" is neither \"contraction\" nor \"elongation\"")]
-    Branch {
-        /// Line in the file.
-        line: u64,
-        /// The word.
-        text: String,
-    },
-    /// A word in the column `measured` that is not known.
-    #[error("line {line}: measured \"{text}\" is neither \"force\", \"contraction\" nor \"pressure\"")]
-    Quantity {
-        /// Line in the file.
-        line: u64,
-        /// The word.
-        text: String,
-    },
-    /// No points at all.
-    #[error("no points: the file ends after its header")]
-    Empty,
-    /// The table itself is broken (a line with missing fields, bytes that are not UTF-8, an unreadable file).
-    #[error("{0}")]
-    Csv(#[from] csv::Error),
-}
-
-/// Reads measured points from CSV with a header line; see [`read_data`] for its columns.
-///
-/// # Errors
-/// [`MeasuredError`] names line and column.
-pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, MeasuredError> {
-    Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
 }
 
 /// The mean of the two hysteresis branches: at every contraction of the lower branch, half the sum with the upper branch
@@ -135,51 +65,14 @@ fn interpolate(sorted: &[MeasuredPoint], contraction: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::read_measured;
     use super::*;
-
-    fn read(text: &str) -> Result<Vec<MeasuredPoint>, MeasuredError> {
-        read_measured(text.as_bytes())
-    }
-
-    #[test]
-    fn units_of_the_pressure_column_are_understood() {
-        for (column, value) in [("pressure_mpa", "0.25"), ("pressure_kpa", "250"), ("pressure_bar", "2.5")] {
-            let points = read(&format!("{column},contraction,force_n\n{value},0.1,300\n")).unwrap();
-            assert_eq!(
-                points,
-                [MeasuredPoint {
-                    pressure_mpa: 0.25,
-                    contraction: 0.1,
-                    force_n: 300.0,
-                    branch: Direction::Mean
-                }]
-            );
-        }
-    }
-
-    #[test]
-    fn errors_name_line_and_column() {
-        let cases = [
-            ("contraction,force_n\n0,1\n", "no column pressure_mpa"),
-            ("pressure_mpa,contraction,force_n\n0.1,NaN,3\n", "line 2, column contraction: \"NaN\""),
-            ("pressure_mpa,contraction,force_n\n0.1,0,3\n0.1,,3\n", "line 3, column contraction: \"\""),
-            ("pressure_mpa,contraction,force_n\n0.1,15,3\n", "write 0.15 for 15 %"),
-            ("pressure_mpa,contraction,force_n\n-0.1,0,3\n", "below zero"),
-            ("pressure_mpa,contraction,force_n\n0.1,0\n", "CSV error"),
-            ("pressure_mpa,contraction,force_n\n", "no points"),
-            ("pressure_mpa,contraction,force_n,branch\n0.1,0,3,up\n", "neither \"contraction\""),
-        ];
-        for (text, fragment) in cases {
-            let message = read(text).unwrap_err().to_string();
-            assert!(message.contains(fragment), "{text}: {message}");
-        }
-    }
 
     #[test]
     fn the_mean_of_two_parallel_branches_lies_between_them() {
         let text = "pressure_mpa,contraction,force_n,branch\n0.1,0,10,contraction\n0.1,0.2,6,contraction\n\
                     0.1,0.3,2,contraction\n0.1,0,12,elongation\n0.1,0.1,10,elongation\n0.1,0.25,7,elongation\n";
-        let mean = mean_of_branches(&read(text).unwrap());
+        let mean = mean_of_branches(&read_measured(text.as_bytes()).unwrap());
         assert_eq!(mean.len(), 2);
         assert_eq!(mean[0].force_n, 11.0);
         assert!((mean[1].force_n - 7.0).abs() < 1e-12);

@@ -1,271 +1,267 @@
-//! Points from CSV: what was measured, where, on which muscle, and how well.
+//! Points from people's tables.
 
-use super::point::{MeasuredError, MeasuredPoint, mean_of_branches};
-use crate::muscle::{Direction, Muscle, MuscleError};
-use serde::{Deserialize, Serialize};
+use super::data::{DataPoint, Quantity, Section};
+use super::point::MeasuredPoint;
+use crate::muscle::Direction;
+use crate::table::{Column, Columns, Meaning, POINTS, Table, TableError, Understood, is_absolute, read_text};
 use std::io::Read;
 
-/// What the bench read; the two others were set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub enum Quantity {
-    /// The pull, at a set pressure and length (isometric, isobaric).
-    #[default]
-    Force,
-    /// The contraction, at a set pressure and pull (isotonic).
-    Contraction,
-    /// The pressure, at a set pull and length.
-    Pressure,
+/// What the table does not say.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PointOptions {
+    /// Columns whose heading does not say what they are.
+    pub columns: Columns,
+    /// L0 of the muscle, for shortenings and lengths.
+    pub rest_length_mm: Option<f64>,
 }
 
-/// Measures of the muscle that a row states; the others are the muscle file's.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(default)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Section {
-    /// D0 in mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outer_diameter_mm: Option<f64>,
-    /// s in mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub wall_mm: Option<f64>,
-    /// L0 in mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub length_mm: Option<f64>,
-    /// θ0 in degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub angle_deg: Option<f64>,
-}
+/// Groups of [`POINTS`].
+const PRESSURE: usize = 0;
+const CONTRACTION: usize = 1;
+const FORCE: usize = 2;
 
-impl Section {
-    /// The muscle with these measures.
-    ///
-    /// # Errors
-    /// [`MuscleError`].
-    pub fn apply(&self, muscle: &Muscle) -> Result<Muscle, MuscleError> {
-        let mut tube = muscle.tube().clone();
-        tube.outer_diameter_mm = self.outer_diameter_mm.unwrap_or(tube.outer_diameter_mm);
-        let mut braid = muscle.braid_on(tube.outer_diameter_mm)?;
-        tube.wall_mm = self.wall_mm.unwrap_or(tube.wall_mm);
-        tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
-        braid.angle_deg = self.angle_deg.unwrap_or(braid.angle_deg);
-        Muscle::new(tube, braid, muscle.terminals().clone(), muscle.friction().copied())
-    }
-}
-
-/// One row of data.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct DataPoint {
-    /// Pressure, contraction, pull, branch.
-    #[serde(flatten)]
-    pub at: MeasuredPoint,
-    /// Which of them was read.
-    pub measured: Quantity,
-    /// Standard error of what was read, in its unit, where it is stated.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub error: Option<f64>,
-    /// How much it counts; 1 where nothing is said.
-    pub weight: f64,
-    /// Measures of its muscle.
-    #[serde(flatten)]
-    pub section: Section,
-    /// Line in its file, the header being line 1; 0 where it comes from no file.
-    pub line: u64,
-    /// Which of several sets of data it belongs to.
-    pub set: usize,
-}
-
-impl DataPoint {
-    /// A measured pull.
-    pub fn of(at: MeasuredPoint) -> Self {
-        Self {
-            at,
-            measured: Quantity::Force,
-            error: None,
-            weight: 1.0,
-            section: Section::default(),
-            line: 0,
-            set: 0,
-        }
-    }
-}
-
-struct Table {
-    header: csv::StringRecord,
-}
-
-type Column = (usize, f64);
-
-impl Table {
-    fn find(&self, names: &[(&str, f64)]) -> Option<Column> {
-        names.iter().find_map(|&(name, den)| {
-            let strip = |h: &str| h.trim_start_matches('\u{feff}').eq_ignore_ascii_case(name);
-            self.header.iter().position(strip).map(|i| (i, den))
-        })
-    }
-
-    fn needed(&self, wanted: &'static str, names: &[(&str, f64)]) -> Result<Column, MeasuredError> {
-        let found = || self.header.iter().collect::<Vec<_>>().join(", ");
-        self.find(names).ok_or_else(|| MeasuredError::MissingColumn { wanted, found: found() })
-    }
-}
-
-struct Row<'a> {
-    table: &'a Table,
-    record: csv::StringRecord,
-    line: u64,
-}
-
-impl Row<'_> {
-    fn text(&self, column: Option<Column>) -> &str {
-        column.and_then(|c| self.record.get(c.0)).unwrap_or("")
-    }
-
-    fn number(&self, (i, den): Column) -> Result<f64, MeasuredError> {
-        let text = self.record.get(i).unwrap_or("");
-        match text.parse::<f64>() {
-            Ok(v) if v.is_finite() => Ok(v / den),
-            _ => {
-                let column = self.table.header[i].to_owned();
-                Err(MeasuredError::NotANumber { line: self.line, column, text: text.into() })
-            }
-        }
-    }
-
-    /// A number, where the field is not empty, that passes a test.
-    fn some(
-        &self,
-        column: Option<Column>,
-        sound: fn(f64) -> bool,
-        expected: &'static str,
-    ) -> Result<Option<f64>, MeasuredError> {
-        let Some(column) = column.filter(|_| !self.text(column).is_empty()) else { return Ok(None) };
-        let v = self.number(column)?;
-        if sound(v) { Ok(Some(v)) } else { Err(self.impossible(column, v, expected)) }
-    }
-
-    fn impossible(&self, column: Column, value: f64, expected: &'static str) -> MeasuredError {
-        let column = self.table.header[column.0].to_owned();
-        MeasuredError::Impossible { line: self.line, column, value, expected }
-    }
-
-    fn word<T: Copy>(
-        &self,
-        column: Option<Column>,
-        words: &[(&str, T)],
-        unknown: impl Fn(u64, String) -> MeasuredError,
-    ) -> Result<Option<T>, MeasuredError> {
-        match self.text(column) {
-            "" => Ok(None),
-            text => match words.iter().find(|w| w.0 == text) {
-                Some(w) => Ok(Some(w.1)),
-                None => Err(unknown(self.line, text.into())),
-            },
-        }
-    }
-}
-
-/// Reads points from CSV with a header line. Lines that start with `#` are comments; lines whose `status` is not `ok`
-/// (points without answer, as `curve` writes them) are left out.
-///
-/// Columns: `pressure_mpa` (or `pressure_kpa`, `pressure_bar`), `contraction` (or `contraction_percent`), `force_n`; and where
-/// they stand `branch`, `measured` (force, contraction, pressure), `force_error_n`, `contraction_error`,
-/// `pressure_error_mpa`, `weight`, `outer_diameter_mm`, `wall_mm`, `length_mm`, `angle_deg`, `status`.
+/// [`read_points`] of a table that says everything.
 ///
 /// # Errors
-/// [`MeasuredError`] names line and column.
-pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>, MeasuredError> {
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(input);
-    let table = Table { header: reader.headers()?.clone() };
-    let pressure = [("pressure_mpa", 1.0), ("pressure_kpa", 1e3), ("pressure_bar", 10.0)];
-    let pressure = table.needed("pressure_mpa", &pressure)?;
-    let contraction = table.needed("contraction", &[("contraction", 1.0), ("contraction_percent", 100.0)])?;
-    let force = table.needed("force_n", &[("force_n", 1.0)])?;
-    let optional = |name: &str| table.find(&[(name, 1.0)]);
-    let (branch, status, measured) = (optional("branch"), optional("status"), optional("measured"));
-    let errors = [optional("force_error_n"), optional("contraction_error"), optional("pressure_error_mpa")];
-    let weight = optional("weight");
-    let section = ["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg"].map(optional);
-    let mut points = Vec::new();
-    for record in reader.records() {
-        let record = record?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let row = Row { table: &table, record, line };
-        // A point of `curve --format csv` that has no answer.
-        if !["", "ok"].contains(&row.text(status)) {
-            continue;
-        }
-        let (p, e, f) = (row.number(pressure)?, row.number(contraction)?, row.number(force)?);
-        if p < 0.0 {
-            return Err(row.impossible(pressure, p, "MPa is below zero; gauge pressure starts at 0"));
-        }
-        if !(-0.9..0.95).contains(&e) {
-            let expected =
-                "is no contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent";
-            return Err(row.impossible(contraction, e, expected));
-        }
-        let branches = [("contraction", Direction::Contraction), ("elongation", Direction::Elongation)];
-        let branch = row
-            .word(branch, &branches, |line, text| MeasuredError::Branch { line, text })?
-            .unwrap_or_default();
-        let quantities = [
-            ("force", Quantity::Force),
-            ("contraction", Quantity::Contraction),
-            ("pressure", Quantity::Pressure),
-        ];
-        let measured = row
-            .word(measured, &quantities, |line, text| MeasuredError::Quantity { line, text })?
-            .unwrap_or_default();
-        let above = |v: f64| v > 0.0;
-        let error =
-            row.some(errors[measured as usize], above, "is no standard error; it must be above zero")?;
-        let weight =
-            row.some(weight, |v| v >= 0.0, "is no weight; it must not be below zero")?.unwrap_or(1.0);
-        let measure =
-            |i: usize| row.some(section[i], above, "is no measure of a muscle; it must be above zero");
-        points.push(DataPoint {
-            at: MeasuredPoint { pressure_mpa: p, contraction: e, force_n: f, branch },
-            measured,
-            error,
-            weight,
-            section: Section {
-                outer_diameter_mm: measure(0)?,
-                wall_mm: measure(1)?,
-                length_mm: measure(2)?,
-                angle_deg: measure(3)?,
-            },
-            line,
-            set: 0,
-        });
-    }
-    if points.is_empty() { Err(MeasuredError::Empty) } else { Ok(points) }
+/// [`TableError`] names line and column.
+pub fn read_data(input: impl Read) -> Result<Vec<DataPoint>, TableError> {
+    Ok(read_points(input, &PointOptions::default())?.0)
 }
 
-/// The mean of the two hysteresis branches, muscle by muscle; see [`mean_of_branches`]. A mean keeps the line of its
-/// lower point.
-pub fn mean_of_data(points: &[DataPoint]) -> Vec<DataPoint> {
-    let mut groups: Vec<Vec<DataPoint>> = vec![];
-    for p in points {
-        match groups
-            .iter_mut()
-            .find(|g| g[0].section == p.section && g[0].set == p.set && g[0].measured == p.measured)
-        {
-            Some(group) => group.push(*p),
-            None => groups.push(vec![*p]),
-        }
-    }
-    let mut out = vec![];
-    for group in groups {
-        let rows: Vec<MeasuredPoint> = group.iter().map(|p| p.at).collect();
-        for mean in mean_of_branches(&rows) {
-            let same = |p: &&DataPoint| {
-                p.at.pressure_mpa == mean.pressure_mpa && p.at.contraction == mean.contraction
-            };
-            let lower = |p: &&DataPoint| same(p) && p.at.branch != Direction::Elongation;
-            let origin = group.iter().find(lower).or_else(|| group.iter().find(same));
-            out.extend(origin.map(|p| DataPoint { at: mean, ..*p }));
-        }
-    }
-    out
+/// Pressure, contraction, pull and branch of [`read_data`].
+///
+/// # Errors
+/// [`TableError`] names line and column.
+pub fn read_measured(input: impl Read) -> Result<Vec<MeasuredPoint>, TableError> {
+    Ok(read_data(input)?.into_iter().map(|p| p.at).collect())
 }
+
+/// Reads points from a table in any common form ([`table`](crate::table)), and says what was understood of it.
+///
+/// Needed are pressures, contractions (or shortenings, or lengths that vary, with L0) and pulls, each with its unit:
+/// `pressure_mpa`, `Druck in bar`, `p (psi)`; `contraction` is a ratio. Understood are also `branch`, `measured` (force,
+/// contraction, pressure), `force_error_n`, `contraction_error`, `pressure_error_mpa`, `weight`, `outer_diameter_mm`,
+/// `wall_mm`, `angle_deg`, L0 as `rest_length_mm` or, beside a contraction, `length_mm`; rows whose `status` is not `ok`
+/// (points without answer, as `curve` writes them) are left out.
+///
+/// # Errors
+/// [`TableError`] names line and column.
+pub fn read_points(
+    input: impl Read,
+    options: &PointOptions,
+) -> Result<(Vec<DataPoint>, Understood), TableError> {
+    let mut table = Table::read(&read_text(input)?, &POINTS, &options.columns)?;
+    table.keep(Meaning::Status, &["", "ok"]);
+    let beside = table.needed(CONTRACTION)?.meaning != Meaning::Length;
+    let ours = table.column(Meaning::Length).is_some_and(|c| c.heading.eq_ignore_ascii_case("length_mm"));
+    let length_is_l0 = beside && ours && table.column(Meaning::RestLength).is_none();
+    if length_is_l0 {
+        table.rename(Meaning::Length, Meaning::RestLength);
+    }
+    let pressures = pressures(&table)?;
+    let rest = above_zero(&table, Meaning::RestLength, MEASURE)?;
+    let (contractions, note) = contractions(&table, &rest, options.rest_length_mm)?;
+    if length_is_l0 {
+        check_rest(&table, &rest, &contractions)?;
+    }
+    let forces = table.numbers(table.needed(FORCE)?)?;
+    let mut points = rows(&table)?;
+    for (i, point) in points.iter_mut().enumerate() {
+        point.at.pressure_mpa = pressures[i];
+        point.at.contraction = contractions[i];
+        point.at.force_n = forces[i];
+        point.section.length_mm = rest[i];
+    }
+    if points.is_empty() {
+        return Err(TableError::Empty);
+    }
+    Ok((points, understood(&table, note)?))
+}
+
+const MEASURE: &str = "is no measure of a muscle; it must be above zero";
+
+/// Numbers above zero, where the fields are not empty.
+fn above_zero(
+    table: &Table,
+    meaning: Meaning,
+    expected: &'static str,
+) -> Result<Vec<Option<f64>>, TableError> {
+    let values = table.some_numbers(meaning)?;
+    match (values.iter().position(|v| v.is_some_and(|v| v <= 0.0)), table.column(meaning)) {
+        (Some(row), Some(column)) => Err(table.impossible(row, column, expected)),
+        _ => Ok(values),
+    }
+}
+
+fn pressures(table: &Table) -> Result<Vec<f64>, TableError> {
+    let column = table.needed(PRESSURE)?;
+    if !column.chosen && is_absolute(&column.heading) {
+        return Err(TableError::Absolute { column: column.heading.clone() });
+    }
+    let values = table.numbers(column)?;
+    match values.iter().position(|p| *p < 0.0) {
+        Some(row) => Err(table.impossible(row, column, "is below zero; gauge pressure starts at 0")),
+        None => Ok(values),
+    }
+}
+
+/// Contraction ratios, and how they were made where that is not plain.
+fn contractions(
+    table: &Table,
+    rest: &[Option<f64>],
+    muscle: Option<f64>,
+) -> Result<(Vec<f64>, Option<String>), TableError> {
+    let column = table.needed(CONTRACTION)?;
+    let raw = table.numbers(column)?;
+    let (values, note) = match column.meaning {
+        Meaning::Contraction => (raw, None),
+        meaning => {
+            let of_rows = rest.iter().any(Option::is_some);
+            let rest: Vec<f64> = rest.iter().filter_map(|l| l.or(muscle)).collect();
+            if rest.len() != raw.len() {
+                let needs =
+                    "the length L0 at rest: give the muscle with its `length_mm`, or a column rest_length_mm";
+                return Err(TableError::Needs { column: column.heading.clone(), needs });
+            }
+            let l0 = match muscle {
+                Some(l0) if !of_rows => format!("L0 {l0} mm"),
+                _ => "the L0 of each row".into(),
+            };
+            if meaning == Meaning::Length {
+                check_varies(column, &raw)?;
+                (
+                    raw.iter().zip(&rest).map(|(l, l0)| 1.0 - l / l0).collect(),
+                    format!("1 − L/L0, {l0}").into(),
+                )
+            } else {
+                (raw.iter().zip(&rest).map(|(x, l0)| x / l0).collect(), format!("over {l0}").into())
+            }
+        }
+    };
+    let Some(row) = values.iter().position(|e: &f64| !(-0.9..0.95).contains(e)) else {
+        return Ok((values, note));
+    };
+    let wrong = |expected| Err(table.impossible(row, column, expected));
+    match (column.meaning, column.unit) {
+        (Meaning::Contraction, None) => {
+            let (line, column) = (table.lines()[row], column.heading.clone());
+            Err(TableError::Percent { line, column, value: values[row] })
+        }
+        (Meaning::Contraction, Some(unit)) if unit.name.is_empty() => wrong(
+            "is no contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent",
+        ),
+        (Meaning::Contraction, _) => wrong("is no contraction: no muscle shortens by so much"),
+        (Meaning::Length, _) => {
+            wrong("is no length of this muscle; look at its unit and at L0 (`length_mm`)")
+        }
+        _ => wrong("is no shortening of this muscle; look at its unit and at L0 (`length_mm`)"),
+    }
+}
+
+/// A length that is the same in all lines could be that at rest.
+fn check_varies(column: &Column, lengths: &[f64]) -> Result<(), TableError> {
+    let why = "is the same in all lines and does not say how far the muscle is contracted: add a column of contractions, \
+               or, if it is the present length, say so with `columns` length=\"HEADING:mm\"";
+    match spread(lengths.iter().copied()) < 1e-9 && !column.chosen {
+        true if !lengths.is_empty() => Err(TableError::Length { column: column.heading.clone(), why }),
+        _ => Ok(()),
+    }
+}
+
+/// Largest less smallest, relative to the largest.
+fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    let (low, high) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(0.0, f64::max));
+    if high > 0.0 { (high - low) / high } else { 0.0 }
+}
+
+/// Beside a contraction `length_mm` means L0; a length that shrinks with the contraction is another one.
+fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Result<(), TableError> {
+    let lengths = || rest.iter().flatten().copied();
+    if lengths().count() != contractions.len() || spread(lengths()) < 0.005 {
+        return Ok(());
+    }
+    let way = table.column(Meaning::Shortening).filter(|_| table.column(Meaning::Contraction).is_none());
+    let ways = way.map(|column| table.numbers(column)).transpose()?;
+    let rests = lengths().zip(contractions).enumerate().map(|(i, (l, e))| match &ways {
+        Some(ways) => l + ways[i],
+        None => l / (1.0 - e),
+    });
+    match table.column(Meaning::RestLength) {
+        Some(column) if spread(rests.clone()) < 0.2 * spread(lengths()) => Err(TableError::Length {
+            column: column.heading.clone(),
+            why: "shrinks with the contraction; beside a contraction it means the length at rest: name the column \
+                  otherwise (Length [mm]) and it is left out",
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// What stands in the other columns.
+fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
+    let weights = table.some_numbers(Meaning::Weight)?;
+    let errors = [Meaning::ForceError, Meaning::ContractionError, Meaning::PressureError];
+    let stated =
+        [table.some_numbers(errors[0])?, table.some_numbers(errors[1])?, table.some_numbers(errors[2])?];
+    let diameters = above_zero(table, Meaning::OuterDiameter, MEASURE)?;
+    let walls = above_zero(table, Meaning::Wall, MEASURE)?;
+    let angles = above_zero(table, Meaning::Angle, MEASURE)?;
+    let branches = [("contraction", Direction::Contraction), ("elongation", Direction::Elongation)];
+    let quantities = [
+        ("force", Quantity::Force),
+        ("contraction", Quantity::Contraction),
+        ("pressure", Quantity::Pressure),
+    ];
+    let refused = |row: usize, meaning: Meaning, expected| match table.column(meaning) {
+        Some(column) => table.impossible(row, column, expected),
+        None => TableError::Empty,
+    };
+    let one = |(row, line): (usize, u64)| {
+        let known = "\"contraction\" nor \"elongation\"";
+        let branch = table.word(row, Meaning::Branch, &branches, known)?.unwrap_or_default();
+        let known = "\"force\", \"contraction\" nor \"pressure\"";
+        let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or_default();
+        let error = stated[measured as usize][row];
+        if error.is_some_and(|e| e <= 0.0) {
+            let expected = "is no standard error; it must be above zero";
+            return Err(refused(row, errors[measured as usize], expected));
+        }
+        if weights[row].is_some_and(|w| w < 0.0) {
+            return Err(refused(row, Meaning::Weight, "is no weight; it must not be below zero"));
+        }
+        let at = MeasuredPoint { pressure_mpa: 0.0, contraction: 0.0, force_n: 0.0, branch };
+        let section = Section {
+            outer_diameter_mm: diameters[row],
+            wall_mm: walls[row],
+            length_mm: None,
+            angle_deg: angles[row],
+        };
+        Ok(DataPoint { at, measured, error, weight: weights[row].unwrap_or(1.0), section, line, set: 0 })
+    };
+    table.lines().into_iter().enumerate().map(one).collect()
+}
+
+fn understood(table: &Table, note: Option<String>) -> Result<Understood, TableError> {
+    let mut used = vec![
+        (table.needed(PRESSURE)?, None),
+        (table.needed(CONTRACTION)?, note),
+        (table.needed(FORCE)?, None),
+    ];
+    let others = [
+        Meaning::RestLength,
+        Meaning::Branch,
+        Meaning::Measured,
+        Meaning::Status,
+        Meaning::ForceError,
+        Meaning::ContractionError,
+        Meaning::PressureError,
+        Meaning::Weight,
+        Meaning::OuterDiameter,
+        Meaning::Wall,
+        Meaning::Angle,
+    ];
+    used.extend(others.into_iter().filter_map(|m| Some((table.column(m)?, None))));
+    Ok(table.understood(&used))
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,19 +1,20 @@
 //! What was identified, for people.
 
-use crate::output::text::{number, table};
+use crate::output::text::{number, table, understood};
 use mckibben::identify::Identification;
 use mckibben_app::{IdentifyAnswer, with_error_bar};
 
 /// The whole answer.
 pub fn of(answer: &IdentifyAnswer) -> String {
     let found = &answer.found;
-    let mut out = format!(
+    let mut out = understood(&answer.understood);
+    out.push_str(&format!(
         "model {}, {} points of {}\n{}\n\n",
         answer.model,
         found.points.len(),
         answer.data,
         answer.muscle.line()
-    );
+    ));
     let header = ["", "value", "± 95 %", "std. error", "unit", "start", "identifiable"];
     let rows = found.parameters.iter().map(|p| {
         let (value, bar) = with_error_bar(p);

@@ -1,6 +1,6 @@
 //! What `rubber fit` tells people.
 
-use crate::output::text::{number, or_dash, pairs, percent, table};
+use crate::output::text::{number, or_dash, pairs, percent, table, understood};
 use mckibben::rubber::fit::{FitSettings, FittedLaw, Measure, ModeError, Parameter, TensionFit};
 use mckibben::rubber::{RubberLaw, Stability};
 use mckibben_app::RubberFitAnswer;
@@ -78,7 +78,8 @@ pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
         &["law", "constant", "value", "standard error", "unit", "identifiable"],
         fit.laws.iter().flat_map(constant_rows).collect(),
     );
-    format!("Tension tests {file}\n{}\n{laws}\n{constants}\n{}", pairs(&head), closing(fit, written))
+    let read = understood(&answer.understood);
+    format!("{read}Tension tests {file}\n{}\n{laws}\n{constants}\n{}", pairs(&head), closing(fit, written))
 }
 
 /// To a hundredth of a percent.

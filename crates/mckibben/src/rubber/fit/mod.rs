@@ -14,7 +14,6 @@
 //! fitted again among those that are. Standard errors take the errors of the points as independent; neighbouring points
 //! of one test err alike, so that the true errors are larger.
 
-mod columns;
 mod convex;
 mod data;
 mod fitted;
@@ -27,7 +26,7 @@ mod problem;
 mod runs;
 mod warning;
 
-pub use data::{ReadOptions, TensionError, TensionPoint, read_tension};
+pub use data::{ReadOptions, TensionPoint, read_tension, read_tests};
 pub use fitted::{FittedLaw, ModeError, Parameter};
 pub use form::Form;
 pub use mode::Mode;

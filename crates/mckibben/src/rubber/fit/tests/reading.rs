@@ -1,10 +1,11 @@
 use super::*;
+use crate::table::{Columns, TableError};
 
-fn read_with(text: &str, options: ReadOptions) -> Result<Vec<TensionPoint>, TensionError> {
+fn read_with(text: &str, options: ReadOptions) -> Result<Vec<TensionPoint>, TableError> {
     read_tension(text.as_bytes(), options)
 }
 
-fn read(text: &str) -> Result<Vec<TensionPoint>, TensionError> {
+fn read(text: &str) -> Result<Vec<TensionPoint>, TableError> {
     read_with(text, ReadOptions::default())
 }
 
@@ -22,8 +23,21 @@ fn headings_and_units_are_understood() {
         "elongation %\tload [kN]\n50\t0.003\n",
         "\u{feff}# a comment\nstrain,stress_psi\n0.5,43.511321319062766\n",
         "λ,nominal stress N/mm²\n1.5,0.3\n\n",
+        "Dehnung [%];Spannung [N/mm²]\n50,0;0,30\n",
+        "Standardweg;Prüfkraft;Kraft\nmm;N;N\n20,0;7;3,0\n",
+        "Specimen 3\nExtension (mm),Load (N)\n20.0,3.0,\n",
+        "Longueur / mm;Contrainte / kPa\n60,0;300,0\n",
+        "\"1,5\",\"0,3\"\n",
     ] {
-        let found = read_with(text, options).unwrap_or_else(|e| panic!("{text}: {e}"));
+        let columns = match text {
+            t if t.starts_with("Standardweg") => "extension=Standardweg",
+            t if t.starts_with('"') => "stretch=#1,stress=#2:MPa",
+            _ => "",
+        };
+        let columns = Columns::parse(columns).unwrap();
+        let (found, understood) =
+            read_tests(text.as_bytes(), options, &columns).unwrap_or_else(|e| panic!("{text}: {e}"));
+        assert_eq!((understood.rows, understood.columns.len()), (1, 2), "{text}");
         assert_eq!(found.len(), 1, "{text}");
         assert_eq!(found[0].mode, Mode::Planar);
         assert!((found[0].stretch - 1.5).abs() < 1e-12, "{text}: {found:?}");
@@ -45,13 +59,14 @@ fn errors_name_line_and_column_and_what_to_do() {
         ("", "no column of stretches"),
         ("a,b\n1,2\n", "the columns are: a, b"),
         ("stretch,b\n1,2\n", "no column of stresses"),
-        ("stretch,stress\n1,2\n", "name it stress_mpa, stress_kpa or stress_psi"),
+        ("stretch,stress\n1,2\n", "column stress does not say its unit"),
+        ("stretch,stress\n1,2\n", "`columns` nominal_stress=\"stress:MPa\""),
         ("stretch,force_n\n1,2\n", "`area_mm2`"),
         ("extension_mm,stress_mpa\n1,2\n", "`gauge_length_mm`"),
         ("stretch,stress_mpa\n1,0\n1.2,NaN\n", "line 3, column stress_mpa: \"NaN\""),
         ("stretch,stress_mpa\n1,\n", "the field is empty: leave the whole line out"),
         ("stretch,stress_mpa\n1.0\n", "every line needs as many fields"),
-        ("stretch,stress_mpa\n\"1,2\",0\n", "write a decimal point"),
+        ("stretch,stress_mpa\n\"1,2\",0.5\n", "can be read in two ways"),
         ("stretch,stress_mpa\n0,0\n", "if it is a strain, name the column engineering_strain"),
         ("stretch,stress_mpa\n-1,0\n", "above 0"),
         ("stretch,stress_mpa\n150,0.3\n", "name the column strain_percent"),

@@ -1,0 +1,492 @@
+//! The quantities that tables hold, and the words that people use for them: declared here and nowhere else.
+//!
+//! Words are in plain form: lower case, without accents, everything that is no letter or digit as an underscore
+//! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) stands beside them.
+
+use crate::units::Dimension;
+
+/// What a column means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Meaning {
+    Pressure,
+    Contraction,
+    Shortening,
+    /// The length at that moment.
+    Length,
+    RestLength,
+    Force,
+    Branch,
+    Measured,
+    Status,
+    ForceError,
+    ContractionError,
+    PressureError,
+    Weight,
+    OuterDiameter,
+    Wall,
+    Angle,
+    Mode,
+    Stretch,
+    Strain,
+    TrueStrain,
+    Extension,
+    NominalStress,
+    TrueStress,
+}
+
+/// A quantity with its words.
+#[derive(Debug)]
+pub(crate) struct Entry {
+    pub(crate) meaning: Meaning,
+    /// Its name in `columns` and in answers.
+    pub(crate) name: &'static str,
+    /// `None` for words and plain numbers.
+    pub(crate) dimension: Option<Dimension>,
+    /// What the same words mean with a unit of another dimension: contraction in mm is a shortening.
+    pub(crate) otherwise: Option<Meaning>,
+    /// Headings of our own, the best liked first; they go before all others.
+    pub(crate) own: &'static [&'static str],
+    /// Words of people; two columns of the same quantity are ambiguous.
+    pub(crate) words: &'static [&'static str],
+}
+
+/// The quantities of one kind of table.
+#[derive(Debug)]
+pub(crate) struct Vocabulary {
+    pub(crate) entries: &'static [Entry],
+    /// What a table of this kind is called, for messages.
+    pub(crate) what: &'static str,
+    /// What there must be: any one of each group. The first name stands for the group in messages.
+    pub(crate) needed: &'static [Need],
+}
+
+/// A group of quantities of which one must be there.
+#[derive(Debug)]
+pub(crate) struct Need {
+    /// In the plural, for messages.
+    pub(crate) wanted: &'static str,
+    /// The first that is there is taken.
+    pub(crate) any_of: &'static [Meaning],
+    /// Headings that would do.
+    pub(crate) names: &'static str,
+}
+
+impl Vocabulary {
+    /// The entry of a meaning.
+    pub(crate) fn entry(&self, meaning: Meaning) -> Option<&'static Entry> {
+        self.entries.iter().find(|e| e.meaning == meaning)
+    }
+}
+
+const NO: &[&str] = &[];
+
+const fn of(
+    meaning: Meaning,
+    name: &'static str,
+    dimension: Option<Dimension>,
+    own: &'static [&'static str],
+    words: &'static [&'static str],
+) -> Entry {
+    Entry { meaning, name, dimension, otherwise: None, own, words }
+}
+
+const fn or(
+    (meaning, otherwise): (Meaning, Meaning),
+    name: &'static str,
+    dimension: Dimension,
+    own: &'static [&'static str],
+    words: &'static [&'static str],
+) -> Entry {
+    Entry { meaning, name, dimension: Some(dimension), otherwise: Some(otherwise), own, words }
+}
+
+/// Pulls, in both kinds of tables.
+const FORCE: &[&str] = &[
+    "force",
+    "f",
+    "load",
+    "pull",
+    "pulling_force",
+    "tensile_force",
+    "contraction_force",
+    "contractile_force",
+    "tension",
+    "blocked_force",
+    "blocking_force",
+    "output_force", // English
+    "kraft",
+    "zugkraft",
+    "zug",
+    "last",
+    "muskelkraft",
+    "blockierkraft", // German
+    "effort",
+    "traction",
+    "force_de_traction",
+    "charge", // French
+    "fuerza",
+    "carga",
+    "fuerza_de_traccion",
+    "traccion",
+    "forza",
+    "carico", // Spanish, Italian
+];
+
+/// Ways, in both kinds of tables.
+const WAY: [&str; 8] =
+    ["displacement", "delta_l", "dl", "δl", "weg", "deplacement", "desplazamiento", "spostamento"];
+
+/// Measured points of a muscle.
+pub(crate) const POINTS: Vocabulary = Vocabulary {
+    what: "measured points",
+    needed: &[
+        Need {
+            wanted: "pressures",
+            any_of: &[Meaning::Pressure],
+            names: "pressure_mpa, pressure_kpa, pressure_bar or Pressure [psi]",
+        },
+        Need {
+            wanted: "contractions",
+            any_of: &[Meaning::Contraction, Meaning::Shortening, Meaning::Length],
+            names: "contraction, contraction_percent, Shortening [mm] or Length [mm]",
+        },
+        Need { wanted: "forces", any_of: &[Meaning::Force], names: "force_n, Force [kN] or Force [lbf]" },
+    ],
+    entries: &[
+        of(
+            Meaning::Pressure,
+            "pressure",
+            Some(Dimension::Pressure),
+            &["pressure_mpa", "pressure_kpa", "pressure_bar"],
+            &[
+                "pressure",
+                "p",
+                "press",
+                "overpressure",
+                "air_pressure",
+                "supply_pressure",
+                "input_pressure",
+                "druck",
+                "uberdruck",
+                "ueberdruck",
+                "luftdruck",
+                "innendruck",
+                "muskeldruck",
+                "relativdruck",
+                "pression",
+                "pression_relative",
+                "pression_d_air",
+                "presion",
+                "presion_manometrica",
+                "presion_relativa",
+                "presion_de_aire",
+                "pressione",
+            ],
+        ),
+        or(
+            (Meaning::Contraction, Meaning::Shortening),
+            "contraction",
+            Dimension::Ratio,
+            &["contraction", "contraction_percent"],
+            &[
+                "contraction_ratio",
+                "contraction_rate",
+                "contraction_strain",
+                "relative_contraction",
+                "strain",
+                "epsilon",
+                "eps",
+                "ε",
+                "dl_l0",
+                "δl_l0",
+                "dl_l",
+                "δl_l",
+                "kontraktion",
+                "kontraktionsgrad",
+                "kontraktionsrate",
+                "relative_verkurzung",
+                "taux_de_contraction",
+                "contraction_relative",
+                "contraccion",
+                "contrazione",
+            ],
+        ),
+        or(
+            (Meaning::Shortening, Meaning::Contraction),
+            "shortening",
+            Dimension::Length,
+            NO,
+            &[
+                "shortening",
+                "stroke",
+                "travel",
+                "contraction_length",
+                "contracted_length",
+                "contraction_stroke",
+                WAY[0],
+                WAY[1],
+                WAY[2],
+                WAY[3],
+                "verkurzung",
+                "verkuerzung",
+                "hub",
+                "verfahrweg",
+                "verschiebung",
+                WAY[4],
+                "raccourcissement",
+                "course",
+                WAY[5],
+                "acortamiento",
+                "carrera",
+                WAY[6],
+                WAY[7],
+            ],
+        ),
+        of(
+            Meaning::Length,
+            "length",
+            Some(Dimension::Length),
+            NO,
+            &[
+                "length",
+                "l",
+                "current_length",
+                "present_length",
+                "actual_length",
+                "muscle_length",
+                "lange",
+                "laenge",
+                "muskellange",
+                "aktuelle_lange",
+                "istlange",
+                "longueur",
+                "longueur_du_muscle",
+                "longitud",
+                "longitud_del_musculo",
+                "lunghezza",
+            ],
+        ),
+        of(
+            Meaning::RestLength,
+            "rest_length",
+            Some(Dimension::Length),
+            NO,
+            &[
+                "rest_length",
+                "length_at_rest",
+                "l0",
+                "l_0",
+                "initial_length",
+                "nominal_length",
+                "resting_length",
+                "ruhelange",
+                "ausgangslange",
+                "anfangslange",
+                "nennlange",
+                "longueur_initiale",
+                "longueur_au_repos",
+                "longitud_inicial",
+                "longitud_en_reposo",
+            ],
+        ),
+        of(Meaning::Force, "force", Some(Dimension::Force), &["force_n"], FORCE),
+        of(Meaning::Branch, "branch", None, &["branch"], NO),
+        of(Meaning::Measured, "measured", None, &["measured"], NO),
+        of(Meaning::Status, "status", None, &["status"], NO),
+        of(Meaning::ForceError, "force_error", Some(Dimension::Force), &["force_error_n"], &["force_error"]),
+        of(
+            Meaning::ContractionError,
+            "contraction_error",
+            Some(Dimension::Ratio),
+            &["contraction_error"],
+            NO,
+        ),
+        of(
+            Meaning::PressureError,
+            "pressure_error",
+            Some(Dimension::Pressure),
+            &["pressure_error_mpa"],
+            &["pressure_error"],
+        ),
+        of(Meaning::Weight, "weight", None, &["weight"], NO),
+        of(
+            Meaning::OuterDiameter,
+            "outer_diameter",
+            Some(Dimension::Length),
+            &["outer_diameter_mm"],
+            &["outer_diameter"],
+        ),
+        of(Meaning::Wall, "wall", Some(Dimension::Length), &["wall_mm"], &["wall"]),
+        of(Meaning::Angle, "angle", Some(Dimension::Angle), &["angle_deg"], &["angle"]),
+    ],
+};
+
+/// Tension tests of a rubber.
+pub(crate) const TESTS: Vocabulary = Vocabulary {
+    what: "tension tests",
+    needed: &[
+        Need {
+            wanted: "stretches",
+            any_of: &[
+                Meaning::Stretch,
+                Meaning::Strain,
+                Meaning::TrueStrain,
+                Meaning::Extension,
+                Meaning::Length,
+            ],
+            names: "stretch, engineering_strain, strain_percent or extension_mm",
+        },
+        Need {
+            wanted: "stresses",
+            any_of: &[Meaning::NominalStress, Meaning::TrueStress, Meaning::Force],
+            names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
+        },
+    ],
+    entries: &[
+        of(
+            Meaning::Stretch,
+            "stretch",
+            Some(Dimension::Ratio),
+            &["stretch", "stretch_ratio", "extension_ratio", "lambda", "λ"],
+            &[
+                "elongation_ratio",
+                "streckung",
+                "verstreckung",
+                "streckverhaltnis",
+                "taux_d_etirement",
+                "estiramiento",
+            ],
+        ),
+        or(
+            (Meaning::Strain, Meaning::Extension),
+            "strain",
+            Dimension::Ratio,
+            &[
+                "engineering_strain",
+                "nominal_strain",
+                "eng_strain",
+                "strain",
+                "strain_percent",
+                "engineering_strain_percent",
+                "nominal_strain_percent",
+                "eng_strain_percent",
+                "tensile_strain_percent",
+                "elongation_percent",
+            ],
+            &[
+                "tensile_strain",
+                "epsilon",
+                "eps",
+                "ε",
+                "dehnung",
+                "nenndehnung",
+                "technische_dehnung",
+                "deformation",
+                "deformation_nominale",
+                "deformacion",
+                "deformacion_unitaria",
+                "deformazione",
+            ],
+        ),
+        of(
+            Meaning::TrueStrain,
+            "true_strain",
+            Some(Dimension::Ratio),
+            &["true_strain", "log_strain", "logarithmic_strain"],
+            &["hencky_strain", "wahre_dehnung", "deformation_vraie", "deformacion_verdadera"],
+        ),
+        or(
+            (Meaning::Extension, Meaning::Strain),
+            "extension",
+            Dimension::Length,
+            &["extension_mm", "displacement_mm", "elongation_mm"],
+            &[
+                "extension",
+                "elongation",
+                "crosshead_displacement",
+                WAY[0],
+                WAY[1],
+                WAY[2],
+                WAY[3],
+                "verlangerung",
+                "verlaengerung",
+                "langenanderung",
+                "traversenweg",
+                WAY[4],
+                "allongement",
+                WAY[5],
+                "alargamiento",
+                "elongacion",
+                WAY[6],
+                "allungamento",
+                WAY[7],
+            ],
+        ),
+        of(
+            Meaning::Length,
+            "length",
+            Some(Dimension::Length),
+            NO,
+            &["length", "current_length", "lange", "laenge", "longueur", "longitud", "lunghezza"],
+        ),
+        of(
+            Meaning::NominalStress,
+            "nominal_stress",
+            Some(Dimension::Pressure),
+            NO,
+            &[
+                "nominal_stress",
+                "engineering_stress",
+                "eng_stress",
+                "pk1_stress",
+                "tensile_stress",
+                "stress",
+                "p",
+                "sigma",
+                "σ",
+                "spannung",
+                "nennspannung",
+                "zugspannung",
+                "technische_spannung",
+                "contrainte",
+                "contrainte_nominale",
+                "esfuerzo",
+                "esfuerzo_nominal",
+                "tension_nominal",
+                "sforzo",
+                "tensione",
+            ],
+        ),
+        of(
+            Meaning::TrueStress,
+            "true_stress",
+            Some(Dimension::Pressure),
+            NO,
+            &["true_stress", "cauchy_stress", "wahre_spannung", "contrainte_vraie", "esfuerzo_verdadero"],
+        ),
+        of(Meaning::Force, "force", Some(Dimension::Force), NO, FORCE),
+        of(Meaning::Mode, "mode", None, &["mode", "test", "loading", "deformation"], NO),
+    ],
+};
+
+#[cfg(test)]
+mod tests {
+    use super::super::heading::plain;
+    use super::*;
+
+    #[test]
+    fn words_are_plain_and_mean_one_thing() {
+        for vocabulary in [POINTS, TESTS] {
+            let mut seen: Vec<&str> = vec![];
+            for entry in vocabulary.entries {
+                assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));
+                for word in entry.own.iter().chain(entry.words) {
+                    assert_eq!(plain(word), *word, "{word}");
+                    // `deformation` is a mode in our own tables, a strain with a unit in French ones.
+                    assert!(!seen.contains(word) || *word == "deformation", "{word} is there twice");
+                    seen.push(word);
+                }
+            }
+        }
+    }
+}
