@@ -216,9 +216,9 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
         None => TableError::Empty,
     };
     let one = |(row, line): (usize, u64)| {
-        let known = "\"contraction\" nor \"elongation\"";
+        let known = "neither \"contraction\" nor \"elongation\"";
         let branch = table.word(row, Meaning::Branch, &branches, known)?.unwrap_or_default();
-        let known = "\"force\", \"contraction\" nor \"pressure\"";
+        let known = "neither \"force\", \"contraction\" nor \"pressure\"";
         let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or_default();
         let error = stated[measured as usize][row];
         if error.is_some_and(|e| e <= 0.0) {

@@ -1,6 +1,5 @@
 //! Why a table cannot be read.
 
-use crate::rubber::fit::Mode;
 use thiserror::Error;
 
 /// Why a table cannot be read. Lines are counted from 1, as an editor counts them. Fields of requests are named in
@@ -214,7 +213,7 @@ pub enum TableError {
         expected: &'static str,
     },
     /// A word that is not known.
-    #[error("line {line}: {name} \"{text}\" is neither {known}")]
+    #[error("line {line}: the {name} \"{text}\" is {known}")]
     Word {
         /// Line in the file.
         line: u64,
@@ -222,16 +221,8 @@ pub enum TableError {
         name: &'static str,
         /// The word.
         text: String,
-        /// What is known.
-        known: &'static str,
-    },
-    /// A word in the column of modes that is not known.
-    #[error("line {line}: the mode \"{text}\" is none of {}", Mode::WORDS)]
-    Mode {
-        /// Line in the file.
-        line: u64,
-        /// The word.
-        text: String,
+        /// That it is none of those that are.
+        known: String,
     },
     /// A column that needs a number which no table carries.
     #[error("column {column} needs {needs}")]

@@ -125,7 +125,12 @@ impl Table {
         }
         let found = words.iter().find(|w| w.0.eq_ignore_ascii_case(text)).map(|w| w.1);
         let name = self.entry(column).map_or("", |e| e.name);
-        found.map(Some).ok_or_else(|| TableError::Word { line, name, text: short(text), known })
+        found.map(Some).ok_or_else(|| TableError::Word {
+            line,
+            name,
+            text: short(text),
+            known: known.to_owned(),
+        })
     }
 
     /// A value that cannot be.

@@ -104,7 +104,12 @@ pub fn read_tests(
 
 fn mode(table: &Table, row: usize) -> Result<Option<Mode>, TableError> {
     let Some((line, text)) = table.text(row, Meaning::Mode) else { return Ok(None) };
-    let unknown = || TableError::Mode { line, text: text.chars().take(60).collect() };
+    let unknown = || TableError::Word {
+        line,
+        name: "mode",
+        text: text.chars().take(60).collect(),
+        known: format!("none of {}", Mode::WORDS),
+    };
     Mode::parse(text).map(Some).ok_or_else(unknown)
 }
 
