@@ -66,14 +66,20 @@ fn every_bench_gives_the_modulus_that_made_its_points() {
     }
 }
 
+/// The rms error moves by no more than the rms of what is rounded, 0.006 N a force.
 #[test]
 fn every_bench_is_compared() {
-    for (file, flags, _) in BENCHES {
-        let found =
-            json(&format!("compare --models thick-wall --muscle {MUSCLE} --data {FOLDER}/{file} {flags}"));
-        assert_eq!((&found["points"], &found["models"][0]["points"]), (&12.into(), &12.into()), "{file}");
-        assert!((number(&found["models"][0], "rms_n") - 26.19).abs() < 0.01, "{file}: {found}");
-    }
+    let rms: Vec<f64> = BENCHES
+        .iter()
+        .map(|(file, flags, _)| {
+            let line =
+                format!("compare --models thick-wall --muscle {MUSCLE} --data {FOLDER}/{file} {flags}");
+            let found = json(&line);
+            assert_eq!((&found["points"], &found["models"][0]["points"]), (&12.into(), &12.into()), "{file}");
+            number(&found["models"][0], "rms_n")
+        })
+        .collect();
+    assert!(rms[0] > 20.0 && rms.iter().all(|r| (r - rms[0]).abs() < 2.0 * 0.006), "{rms:?}");
 }
 
 #[test]

@@ -63,7 +63,7 @@ pub(crate) struct Sheet {
     pub(crate) separator: Separator,
 }
 
-/// A field does not run over more lines: a quote was left open.
+/// A row does not run over more lines: a quote was left open.
 const MOST_LINES: usize = 10;
 
 impl Sheet {
@@ -128,7 +128,7 @@ fn outside_quotes(line: &str, mark: char) -> bool {
     })
 }
 
-fn reader<'a>(text: &'a str, mark: char) -> csv::Reader<&'a [u8]> {
+fn reader(text: &str, mark: char) -> csv::Reader<&[u8]> {
     ReaderBuilder::new()
         .has_headers(false)
         .flexible(true)
@@ -149,13 +149,21 @@ fn fields(line: &str, separator: Separator) -> Option<StringRecord> {
 fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<Row>, TableError> {
     let mut out = vec![];
     let mut place = Place { text, byte: 0, line: 1 };
-    for record in reader(text, mark).records() {
-        let fields = record.map_err(|e| TableError::Broken { line: place.line, why: e.to_string() })?;
+    let mut reader = reader(text, mark);
+    let mut fields = StringRecord::new();
+    loop {
+        let broken = |e: csv::Error| TableError::Broken { line: place.line, why: e.to_string() };
+        if !reader.read_record(&mut fields).map_err(broken)? {
+            break;
+        }
         place.go_to(fields.position().map_or(0, |p| p.byte() as usize));
-        if fields.iter().any(|f| f.lines().count() > MOST_LINES) {
+        // A quote left open hides all that follows, or all up to the next one.
+        let written = text.get(place.byte..reader.position().byte() as usize).unwrap_or_default().trim_end();
+        let lines = written.lines().count();
+        if lines > MOST_LINES || (lines > 1 && written.matches('"').count() % 2 == 1) {
             return Err(TableError::OpenQuote { line: place.line });
         }
-        out.push(Row { line: place.line, fields });
+        out.push(Row { line: place.line, fields: fields.clone() });
     }
     Ok(out.into_iter().skip(skip).collect())
 }
@@ -240,5 +248,7 @@ mod tests {
     fn an_open_quote_is_named() {
         let text = format!("a,b\n1,\"2\n{}", "3,4\n".repeat(20));
         assert!(matches!(Sheet::split(&text), Err(TableError::OpenQuote { line: 2 })));
+        assert!(matches!(Sheet::split("a,b\n1,\"2\n3,4\n"), Err(TableError::OpenQuote { line: 2 })));
+        assert_eq!(rows("a\",b\n1,2\n").len(), 2);
     }
 }

@@ -70,6 +70,12 @@ pub enum TableError {
         /// What is there.
         found: String,
     },
+    /// A column in `columns` for two quantities.
+    #[error("`columns`: the column \"{heading}\" is chosen for two quantities")]
+    ChosenTwice {
+        /// The heading.
+        heading: String,
+    },
     /// A unit in `columns` that the quantity does not have.
     #[error("`columns`: \"{unit}\" is no unit of {name}; its units are {units}")]
     ChosenUnit {

@@ -26,6 +26,9 @@ pub(crate) struct Column {
 /// The heading lies within so many lines.
 const MOST_LINES_ABOVE: usize = 200;
 
+/// Headings are looked at up to this column; those behind can be chosen.
+const MOST_COLUMNS: usize = 200;
+
 /// What one line would mean as heading.
 struct Guess {
     columns: Vec<Column>,
@@ -224,6 +227,9 @@ fn guess(
     let mut missing = vec![];
     for (i, choice) in choices.iter().enumerate() {
         match choice.find(headings, vocabulary)? {
+            Some(Chosen { index, .. }) if columns.iter().any(|c| c.index == index) => {
+                return Err(TableError::ChosenTwice { heading: short(headings[index]) });
+            }
             Some(Chosen { meaning, index, unit }) => columns.push(Column {
                 meaning,
                 index,
@@ -237,7 +243,7 @@ fn guess(
     }
     let decided: Vec<Meaning> =
         columns.iter().map(|c| c.meaning).chain(choices.iter().map(Choice::meaning)).collect();
-    for (index, text) in headings.iter().enumerate() {
+    for (index, text) in headings.iter().enumerate().take(MOST_COLUMNS) {
         if columns.iter().any(|c| c.index == index && c.chosen) {
             continue;
         }

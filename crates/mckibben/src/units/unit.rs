@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn units_have_the_values_of_their_definitions() {
         let cases = [
-            (Dimension::Pressure, "psi(g)", 6894.757_293_168_361e-6),
+            (Dimension::Pressure, "psi(g)", 6.894_757_293_168_361e-3),
             (Dimension::Pressure, "mbar", 1e-4),
             (Dimension::Pressure, "hPa", 1e-4),
             (Dimension::Pressure, "kgf/cm²", 0.098_066_5),

@@ -107,6 +107,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
             "contraction=y:mm",
             "there is no column \"y:mm\" (the columns are: p_bar, x_mm, F_N)",
         ),
+        ("p,x,F\n1,2,3\n", "pressure=p:bar,contraction=x:mm,force=x:N", "chosen for two quantities"),
         ("p_bar,x_mm,F_N\n1,2,3\n", "strength=x_mm", "no quantity \"strength\""),
         (
             "1,2,3\np_bar,contraction,F_N\n1,0,3\n",
