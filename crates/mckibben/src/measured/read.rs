@@ -127,14 +127,13 @@ fn contractions(
                 Some(l0) if !of_rows => format!("L0 {l0} mm"),
                 _ => "the L0 of each row".into(),
             };
+            let ratios = raw.iter().zip(&rest);
             if meaning == Meaning::Length {
                 check_varies(column, &raw)?;
-                (
-                    raw.iter().zip(&rest).map(|(l, l0)| 1.0 - l / l0).collect(),
-                    format!("1 − L/L0, {l0}").into(),
-                )
+                let ratios = ratios.map(|(l, l0)| rounded(1.0 - l / l0));
+                (ratios.collect(), Some(format!("1 − L/L0, {l0}")))
             } else {
-                (raw.iter().zip(&rest).map(|(x, l0)| x / l0).collect(), format!("over {l0}").into())
+                (ratios.map(|(x, l0)| rounded(x / l0)).collect(), Some(format!("over {l0}")))
             }
         }
     };
@@ -156,6 +155,11 @@ fn contractions(
         }
         _ => wrong("is no shortening of this muscle; look at its unit and at L0 (`length_mm`)"),
     }
+}
+
+/// What a conversion from inches leaves of nothing is nothing.
+fn rounded(contraction: f64) -> f64 {
+    if contraction.abs() < 1e-6 { 0.0 } else { contraction }
 }
 
 /// A length that is the same in all lines could be that at rest.

@@ -3,6 +3,7 @@
 use super::Table;
 use super::find::Column;
 use super::number::Decimal;
+use crate::units::tidy;
 use serde::{Deserialize, Serialize};
 
 /// What was understood of a table.
@@ -38,12 +39,9 @@ pub struct UnderstoodColumn {
     pub quantity: String,
     /// In which unit it stands; empty for ratios, words and weights.
     pub unit: String,
-    /// The smallest value, in the unit used inside (MPa, N, mm, ratio, degrees).
+    /// From its smallest to its largest value, in MPa, N, mm, deg or as ratio: `0.1..0.3MPa`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub smallest: Option<f64>,
-    /// The largest value.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub largest: Option<f64>,
+    pub range: Option<String>,
     /// What was done with it, where that is not plain.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub note: Option<String>,
@@ -84,14 +82,16 @@ impl Table {
         used.sort_by_key(|u| u.0.index);
         let columns = used.iter().map(|(column, note)| {
             let dimension = self.vocabulary.entry(column.meaning).and_then(|e| e.dimension);
-            let values = dimension.and_then(|_| self.some_numbers(column.meaning).ok()).unwrap_or_default();
-            let values = values.into_iter().flatten();
+            let values = self.some_numbers(column.meaning).unwrap_or_default().into_iter().flatten();
+            let range = dimension.and_then(|d| {
+                let (low, high) = (values.clone().reduce(f64::min)?, values.clone().reduce(f64::max)?);
+                Some(format!("{}..{}{}", tidy(low, 7), tidy(high, 7), d.unit_inside().name))
+            });
             UnderstoodColumn {
                 column: column.heading.clone(),
                 quantity: self.vocabulary.entry(column.meaning).map_or("", |e| e.name).to_owned(),
                 unit: column.unit.map_or("", |u| u.name).to_owned(),
-                smallest: values.clone().reduce(f64::min),
-                largest: values.reduce(f64::max),
+                range,
                 note: note.clone(),
             }
         });

@@ -7,6 +7,7 @@ mod quantity;
 mod range;
 mod unit;
 
+pub(crate) use quantity::tidy;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
 pub use unit::Unit;

@@ -235,7 +235,7 @@ pub(super) fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
 }
 
 /// `v` rounded to so many significant decimal digits, where that is possible without overflow.
-pub(super) fn tidy(v: f64, digits: i32) -> f64 {
+pub(crate) fn tidy(v: f64, digits: i32) -> f64 {
     if v == 0.0 || !v.is_finite() {
         return v;
     }

@@ -64,7 +64,7 @@ fn columns_are_chosen_where_headings_say_nothing() {
         understood.line(),
         "1 points; P1 → pressure (kPa), x → shortening (mm, over L0 200 mm), F → force (N); not used: t, P2"
     );
-    assert_eq!(understood.columns[0].largest, Some(0.25));
+    assert_eq!(understood.columns[0].range.as_deref(), Some("0.25..0.25MPa"));
     // What is chosen goes before what a heading says; a table without headings is read by numbers.
     let (points, _) =
         read_with("pressure_mpa,P,contraction,force_n\n1,2.5,0.1,300\n", "pressure=P:bar").unwrap();
@@ -147,7 +147,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
         assert!(message.contains(fragment), "{text}: {message}");
     }
     // Without a muscle there is no L0.
-    let error = read_data(&b"p_bar,x_mm,F_N\n1,2,3\n"[..]).unwrap_err().to_string();
+    let error = read_data(&b"p_bar,hub_mm,F_N\n1,2,3\n"[..]).unwrap_err().to_string();
     assert!(error.contains("`length_mm`"), "{error}");
 }
 
