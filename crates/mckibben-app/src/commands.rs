@@ -85,7 +85,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),
         command!("rubber-show", RubberShowRequest => RubberShowAnswer, |r, _progress| rubber_show(&r)),
         command!("rubber-fit", RubberFitRequest => RubberFitAnswer, |r, _progress| rubber_fit(&r)),
-        command!("models", ModelsRequest => ModelsAnswer, |r, _progress| Ok::<_, Problem>(models(&r))),
+        command!("models", ModelsRequest => ModelsAnswer, |r, _progress| models(&r)),
     ]
 });
 

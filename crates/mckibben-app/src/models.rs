@@ -1,22 +1,62 @@
-//! `models`: the force models.
+//! `models`: the force models, and the story of one.
 
 use crate::model::{Model, ModelEntry};
+use crate::problem::Problem;
+use mckibben::model::ModelError;
+use mckibben::muscle::Muscle;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The force models.
+/// The force models, or one of them.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
-pub struct ModelsRequest {}
+pub struct ModelsRequest {
+    /// A model by name; all of them where it is left out.
+    pub model: Option<String>,
+}
 
 /// The force models.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ModelsAnswer {
-    /// Every model there is.
+    /// Every model there is, or the one that was asked for.
     pub models: Vec<ModelEntry>,
+    /// What is known of the one that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub story: Option<ModelStory>,
 }
 
-/// Every model there is.
-pub fn models(_: &ModelsRequest) -> ModelsAnswer {
-    ModelsAnswer { models: Model::all() }
+/// What is known of a model.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ModelStory {
+    /// Where it comes from: author, year, equation.
+    pub source: String,
+    /// How the parts of its ± are known.
+    pub uncertainty_basis: String,
+    /// What a muscle must state for it, where it needs more than the others.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub needs: Option<String>,
+}
+
+/// Every model there is, or one of them with its story.
+///
+/// # Errors
+/// [`Problem`] of kind `model` where there is none of that name.
+pub fn models(request: &ModelsRequest) -> Result<ModelsAnswer, Problem> {
+    let Some(name) = &request.model else { return Ok(ModelsAnswer { models: Model::all(), story: None }) };
+    let model = Model::named(name, &[], &Default::default())?;
+    let story = match model.build(&Muscle::prototype()) {
+        Ok(bound) => ModelStory {
+            source: bound.source().into(),
+            uncertainty_basis: bound.accuracy().basis(),
+            needs: None,
+        },
+        Err(error @ ModelError::Missing { .. }) => ModelStory {
+            source: String::new(),
+            uncertainty_basis: String::new(),
+            needs: Some(error.to_string()),
+        },
+        Err(error) => return Err(error.into()),
+    };
+    let models = Model::all().into_iter().filter(|entry| entry.name == model.name()).collect();
+    Ok(ModelsAnswer { models, story: Some(story) })
 }

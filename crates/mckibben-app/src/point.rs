@@ -83,7 +83,7 @@ pub struct PointAnswer {
 pub struct ModelAbout {
     /// Where the formula comes from: author, year, equation.
     pub source: String,
-    /// Against what its error was measured.
+    /// How the parts of the ± are known.
     pub uncertainty_basis: String,
 }
 
@@ -142,7 +142,7 @@ pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer, Problem>
 fn answered(question: &Question, point: Answer) -> PointAnswer {
     let about = ModelAbout {
         source: source_of(&*question.model, question.options.direction),
-        uncertainty_basis: question.model.accuracy().reference.to_string(),
+        uncertainty_basis: question.model.accuracy().basis(),
     };
     PointAnswer { point, muscle: (&question.muscle).into(), about }
 }

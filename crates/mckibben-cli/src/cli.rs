@@ -86,7 +86,7 @@ pub enum Command {
     #[command(subcommand)]
     Braid(BraidCommand),
     /// The force models: what they are, their source, and where they hold
-    #[command(after_help = "Example:\n  mckibben models")]
+    #[command(after_help = crate::commands::models::EXAMPLES)]
     Models(ModelsArgs),
     /// JSON Schema of requests and answers
     #[command(after_help = "Examples:\n  mckibben schema force\n  mckibben schema")]

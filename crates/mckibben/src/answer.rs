@@ -3,10 +3,11 @@
 pub use crate::analysis::Options;
 
 use crate::analysis::{
-    AnalysisError, contraction_at, force_on, free_contraction, pressure_at, response_on, start_pressure_mpa,
+    AnalysisError, contraction_at, free_contraction, pressure_at, response_on, start_pressure_mpa,
 };
-use crate::model::{BlockedAt, ForceModel, ModelError, Response, Workspace};
+use crate::model::{ForceModel, ModelError, Response, Workspace};
 use crate::muscle::Direction;
+use crate::uncertainty::{UncertaintyParts, uncertainty};
 use serde::{Deserialize, Serialize};
 
 /// One answered point.
@@ -33,9 +34,12 @@ pub struct Answer {
     /// P′ at this contraction in MPa, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub start_pressure_mpa: Option<f64>,
-    /// 95 % half-width of the force in N, where the model's error is known.
+    /// 95 % half-width of the pull in N against a measured muscle, where the model's error is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
+    /// Its parts, each a 95 % half-width in N; they add as squares.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty_parts_n: Option<UncertaintyParts>,
     /// What the user should know, in sentences.
     pub warnings: Vec<String>,
 }
@@ -114,10 +118,12 @@ pub fn point<M: ForceModel + ?Sized>(
         response = Response { pressure_mpa, contraction, ..Response::default() };
     }
     warnings.extend(stretch_warning(model, &response));
+    let parts = uncertainty(model, workspace, pressure_mpa, contraction, response.force_n);
     Ok(Answer {
         model: model.name().into(),
         direction: options.direction,
-        uncertainty_n: uncertainty_n(model, workspace, pressure_mpa, options.direction),
+        uncertainty_n: parts.map(|p| p.total_n()),
+        uncertainty_parts_n: parts,
         response,
         slack,
         two_sided_force_n,
@@ -185,22 +191,6 @@ fn exactly(mut answer: Answer, force_n: f64) -> Answer {
         answer.slack = false;
     }
     answer
-}
-
-/// 95 % half-width of the force in N at a pressure.
-pub fn uncertainty_n<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    direction: Direction,
-) -> Option<f64> {
-    let accuracy = model.accuracy();
-    let at = match accuracy.blocked_at {
-        BlockedAt::SamePressure => pressure_mpa,
-        BlockedAt::Pressure(p) => p,
-    };
-    let blocked = force_on(model, workspace, at, 0.0, direction).ok()?;
-    accuracy.share_of_blocked.map(|share| share * blocked.abs())
 }
 
 fn stretch_warning<M: ForceModel + ?Sized>(model: &M, response: &Response) -> Option<String> {

@@ -55,6 +55,7 @@ pub mod sleeve;
 pub mod status;
 pub mod study;
 pub mod table;
+pub mod uncertainty;
 pub mod units;
 
 /// The paper whose formula (11) is [`model::Paper`] and whose method makes formulas from campaigns; equation numbers in

@@ -140,8 +140,14 @@ fn text(answer: &PointAnswer, p: PressureUnit) -> String {
     add("tension of one strand", r.strand_tension_n, "N", 4);
     add("tension of all strands", r.braid_tension_n, "N", 4);
     add("largest stretch of the rubber", r.max_stretch, "", 3);
-    if a.uncertainty_n.is_some() {
-        list.push(("the ± is", format!("a 95 % half-width; {}", answer.about.uncertainty_basis)));
+    if let Some(parts) = &a.uncertainty_parts_n {
+        let each: Vec<String> =
+            parts.named().map(|(name, part)| format!("{name} {}", number(part, 2))).collect();
+        let of = each.join(", ");
+        list.push((
+            "the ± is",
+            format!("95 %, against a measured muscle: {of} N (mckibben models {})", a.model),
+        ));
     }
     pairs(&list)
 }

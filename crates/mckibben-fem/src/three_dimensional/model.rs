@@ -4,15 +4,13 @@ use super::discretisation::Discretisation;
 use super::mesh::{BrickMesh, BrickSpec};
 use super::muscle::{MuscleInBricks, MuscleMesh};
 use crate::FemError;
+use crate::axisymmetric::Axisymmetric;
 use crate::simulation::{self, Discretised};
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
     Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, Workspace,
 };
 use mckibben::muscle::Muscle;
-
-/// Error of the program's own mesh over the blocked force, 95 % of questions.
-const MESH_ERROR: f64 = 0.004;
 
 /// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
@@ -24,6 +22,8 @@ pub struct ThreeDimensional {
     id: ModelId,
     muscle: Muscle,
     divided: MuscleMesh,
+    /// The limit of fine meshes and many strands.
+    limit: Axisymmetric,
 }
 
 impl ThreeDimensional {
@@ -40,7 +40,12 @@ impl ThreeDimensional {
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
-        Ok(Self { id: ModelId::new(), muscle: muscle.clone(), divided: MuscleMesh::new(muscle, spec)? })
+        Ok(Self {
+            id: ModelId::new(),
+            muscle: muscle.clone(),
+            divided: MuscleMesh::new(muscle, spec)?,
+            limit: Axisymmetric::new(muscle)?,
+        })
     }
 
     /// The grid at rest.
@@ -90,8 +95,25 @@ impl ForceModel for ThreeDimensional {
         // What an insertion adds has no limit to be held against.
         match self.mesh().plug().is_some_and(|p| p.insertion_mm > 0.0) {
             true => Accuracy::UNKNOWN,
-            false => Accuracy::share(MESH_ERROR, Reference::MeshLimit),
+            false => Accuracy::share(0.0, Reference::Equations),
         }
+    }
+
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
+        self.limit.blocked_scale_n(workspace, pressure_mpa)
+    }
+
+    /// The difference from the axisymmetric limit at the point itself.
+    fn mesh_error_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+    ) -> Option<f64> {
+        let own = self.limit.mesh_error_n(workspace, pressure_mpa, contraction, force_n)?;
+        let limit = self.limit.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
+        Some(own + if force_n > 0.0 { (force_n - limit).abs() } else { 0.0 })
     }
 
     fn notes(&self, workspace: &Workspace) -> Vec<String> {

@@ -3,9 +3,9 @@
 use super::limit::{Limit, Probe, air_of, full_response, need};
 use super::spec::{Build, OperatingPoint, Spec};
 use crate::analysis::{burst_pressure_mpa, force_on, free_contraction, work_per_stroke_j};
-use crate::answer::uncertainty_n;
 use crate::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
 use crate::muscle::Muscle;
+use crate::uncertainty::uncertainty;
 use serde::Serialize;
 
 /// A candidate at one operating point.
@@ -118,7 +118,8 @@ pub(super) fn candidate(
             margin: available_n / point.force_n - 1.0,
             response,
             air_normal_litres,
-            uncertainty_n: uncertainty_n(model, workspace, pressure_mpa, options.direction),
+            uncertainty_n: uncertainty(model, workspace, pressure_mpa, point.contraction, point.force_n)
+                .map(|parts| parts.total_n()),
         });
     }
     let max = spec.max_pressure_mpa;

@@ -21,11 +21,8 @@ pub enum Reference {
     Unknown,
     /// 5491 points on 1000 random muscles by axisymmetric finite elements.
     RandomMuscles(Where),
-    /// One measured muscle (Tondu 2012, 20°).
-    MeasuredMuscle {
-        /// Root mean square of the error over the largest force.
-        rms_share: f64,
-    },
+    /// The equations that all others are held against: nothing but the mesh is between them and their solution.
+    Equations,
     /// The static force map of a bought muscle (Martens & Boblan 2017).
     ForceMap {
         /// Its name.
@@ -37,8 +34,6 @@ pub enum Reference {
         /// How it differs from the muscle of the formula.
         specimen: Specimen,
     },
-    /// The axisymmetric limit of the same equations: what a mesh of bricks errs by.
-    MeshLimit,
     /// The muscles left out of the fit of a formula for every make.
     HeldOut,
     /// The table of a formula for one make, and muscles held out of it.
@@ -95,10 +90,8 @@ impl fmt::Display for Reference {
                 f,
                 "{per_slenderness} D0/L0 of the blocked force holds {MUSCLES}) {ELEMENTS} with inextensible strands: the ends, which this model leaves out"
             ),
-            Self::MeasuredMuscle { rms_share } => write!(
-                f,
-                "twice the {:.1} % rms by which it misses the one measured muscle at hand (Tondu 2012, 20°, one modulus fitted); discretisation adds less than 0.05 %",
-                100.0 * rms_share
+            Self::Equations => f.write_str(
+                "the equations that all other models are held against; of the mesh, its difference from a fine one at the point itself",
             ),
             Self::ForceMap { muscle, points, rms_n, specimen } => {
                 let (the, differs) = match specimen {
@@ -116,14 +109,11 @@ impl fmt::Display for Reference {
                     "rms {rms_n} N on {the}{points} points of the static force map of a {muscle} (Martens & Boblan 2017){differs}"
                 )
             }
-            Self::MeshLimit => f.write_str(
-                "the mesh alone, against the axisymmetric limit of the same equations: 95 % of 2000 random questions (D0 14 to 50 mm, s 0.5 to 5 mm, L0 80 to 300 mm, 20 to 35 degrees, 0.05 to 0.25 MPa, contraction 0 to 20 %), the largest 1.7 %; no measured muscle is in it",
-            ),
             Self::HeldOut => f.write_str(
-                "what 95 % of the points of its campaign stay within on muscles left out of the fit, against axisymmetric finite elements; how far those are from real muscles comes on top",
+                "what 95 % of the points of its campaign stay within on muscles left out of the fit, against axisymmetric finite elements",
             ),
             Self::OwnTable => f.write_str(
-                "what 95 % of the points of its own table, and of the muscles held out of it, stay within, as the formula's file says; how far that table is from real muscles comes on top",
+                "what 95 % of the points of its own table, and of the muscles held out of it, stay within, as the formula's file says",
             ),
             Self::Paper => f.write_str(
                 "its authors state about 2 % and at most 50 N against their own finite elements; against this program's axisymmetric finite elements (rubber and braid `paper`) 95 % of 1889 points over its box lie within 3.9 %, the worst at 5.9 % near D0 37.5 mm, and the published C block, linear in D0, is weakest near D0 35–40 mm",
@@ -138,7 +128,7 @@ impl Serialize for Reference {
     }
 }
 
-/// A model's error as a 95 % half-width, and how it is known.
+/// A model's own error as a 95 % half-width, and how it is known; [`crate::uncertainty`] adds what all models share.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Accuracy {
     /// Half-width as a share of the muscle's blocked force; `None` where nobody has measured it.
@@ -157,6 +147,15 @@ impl Accuracy {
         blocked_at: BlockedAt::SamePressure,
         reference: Reference::Unknown,
     };
+
+    /// How the parts of a ± are known, in a sentence.
+    pub fn basis(&self) -> String {
+        match self.reference {
+            Reference::Unknown => self.reference.to_string(),
+            Reference::ForceMap { .. } => format!("formula: {}", self.reference),
+            _ => format!("formula: {}; {}", self.reference, crate::uncertainty::STORY),
+        }
+    }
 
     /// A share of the blocked force at the pressure of the question.
     pub const fn share(share: f64, reference: Reference) -> Self {
@@ -183,10 +182,6 @@ mod tests {
             (
                 Reference::RandomMuscles(Where::Ends { per_slenderness: 0.65, stretching: false }),
                 "0.65 D0/L0 of the blocked force holds 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model leaves out",
-            ),
-            (
-                Reference::MeasuredMuscle { rms_share: 0.017 },
-                "twice the 1.7 % rms by which it misses the one measured muscle at hand (Tondu 2012, 20°, one modulus fitted); discretisation adds less than 0.05 %",
             ),
         ] {
             assert_eq!(reference.to_string(), sentence);

@@ -117,6 +117,25 @@ pub trait ForceModel: Send + Sync {
         Ok(self.response(workspace, pressure_mpa, contraction)?.force_n)
     }
 
+    /// The pull at rest length in N, of which errors are a share: by a faster model where this one is slow.
+    ///
+    /// # Errors
+    /// As [`ForceModel::response`].
+    fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {
+        self.force_n(workspace, pressure_mpa, 0.0)
+    }
+
+    /// What the mesh errs by in N, of the pull `force_n` that it gave there; `None` for models without a mesh.
+    fn mesh_error_n(
+        &self,
+        _workspace: &mut Workspace,
+        _pressure_mpa: f64,
+        _contraction: f64,
+        _force_n: f64,
+    ) -> Option<f64> {
+        None
+    }
+
     /// ∂F at fixed pressure and contraction by constants and measures of the muscle, named as in the muscle file
     /// (`tube.material.c10`, `braid.stiffness`, `tube.outer_diameter`), all others held. `None` where the model does not
     /// know one of them; whoever needs it then takes differences.
