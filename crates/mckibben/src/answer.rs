@@ -195,10 +195,10 @@ fn exactly(mut answer: Answer, force_n: f64) -> Answer {
 
 fn stretch_warning<M: ForceModel + ?Sized>(model: &M, response: &Response) -> Option<String> {
     let rubber = &model.muscle().tube().rubber;
-    let (limit, stretch) = (rubber.fitted_to_stretch?, response.max_stretch?);
+    let (limit, stretch) = (rubber.fitted_to_stretch?, response.rubber_stretch()?);
     (stretch > limit).then(|| {
         format!(
-            "the rubber is stretched to {stretch:.2} at the bore; the constants of {} were fitted up to {limit:.2}",
+            "the rubber is stretched to {stretch:.2}; the constants of {} were fitted up to {limit:.2}",
             rubber.name.as_deref().unwrap_or("this rubber")
         )
     })

@@ -139,7 +139,8 @@ fn text(answer: &PointAnswer, p: PressureUnit) -> String {
     add("volume", r.volume_mm3.map(|v| v * 1e-3), "cm³", 4);
     add("tension of one strand", r.strand_tension_n, "N", 4);
     add("tension of all strands", r.braid_tension_n, "N", 4);
-    add("largest stretch of the rubber", r.max_stretch, "", 3);
+    add("stretch of the rubber in the middle", r.middle_stretch, "", 3);
+    add("99 % of it stretched by less than", r.max_stretch, "", 3);
     if let Some(parts) = &a.uncertainty_parts_n {
         let each: Vec<String> =
             parts.named().map(|(name, part)| format!("{name} {}", number(part, 2))).collect();

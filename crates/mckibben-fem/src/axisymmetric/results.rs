@@ -4,10 +4,10 @@ use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
 use super::sensitivity;
 use crate::FemError;
-use crate::element::q2::{GAUSS3, NODES, point};
+use crate::element::q2::{NODES, point};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::STRAND_POINTS;
-use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt};
+use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
 use crate::solver::body::State;
 use mckibben::model::Response;
 use mckibben::muscle::Muscle;
@@ -63,6 +63,7 @@ pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> 
         braid_tension_n: Some(all),
         strand_tension_n: count.map(|n| all / f64::from(n)),
         bulged_diameter_mm: Some(2.0 * bulge),
+        middle_stretch: Some(middle_stretch(d, s)),
         max_stretch: Some(largest_stretch(d, s).value),
     })
 }
@@ -117,30 +118,53 @@ fn profile(d: &Discretisation, s: &State) -> Vec<ProfilePoint> {
         .collect()
 }
 
-/// Looks at the inner surface, the middle and the outer surface of every element.
+/// Parts of an element in which its stretch is looked at: through the wall and along.
+const PARTS: [usize; 2] = [4, 6];
+
+/// The stretch below which 99 % of the rubber lies.
 fn largest_stretch(d: &Discretisation, s: &State) -> StretchAt {
+    let middle = |i: usize, n: usize| (2 * i + 1) as f64 / n as f64 - 1.0;
+    let [through, along] = PARTS;
+    let mut list = Vec::with_capacity(d.layout.along * d.layout.through * through * along);
+    for (rest, u) in elements(d, s) {
+        for i in 0..through {
+            for j in 0..along {
+                let Some(p) = point(&rest, middle(i, through), middle(j, along), 1.0) else { continue };
+                let value = gradient(&p, &u).principal().into_iter().fold(0.0, f64::max);
+                // ψ of a single point still holds 1 + its place.
+                let at = StretchAt { value, rest_mm: [p.psi[1], p.psi[2]] };
+                list.push(StretchOf { at, volume: p.volume });
+            }
+        }
+    }
+    largest_of_most(list)
+}
+
+/// The largest stretch in the middle plane of the muscle.
+fn middle_stretch(d: &Discretisation, s: &State) -> f64 {
+    let of = |(rest, u): ([[f64; 2]; NODES], Unknowns), xi: f64| {
+        let p = point(&rest, xi, -1.0, 1.0)?;
+        Some(gradient(&p, &u).principal().into_iter().fold(0.0, f64::max))
+    };
+    let first = elements(d, s).take(d.layout.through);
+    first.flat_map(|e| [of(e, -1.0), of(e, 1.0)]).flatten().fold(1.0, f64::max)
+}
+
+/// Nodes at rest and displacements of every element, from the middle to the terminal.
+fn elements<'a>(
+    d: &'a Discretisation,
+    s: &'a State,
+) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> + 'a {
     let l = d.layout;
-    let mut largest = StretchAt { value: 1.0, rest_mm: [0.0; 2] };
-    for slab in 0..l.along {
-        for i in 0..l.through {
-            let rest = nodes(&d.mesh, slab, i);
+    (0..l.along).flat_map(move |slab| {
+        (0..l.through).map(move |i| {
             let mut u = Unknowns::default();
             for a in 0..NODES {
                 let j = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3];
                 let k = l.at(j) + 2 * (2 * i + a % 3);
                 (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
             }
-            for (eta, _) in GAUSS3 {
-                for xi in [-1.0, 0.0, 1.0] {
-                    let Some(p) = point(&rest, xi, eta, 1.0) else { continue };
-                    let value = gradient(&p, &u).principal().into_iter().fold(0.0, f64::max);
-                    if value > largest.value {
-                        // ψ of a single point still holds 1 + its place.
-                        largest = StretchAt { value, rest_mm: [p.psi[1], p.psi[2]] };
-                    }
-                }
-            }
-        }
-    }
-    largest
+            (nodes(&d.mesh, slab, i), u)
+        })
+    })
 }

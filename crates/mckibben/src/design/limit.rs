@@ -117,7 +117,7 @@ pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<P
             if let (Some(bound), Some(value)) = (limits.bulged_diameter_mm, full.bulged_diameter_mm) {
                 checks.push(Check { limit: Limit::BulgedDiameter, point: None, value, bound });
             }
-            if let (Some(bound), Some(value)) = (stretch, full.max_stretch) {
+            if let (Some(bound), Some(value)) = (stretch, full.rubber_stretch()) {
                 checks.push(Check { limit: Limit::MaxStretch, point: None, value, bound });
             }
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
@@ -234,6 +234,7 @@ pub(super) fn full_response(
         fill(&mut r.bulged_diameter_mm, other.bulged_diameter_mm, "bulged diameter");
         fill(&mut r.volume_mm3, other.volume_mm3, "volume");
         fill(&mut r.max_stretch, other.max_stretch, "stretch");
+        fill(&mut r.middle_stretch, other.middle_stretch, "stretch");
         fill(&mut r.braid_tension_n, other.braid_tension_n, "strand tension");
         fill(&mut r.strand_tension_n, other.strand_tension_n, "strand tension");
         fill(&mut r.stiffness_n_per_mm, other.stiffness_n_per_mm, "stiffness");

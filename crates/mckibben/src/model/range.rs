@@ -24,6 +24,8 @@ pub enum Quantity {
     WallRatio,
     /// L0/D0.
     LengthRatio,
+    /// C01/(C10 + C01) of the rubber.
+    C01Share,
 }
 
 impl Quantity {
@@ -38,6 +40,7 @@ impl Quantity {
             Quantity::BraidAngle => "braid_angle",
             Quantity::WallRatio => "wall_ratio",
             Quantity::LengthRatio => "length_ratio",
+            Quantity::C01Share => "c01_share",
         }
     }
 
@@ -47,7 +50,7 @@ impl Quantity {
             Quantity::Pressure => "MPa",
             Quantity::OuterDiameter | Quantity::WallThickness | Quantity::Length => "mm",
             Quantity::BraidAngle => "deg",
-            Quantity::Contraction | Quantity::WallRatio | Quantity::LengthRatio => "",
+            Quantity::Contraction | Quantity::WallRatio | Quantity::LengthRatio | Quantity::C01Share => "",
         }
     }
 }

@@ -31,12 +31,21 @@ pub struct Response {
     /// Largest outer diameter in mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bulged_diameter_mm: Option<f64>,
-    /// Largest principal stretch of the rubber.
+    /// The largest principal stretch in the middle of the muscle, at the bore as a rule.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub middle_stretch: Option<f64>,
+    /// The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the middle. (The largest of
+    /// all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub max_stretch: Option<f64>,
 }
 
 impl Response {
+    /// The larger of the stretch in the middle and of that below which 99 % of the rubber lies.
+    pub fn rubber_stretch(&self) -> Option<f64> {
+        self.middle_stretch.into_iter().chain(self.max_stretch).reduce(f64::max)
+    }
+
     /// Fills in the tension of one strand from that of all, where the number of strands is known.
     pub(crate) fn with_braid_tension(mut self, tension_n: f64, strands: Option<u32>) -> Self {
         self.braid_tension_n = Some(tension_n);

@@ -43,6 +43,7 @@ pub const RANGE: UniversalRange = UniversalRange {
     pressure_per_modulus: (0.0, 5.0),
     strand_strain: 0.06,
     contraction_of_ideal: (0.0, 1.0),
+    c01_share: (0.0, 0.3),
 };
 /// Below this P/μ a point is not used: blocked forces vanish there, and with them the measure of errors.
 const LEAST_PRESSURE: f64 = 0.02;

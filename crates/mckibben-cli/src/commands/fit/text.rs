@@ -143,13 +143,14 @@ pub fn universal(f: &UniversalFormula) -> String {
         h => format!("{} to {}", number(low, 4), number(h, 4)),
     };
     let range = format!(
-        "s/D0 {}, L0/D0 {}, θ0 {}°, P/μ {}, strand strain up to {}, ε {} of the ideal muscle's largest",
+        "s/D0 {}, L0/D0 {}, θ0 {}°, P/μ {}, strand strain up to {}, ε {} of the ideal muscle's largest, C01/(C10 + C01) {}",
         interval(r.wall_ratio),
         interval(r.length_ratio),
         interval(r.angle_deg),
         interval(r.pressure_per_modulus),
         number(r.strand_strain, 3),
         interval(r.contraction_of_ideal),
+        interval(r.c01_share),
     );
     let mut out = pairs(&[
         ("name", f.name.clone()),

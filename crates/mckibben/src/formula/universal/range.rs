@@ -29,6 +29,14 @@ pub struct UniversalRange {
     /// ε as a share of the ideal muscle's largest
     #[serde(deserialize_with = "interval")]
     pub contraction_of_ideal: (f64, f64),
+    /// C01/(C10 + C01) of a Mooney–Rivlin rubber; 0 of every other law
+    #[serde(default = "c01_share", deserialize_with = "interval")]
+    pub c01_share: (f64, f64),
+}
+
+/// Of formulas that were written before their files said so.
+fn c01_share() -> (f64, f64) {
+    (0.0, 0.3)
 }
 
 impl UniversalRange {

@@ -178,6 +178,7 @@ impl ForceModel for ThickWall {
             stiffness_n_per_mm: Some(-s.force_l * l_eps / length),
             force_per_pressure_mm2: Some(s.force_p + s.force_l * l_p),
             bulged_diameter_mm: Some(2.0 * s.r),
+            middle_stretch: Some(self.wall.largest_stretch(l, s.r)),
             max_stretch: Some(self.wall.largest_stretch(l, s.r)),
             ..Response::default()
         };

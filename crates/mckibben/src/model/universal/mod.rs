@@ -199,6 +199,7 @@ impl ForceModel for Universal {
             stiffness_n_per_mm: Some(s.force_l / (self.length * place.slope)),
             force_per_pressure_mm2: Some(s.force_p + s.force_l * place.by_pressure),
             bulged_diameter_mm: Some(2.0 * s.r.max(self.zone.ro)),
+            middle_stretch: Some(self.zone.wall.largest_stretch(place.l, s.r)),
             max_stretch: Some(self.zone.wall.largest_stretch(place.l, s.r)),
             ..Response::default()
         };

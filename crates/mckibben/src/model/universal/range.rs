@@ -3,7 +3,15 @@
 use crate::formula::UniversalRange;
 use crate::model::{Interval, ModelRange, Quantity};
 use crate::muscle::Muscle;
-use crate::rubber::RubberLaw;
+use crate::rubber::{Law, RubberLaw};
+
+/// C01/(C10 + C01); 0 of a law without it.
+fn c01_share(law: &Law) -> f64 {
+    match law {
+        Law::MooneyRivlin(m) => m.c01_mpa / (m.c10_mpa + m.c01_mpa),
+        _ => 0.0,
+    }
+}
 
 /// The box of a muscle.
 pub(super) fn of(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
@@ -23,5 +31,6 @@ pub(super) fn of(range: &UniversalRange, muscle: &Muscle) -> ModelRange {
         (Interval::new(Quantity::WallRatio, range.wall_ratio), muscle.wall_mm() / d0),
         (Interval::new(Quantity::LengthRatio, range.length_ratio), muscle.length_mm() / d0),
         (Interval::new(Quantity::BraidAngle, range.angle_deg), muscle.braid().angle_deg),
+        (Interval::new(Quantity::C01Share, range.c01_share), c01_share(&muscle.tube().rubber.law)),
     ])
 }
