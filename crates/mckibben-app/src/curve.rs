@@ -13,6 +13,7 @@ use mckibben::curve::{Curve, CurvePoint, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::status::Status;
 use mckibben::units::{MAX_POINTS, Values};
+use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -57,6 +58,9 @@ pub struct CurveAnswer {
     pub muscle: MuscleSummary,
     /// What is fixed along each curve: ε, F in N, or P in MPa.
     pub fixed: Vec<f64>,
+    /// What the user should know, of each kind the gravest.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
     /// The points, curve after curve; all curves have the same number of points.
     pub points: Vec<PointRow>,
     /// The figure, where it was asked for.
@@ -153,11 +157,18 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
         test: request.test,
         muscle,
         fixed,
+        warnings: gravest(&list),
         points: list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect(),
         figure,
         problem: all_failed(&list),
         curves: list,
     })
+}
+
+/// The warnings of all points, of each kind the gravest.
+fn gravest(list: &[Curve]) -> Vec<Warning> {
+    let answers = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok());
+    Warning::gravest(answers.flat_map(|a| &a.warnings))
 }
 
 /// Contractions from 0 by a round step to the free contraction at the highest pressure, which is the last one of a closed list, or to

@@ -247,7 +247,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         slack_points: found.slack.len(),
         muscle: summary,
         points: found.points.iter().map(IdentifiedPoint::from).collect(),
-        warnings: found.notes.clone(),
+        warnings: self::warnings(request, &found),
         figure,
         found,
     })
@@ -432,4 +432,17 @@ impl From<IdentifyError> for Problem {
         };
         Self::new(kind, message, hint)
     }
+}
+
+/// What the identification says, and first that it was that of the prototype where no muscle was given.
+fn warnings(request: &IdentifyRequest, found: &Identification) -> Vec<String> {
+    let own = MuscleFields::default() != request.muscle;
+    let prototype = (!own).then(|| {
+        let m = MuscleSummary::from(&Muscle::prototype());
+        format!(
+            "no muscle was given: these are the constants of a muscle of the prototype's measures ({})",
+            m.line()
+        )
+    });
+    prototype.into_iter().chain(found.notes.iter().cloned()).collect()
 }

@@ -1,13 +1,36 @@
 //! From the texts of flags to numbers.
 
 use crate::failure::Failure;
+use crate::output::warn;
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
 use mckibben_app::ProblemKind;
+use std::sync::Once;
 
 /// A quantity from a flag.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>, Failure> {
+    mind_the_unit(flag, text, dimension);
     let wrong = |e| Failure::flag(flag, ProblemKind::Quantity, e);
     text.map(|t| parse_quantity(t, dimension).map_err(wrong)).transpose()
+}
+
+/// Says once that a bare number is a pressure in MPa, where that is so high that bar was probably meant.
+fn mind_the_unit(flag: &str, text: Option<&str>, dimension: Dimension) {
+    static SAID: Once = Once::new();
+    const HIGH_MPA: f64 = 1.0;
+    let Some(text) = text.filter(|_| dimension == Dimension::Pressure && flag.ends_with("pressure")) else {
+        return;
+    };
+    let bare =
+        text.split([',', ':']).flat_map(|part| part.split("..")).map(|part| part.trim().parse::<f64>());
+    let Ok(numbers) = bare.collect::<Result<Vec<f64>, _>>() else { return };
+    if let Some(high) = numbers.into_iter().find(|p| *p >= HIGH_MPA) {
+        SAID.call_once(|| {
+            warn(format!(
+                "{flag} {text}: a bare {high} is {high} MPa = {} bar; for bar write {high}bar",
+                10.0 * high
+            ));
+        });
+    }
 }
 
 /// A plain number from a flag.
@@ -37,6 +60,7 @@ fn no_contraction(flag: &str, text: &str, e: f64) -> Failure {
 
 /// A list or range from a flag.
 pub fn values(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<Values>, Failure> {
+    mind_the_unit(flag, text, dimension);
     let wrong = |e: RangeError| {
         let quantity = matches!(e, RangeError::Quantity(_));
         Failure::flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)

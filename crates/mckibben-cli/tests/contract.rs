@@ -41,6 +41,8 @@ fn assert_units(value: &Value) {
         "fitted_modulus_factor",
         "fixed",
         "jm",
+        "middle_stretch",
+        "misses_by",
     ];
     const UNITS: &[&str] =
         &["_n", "_mpa", "_mm", "_mm3", "_deg", "_n_per_mm", "_n_per_mpa", "_j", "_normal_litres"];
@@ -50,7 +52,7 @@ fn assert_units(value: &Value) {
             for (key, inner) in map {
                 let named = PLAIN.contains(&key.as_str()) || UNITS.iter().any(|u| key.ends_with(u));
                 assert!(!inner.is_number() || named, "{key} does not say its unit");
-                if key != "constants_mpa" {
+                if !["constants_mpa", "uncertainty_parts_n"].contains(&key.as_str()) {
                     assert_units(inner);
                 }
             }
@@ -206,7 +208,12 @@ fn csv_columns_are_the_json_keys() {
         }
         assert_eq!(count, points.len());
         let keys = |p: &Value| p.as_object().unwrap().keys().cloned().collect::<Vec<_>>();
-        assert!(points.iter().flat_map(keys).all(|k| k == "warnings" || columns.contains(&k)));
+        assert!(
+            points
+                .iter()
+                .flat_map(keys)
+                .all(|k| ["warnings", "uncertainty_parts_n"].contains(&k.as_str()) || columns.contains(&k))
+        );
     }
 }
 
@@ -328,7 +335,7 @@ fn what_a_failed_design_promises_holds() {
 fn the_winner_is_a_muscle_file() {
     let dir = folder();
     for (more, model) in
-        [(" -s 2", "universal"), (" --model thick-wall --rubber rtv615 -D 20..40:5 -s 1,2", "thick-wall")]
+        [(" -s 2", "fe"), (" --model thick-wall --rubber rtv615 -D 20..40:5 -s 1,2", "thick-wall")]
     {
         let file = dir.path().join(format!("{model}.toml"));
         let file = file.to_str().unwrap();
@@ -568,11 +575,14 @@ fn fe_answers_unless_another_model_is_named() {
 }
 
 #[test]
-fn the_search_takes_fe_where_universal_does_not_reach() {
+fn finite_elements_settle_every_candidate() {
     let found = json("design -F 300 -e 10% -p 2.5bar -D 30,35 -s 0.5,2");
-    let models: Vec<&str> =
-        found["candidates"].as_array().unwrap().iter().map(|c| c["model"].as_str().unwrap()).collect();
-    assert!(models.contains(&"fe") && models.contains(&"universal"), "{models:?}");
+    let candidates = found["candidates"].as_array().unwrap();
+    assert!(candidates.len() > 2 && candidates.iter().all(|c| c["model"] == "fe"), "{found}");
+    assert_eq!((found["model"].as_str(), found["searched_with"].as_str()), (Some("fe"), Some("universal")));
+    assert!(found.get("verification").is_none());
+    let other = json("design -F 300 -e 10% -p 2.5bar -D 30,35 -s 0.5,2 --model ideal");
+    assert_eq!(other["verification"]["holds"], false, "{other}");
 }
 
 #[test]

@@ -161,7 +161,7 @@ fn a_solution_is_whole() {
     // In the middle the angle has grown from 28°, at the terminal it has hardly.
     assert!(s.strands[0].angle_deg > 35.0 && s.strands[s.strands.len() - 1].angle_deg < 30.0);
     assert!(s.strands.iter().all(|x| x.tension_n.unwrap() > 0.0 && x.stretch > 1.0));
-    assert!(s.max_stretch.value > 1.3 && s.max_stretch.rest_mm[0] < 12.1);
+    assert!(s.max_stretch.value > 1.3 && s.max_stretch.rest_mm[0] < 12.8);
     assert!(s.energies.rubber_n_mm > 0.0 && s.energies.braid_n_mm > 0.0 && s.energies.pressure_n_mm > 0.0);
     assert!(s.smallest_j > 0.9);
     // What no strain changes: the rubber keeps its volume, so the outer volume less the cavity's does.

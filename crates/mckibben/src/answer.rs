@@ -8,6 +8,7 @@ use crate::analysis::{
 use crate::model::{ForceModel, ModelError, Response, Workspace};
 use crate::muscle::Direction;
 use crate::uncertainty::{UncertaintyParts, uncertainty};
+use crate::warning::{Warning, of_response};
 use serde::{Deserialize, Serialize};
 
 /// One answered point.
@@ -41,7 +42,8 @@ pub struct Answer {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_parts_n: Option<UncertaintyParts>,
     /// What the user should know, in sentences.
-    pub warnings: Vec<String>,
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
+    pub warnings: Vec<Warning>,
 }
 
 /// Checks the model's range; with `extrapolate` a violation becomes a warning.
@@ -91,9 +93,10 @@ pub fn point<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<Answer, ModelError> {
-    let mut warnings = check_range(model, pressure_mpa, contraction, options)?;
-    warnings.extend(model.muscle().warnings());
-    warnings.extend(model.notes(workspace));
+    let said = check_range(model, pressure_mpa, contraction, options)?;
+    let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
+    warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
+    warnings.extend(model.notes(workspace).into_iter().map(Warning::from));
     let (mut response, free_contraction) =
         match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
             Ok(response) => (response, None),
@@ -117,7 +120,7 @@ pub fn point<M: ForceModel + ?Sized>(
         // A slack muscle hangs at its free contraction: what the model knows of the pushing one does not apply.
         response = Response { pressure_mpa, contraction, ..Response::default() };
     }
-    warnings.extend(stretch_warning(model, &response));
+    warnings.extend(of_response(model.muscle(), &response));
     let parts = uncertainty(model, workspace, pressure_mpa, contraction, response.force_n);
     Ok(Answer {
         model: model.name().into(),
@@ -191,15 +194,4 @@ fn exactly(mut answer: Answer, force_n: f64) -> Answer {
         answer.slack = false;
     }
     answer
-}
-
-fn stretch_warning<M: ForceModel + ?Sized>(model: &M, response: &Response) -> Option<String> {
-    let rubber = &model.muscle().tube().rubber;
-    let (limit, stretch) = (rubber.fitted_to_stretch?, response.rubber_stretch()?);
-    (stretch > limit).then(|| {
-        format!(
-            "the rubber is stretched to {stretch:.2}; the constants of {} were fitted up to {limit:.2}",
-            rubber.name.as_deref().unwrap_or("this rubber")
-        )
-    })
 }

@@ -57,6 +57,7 @@ pub mod study;
 pub mod table;
 pub mod uncertainty;
 pub mod units;
+pub mod warning;
 
 /// The paper whose formula (11) is [`model::Paper`] and whose method makes formulas from campaigns; equation numbers in
 /// code and documents are its. Sources are cited by their key in `literature.bib`.

@@ -8,6 +8,7 @@ use mckibben::design::{
     Spec, Spread,
 };
 use mckibben::model::Response;
+use mckibben::warning::{Warning, of_response};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -32,6 +33,9 @@ pub struct DesignAnswer {
     /// Where another model was named: the winner by finite elements.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verification: Option<Verified>,
+    /// What the user should know of the winner.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
     /// Spread of the winner's pull under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<SpreadAnswer>,
@@ -256,6 +260,7 @@ impl DesignAnswer {
             candidates: outcome.candidates.iter().map(CandidateAnswer::from).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
+            warnings: outcome.candidates.first().map(warnings).unwrap_or_default(),
             tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
             closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
             figure,
@@ -369,6 +374,13 @@ impl ClosestAnswer {
             hint: out_of_reach(spec),
         }
     }
+}
+
+/// What the user should know of a candidate: of its muscle, and of its operating points.
+fn warnings(c: &Candidate) -> Vec<Warning> {
+    let said = c.muscle.warnings().into_iter().map(Warning::from);
+    let points = c.points.iter().flat_map(|q| of_response(&c.muscle, &q.response));
+    Warning::gravest(&said.chain(points).collect::<Vec<_>>())
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.

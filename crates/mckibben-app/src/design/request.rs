@@ -414,7 +414,10 @@ impl Choice {
 impl From<Values> for Choice {
     fn from(values: Values) -> Self {
         match values {
-            Values::List(list) => Self::Several(list),
+            Values::List(list) => match list[..] {
+                [one] => Self::One(one),
+                _ => Self::Several(list),
+            },
             Values::Interval(low, high) => Self::Between { low, high },
         }
     }

@@ -9,6 +9,7 @@ use crate::quantities::{contractions, forces, pressures};
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::curve::{Curve, Test};
+use mckibben::warning::Warning;
 use mckibben_app::CurveRequest;
 
 pub const EXAMPLES: &str = "Examples:
@@ -74,7 +75,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     }
     plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), args.plot.plot.as_deref())?;
     let text = || {
-        warnings(&answer.curves);
+        warnings(&answer.warnings, &answer.curves);
         let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line());
         format!("{head}{}", as_table(test, &answer.curves, unit))
     };
@@ -82,20 +83,8 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
-fn warnings(list: &[Curve]) {
-    let mut seen: Vec<&str> = vec![];
-    let answers = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok());
-    for warning in answers.flat_map(|a| &a.warnings) {
-        if !seen.contains(&warning.as_str()) {
-            if seen.len() < 5 {
-                warn(warning);
-            }
-            seen.push(warning);
-        }
-    }
-    if seen.len() > 5 {
-        warn(format!("and {} more like these (--format json shows them with their points)", seen.len() - 5));
-    }
+fn warnings(all: &[Warning], list: &[Curve]) {
+    all.iter().for_each(warn);
     let failed = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().err());
     let failed: Vec<_> = failed.collect();
     if let Some(first) = failed.first() {

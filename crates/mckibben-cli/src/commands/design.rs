@@ -6,7 +6,7 @@ use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
 use crate::flags::{Format, PlotFlag, pressure_unit, stiffness};
 use crate::output::text::PressureUnit;
-use crate::output::{save, show};
+use crate::output::{save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
@@ -189,6 +189,7 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
         save(path, to_toml(winner).as_bytes())?;
     }
     let text = || {
+        answer.warnings.iter().for_each(warn);
         let mut text = text::of(&answer, unit);
         if let Some(figure) = figure.as_ref().filter(|_| chart) {
             text.push_str(&format!("\n{}\n", figure.to_text(100, 24, colour())));

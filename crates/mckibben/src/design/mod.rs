@@ -14,12 +14,11 @@ mod search;
 mod spec;
 mod tolerance;
 
+pub use crate::warning::VALIDATED_STRAND_STRAIN;
 pub use candidate::{Candidate, CandidatePoint};
 pub use limit::{Limit, fits};
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
 pub use run::{Closest, Models, Outcome, design, design_with};
-pub use spec::{
-    BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError, VALIDATED_STRAND_STRAIN,
-};
+pub use spec::{BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError};
 pub use tolerance::{Spread, SpreadError, Tolerances, spread};

@@ -4,6 +4,7 @@ use crate::analysis::Options;
 use crate::model::{ForceModel, ModelError};
 use crate::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
 use crate::units::Values;
+use crate::warning::VALIDATED_STRAND_STRAIN;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -51,8 +52,6 @@ pub enum BraidChoice {
     Sleeves(Vec<Braid>),
 }
 
-/// Largest strand strain up to which the models were compared with anything.
-pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
 /// Burst pressure over maximum pressure that a muscle has where nothing else is said.
 pub const SAFETY: f64 = 1.5;
 

@@ -100,7 +100,21 @@ impl Muscle {
 
     /// What the user should know of this muscle, in sentences, whatever is asked of it.
     pub fn warnings(&self) -> Vec<String> {
-        self.braid.warning(&self.tube).into_iter().collect()
+        self.braid.warning(&self.tube).into_iter().chain(self.measured_strand_warning()).collect()
+    }
+
+    /// A strand that was measured, and contradicts the angle by more than its rounded ends.
+    fn measured_strand_warning(&self) -> Option<String> {
+        const SHARE: f64 = 0.05;
+        let measured = self.braid.measured?;
+        let (length, turns) = (self.strand_length_mm(), self.turns());
+        let off = |a: f64, b: f64| (a / b - 1.0).abs() > SHARE;
+        (off(measured.strand_length_mm, length) || off(measured.turns, turns)).then(|| {
+            format!(
+                "a strand of {} mm with {} turns contradicts the angle of {}°, by which it would have {length:.1} mm and {turns:.2} turns; only belforte uses the strand, all else the angle",
+                measured.strand_length_mm, measured.turns, self.braid.angle_deg
+            )
+        })
     }
 
     /// The same muscle with another tube. A braid cut from a named sleeve has the sleeve's angle on another diameter.

@@ -52,10 +52,10 @@ pub fn of(answer: &IdentifyAnswer) -> String {
             number(s.mean_n, 2)
         ));
     }
-    if !found.notes.is_empty() {
+    if !answer.warnings.is_empty() {
         out.push('\n');
     }
-    for note in &found.notes {
+    for note in &answer.warnings {
         out.push_str(&format!("- {note}\n"));
     }
     out

@@ -1,0 +1,181 @@
+//! What the user should know of an answer.
+
+use crate::model::Response;
+use crate::muscle::Muscle;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::fmt;
+
+/// Strand strain beyond which no model was compared with anything.
+pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
+
+/// What the user should know of an answer; as data it is its sentence.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Warning {
+    /// Something about the muscle, the model or the question, whatever the answer.
+    Said(String),
+    /// The strands break before this pressure is reached.
+    StrandsBreak {
+        /// Tension of one strand in N.
+        tension_n: f64,
+        /// What it bears in N.
+        strength_n: f64,
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+    },
+    /// The strands stretch further than the models were compared with anything.
+    StrandStrain {
+        /// Strain of the strands.
+        strain: f64,
+    },
+    /// The muscle pulls less when its pressure rises.
+    FallsWithPressure {
+        /// ∂F/∂P in N/MPa.
+        slope_n_per_mpa: f64,
+    },
+    /// The rubber is stretched further than its law has data.
+    RubberStretch {
+        /// The stretch.
+        stretch: f64,
+        /// That of the data.
+        limit: f64,
+        /// The rubber.
+        rubber: String,
+    },
+}
+
+impl Warning {
+    /// How grave it is among those of its kind; `None` for one that is not of a kind.
+    fn gravity(&self) -> Option<f64> {
+        match self {
+            Self::Said(_) => None,
+            Self::StrandsBreak { tension_n, strength_n, .. } => Some(tension_n / strength_n),
+            Self::StrandStrain { strain } => Some(*strain),
+            Self::FallsWithPressure { slope_n_per_mpa } => Some(-slope_n_per_mpa),
+            Self::RubberStretch { stretch, limit, .. } => Some(stretch / limit),
+        }
+    }
+
+    /// Of each kind the gravest, of sentences each once, in the order in which they came.
+    pub fn gravest<'a>(all: impl IntoIterator<Item = &'a Warning>) -> Vec<Warning> {
+        let mut out: Vec<Warning> = vec![];
+        for warning in all {
+            let same = |w: &&mut Warning| match warning {
+                Self::Said(_) => *w == warning,
+                _ => std::mem::discriminant(*w) == std::mem::discriminant(warning),
+            };
+            match out.iter_mut().find(same) {
+                None => out.push(warning.clone()),
+                Some(known) if warning.gravity() > known.gravity() => *known = warning.clone(),
+                Some(_) => {}
+            }
+        }
+        out
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Said(sentence) => f.write_str(sentence),
+            Self::StrandsBreak { tension_n, strength_n, pressure_mpa } => write!(
+                f,
+                "the strands break: at {pressure_mpa:.3} MPa one of them would carry {tension_n:.1} N, and it bears {strength_n} N; the muscle bursts near {:.2} MPa",
+                pressure_mpa * strength_n / tension_n
+            ),
+            Self::StrandStrain { strain } => write!(
+                f,
+                "the strands stretch by {:.1} %: past {:.0} % the models have not been compared with anything",
+                100.0 * strain,
+                100.0 * VALIDATED_STRAND_STRAIN
+            ),
+            Self::FallsWithPressure { slope_n_per_mpa } => write!(
+                f,
+                "the pull falls when the pressure rises ({slope_n_per_mpa:.0} N/MPa): the strands are so soft that the muscle widens instead of pulling"
+            ),
+            Self::RubberStretch { stretch, limit, rubber } => write!(
+                f,
+                "the rubber is stretched to {stretch:.2}; the constants of {rubber} were fitted up to {limit:.2}"
+            ),
+        }
+    }
+}
+
+impl From<String> for Warning {
+    fn from(sentence: String) -> Self {
+        Self::Said(sentence)
+    }
+}
+
+impl Serialize for Warning {
+    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
+        out.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Warning {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        String::deserialize(from).map(Self::Said)
+    }
+}
+
+/// What the user should know of what a model says of a muscle at a point.
+pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
+    let rubber = &muscle.tube().rubber;
+    let mut out = vec![];
+    let strength = muscle.braid().strands.and_then(|s| s.strength_n);
+    if let (Some(tension_n), Some(strength_n)) = (response.strand_tension_n, strength)
+        && tension_n > strength_n
+    {
+        out.push(Warning::StrandsBreak { tension_n, strength_n, pressure_mpa: response.pressure_mpa });
+    }
+    if let Some(strain) = response.braid_tension_n.and_then(|t| muscle.strand_strain(t))
+        && strain > VALIDATED_STRAND_STRAIN
+    {
+        out.push(Warning::StrandStrain { strain });
+    }
+    if let Some(slope_n_per_mpa) = response.force_per_pressure_mm2
+        && slope_n_per_mpa < 0.0
+        && response.force_n > 0.0
+        && response.contraction >= 0.0
+    {
+        out.push(Warning::FallsWithPressure { slope_n_per_mpa });
+    }
+    if let (Some(limit), Some(stretch)) = (rubber.fitted_to_stretch, response.rubber_stretch())
+        && stretch > limit
+    {
+        let rubber = rubber.name.clone().unwrap_or_else(|| "this rubber".into());
+        out.push(Warning::RubberStretch { stretch, limit, rubber });
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{ForceModel, ThickWall, Workspace};
+    use crate::muscle::{Braid, BraidStiffness, Strands};
+
+    #[test]
+    fn of_each_kind_the_gravest_is_kept_and_sentences_once() {
+        let said = |s: &str| Warning::Said(s.into());
+        let strain = |strain: f64| Warning::StrandStrain { strain };
+        let all = [said("a"), strain(0.07), said("b"), strain(0.1), said("a"), strain(0.08)];
+        assert_eq!(Warning::gravest(&all), [said("a"), strain(0.1), said("b")]);
+    }
+
+    #[test]
+    fn soft_and_weak_strands_are_told_of() {
+        let strands = Strands { count: 64, section: Some((0.05, 60.0)), strength_n: Some(0.4) };
+        let braid = Braid { stiffness: BraidStiffness::OfStrands, strands: Some(strands), ..Braid::paper() };
+        let muscle = Muscle::prototype().with_braid(braid).unwrap();
+        let model = ThickWall::new(&muscle);
+        let response = model.response(&mut Workspace::new(), 0.05, 0.0).unwrap();
+        let warnings = of_response(&muscle, &response);
+        assert!(matches!(warnings[0], Warning::StrandsBreak { strength_n: 0.4, .. }), "{warnings:?}");
+        assert!(matches!(warnings[1], Warning::StrandStrain { .. }), "{warnings:?}");
+        // And nothing of a muscle that is well.
+        let model = ThickWall::new(&Muscle::prototype());
+        let response = model.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
+        assert_eq!(of_response(model.muscle(), &response), []);
+    }
+}
