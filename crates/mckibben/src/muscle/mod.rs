@@ -8,6 +8,7 @@ mod direction;
 mod error;
 pub mod file;
 mod friction;
+mod reach;
 mod rubber;
 mod terminals;
 mod tube;
@@ -17,9 +18,12 @@ pub use derived::BuildSheet;
 pub use direction::{Direction, UnknownDirection};
 pub use error::MuscleError;
 pub use friction::Friction;
+pub use reach::largest_stretch;
 pub use rubber::{Bulk, Rubber};
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
+
+use crate::rubber::library;
 
 /// The braid angle at which a muscle neither contracts nor extends: cos²θ = 1/3, in degrees.
 pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
@@ -34,13 +38,14 @@ pub struct Muscle {
 }
 
 impl Muscle {
-    /// Puts a muscle together.
+    /// Puts a muscle together. A rubber of the library has the law for the stretches that this muscle reaches
+    /// ([`library`](crate::rubber::library)), whichever it came with.
     ///
     /// # Errors
     /// [`MuscleError`] names the part, its value and what it must be: lengths above zero, wall below the radius,
     /// 0 < θ0 < 54.7356°, a rubber and a braid with stiffness.
     pub fn new(
-        tube: Tube,
+        mut tube: Tube,
         braid: Braid,
         terminals: Terminals,
         friction: Option<Friction>,
@@ -57,6 +62,8 @@ impl Muscle {
         if let Some(friction) = &friction {
             friction.check()?;
         }
+        let reach = largest_stretch(&tube, &braid);
+        tube.rubber = library::following(tube.rubber, reach);
         let muscle = Self { tube, braid, terminals, friction };
         if let Some(value) = muscle.terminals.cone_factor {
             let end = muscle.max_ideal_contraction();

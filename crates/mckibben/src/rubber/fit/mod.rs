@@ -24,6 +24,7 @@ mod nonlinear;
 mod ogden;
 mod problem;
 mod runs;
+mod standing;
 mod warning;
 
 pub use data::{ReadOptions, TensionPoint, read_tension, read_tests};
@@ -31,6 +32,7 @@ pub use fitted::{FittedLaw, ModeError, Parameter};
 pub use form::Form;
 pub use mode::Mode;
 pub use problem::Measure;
+pub use standing::DECIDED_AICC;
 pub use warning::TensionWarning;
 
 use super::stability::MUSCLE_HOOP_STRETCH;
@@ -188,7 +190,7 @@ pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<Te
     if let (true, Some(error)) = (laws.is_empty(), failed.first()) {
         return Err(error.clone());
     }
-    let recommended = recommended(&laws, &problem.points);
+    let recommended = standing::recommended(&laws, &problem.points);
     warnings.extend(warning::of_points(&problem, fitted_to_stretch, settings.hoop_stretch));
     warnings.extend(laws.iter().flat_map(|l| warning::of_law(l, settings.hoop_stretch)));
     let left_out = points.len() - count;
@@ -227,16 +229,6 @@ fn chosen(settings: &FitSettings, points: usize) -> Result<Vec<Form>, TensionFit
         (true, Some(first)) => Err(too_few(first)),
         _ => Ok(forms),
     }
-}
-
-fn recommended(laws: &[FittedLaw], points: &[TensionPoint]) -> Option<usize> {
-    let one_axis = points.iter().all(|p| p.mode == Mode::Uniaxial);
-    let best = |good: &dyn Fn(&FittedLaw) -> bool| {
-        let places = (0..laws.len()).filter(|&i| good(&laws[i]));
-        places.min_by(|&a, &b| laws[a].aicc.total_cmp(&laws[b].aicc))
-    };
-    let trusted = |l: &FittedLaw| l.is_stable() && l.law.negative_c01_mpa().is_none();
-    best(&|l| trusted(l) && (l.form.is_of_i1() || !one_axis)).or_else(|| best(&trusted))
 }
 
 #[cfg(test)]

@@ -1,14 +1,22 @@
 //! Named rubbers, from `data/rubbers.toml`, which states source and terms of each.
 //!
-//! A rubber named without a law means its neo-Hookean fit up to 200 % strain: of all uniaxial fits the one that can be
-//! trusted in two axes. `name:law` asks for another law. Where a law was fitted over several ranges, the widest
-//! range whose law stays stable in the two-axis stretch of a muscle (up to [`LARGEST_HOOP_STRETCH`]) is
-//! taken; if none does, the one that stays stable furthest. [`warnings`] says what to mind.
+//! What a name means follows from the muscle alone, not from what is asked of it: `dragon-skin-30` is the law that `rubber fit`
+//! recommends for the data up to the smallest of the [`Window`]s that covers the stretches which this muscle reaches
+//! ([`Muscle::reach`](crate::muscle::Muscle::reach)), beyond the data for all of them; `dragon-skin-30:yeoh` is that law on the same data. So far
+//! for rubbers with a measured curve. The others have published constants for up to 50, 100 and 200 % strain, of which again the
+//! smallest range that covers the reach is taken; their name means the neo-Hookean fit, of all uniaxial fits without a choice the one that
+//! can be trusted in two axes. [`warnings`] says what to mind.
 
+mod named;
 mod read;
+mod window;
+
+pub use named::{find, find_for, of_equal_standing};
+pub(crate) use named::{following, follows};
+pub use window::{Standing, Window, WindowLaw, windows_of};
 
 use super::{Law, Stability, biaxial_stability};
-use crate::muscle::{Bulk, Rubber};
+use crate::muscle::Rubber;
 use crate::nearest::nearest;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -38,11 +46,15 @@ pub struct RubberEntry {
     pub max_strain: Option<f64>,
     /// Nominal stress there, in MPa.
     pub max_stress_mpa: Option<f64>,
-    /// The laws fitted to it.
+    /// The laws fitted to it as they are published. Of a rubber with a curve they are for comparison.
     pub fits: Vec<RubberFit>,
+    /// Its measured curve, a path in `data/` of the repository, where there is one.
+    pub data: Option<String>,
+    /// The laws fitted to that curve, from the smallest range of stretches to the widest.
+    pub windows: Vec<Window>,
 }
 
-/// A law fitted to a rubber.
+/// A published law of a rubber.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RubberFit {
     /// The law with its constants.
@@ -81,7 +93,7 @@ pub enum LibraryError {
         /// The law as given.
         law: String,
         /// Laws it has.
-        available: Vec<&'static str>,
+        available: Vec<String>,
     },
     /// The built-in table cannot be read.
     #[error("the built-in table of rubbers is damaged: {what}")]
@@ -97,10 +109,13 @@ pub enum LibraryError {
 /// [`LibraryError::Damaged`], which no released program should see.
 pub fn entries() -> Result<&'static [RubberEntry], LibraryError> {
     static ENTRIES: OnceLock<Result<Vec<RubberEntry>, LibraryError>> = OnceLock::new();
-    ENTRIES
-        .get_or_init(|| read::table(include_str!("../../../data/rubbers.toml")))
-        .as_deref()
-        .map_err(LibraryError::clone)
+    let read = || {
+        let mut entries = read::table(include_str!("../../../data/rubbers.toml"))?;
+        let windows = window::windows()?;
+        entries.iter_mut().for_each(|e| e.windows = windows.get(&e.name).cloned().unwrap_or_default());
+        Ok(entries)
+    };
+    ENTRIES.get_or_init(read).as_deref().map_err(LibraryError::clone)
 }
 
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
@@ -119,74 +134,6 @@ pub fn entry(name: &str) -> Result<&'static RubberEntry, LibraryError> {
             known: entries.iter().map(|e| e.name.clone()).collect(),
         }
     })
-}
-
-/// The rubber `name` or `name:law`; see the module on which fit that is. Its name is the one it can be found by.
-///
-/// # Errors
-/// [`LibraryError`] with the nearest name, or the laws the rubber has.
-///
-/// ```
-/// use mckibben::rubber::library::find;
-/// assert_eq!(find("dragon-skin-30")?.fitted_to_stretch, Some(3.0));
-/// assert!(find("dragon-skin-3").unwrap_err().to_string().contains("did you mean dragon-skin-30?"));
-/// # Ok::<(), mckibben::rubber::LibraryError>(())
-/// ```
-pub fn find(name: &str) -> Result<Rubber, LibraryError> {
-    let (plain, law) = match name.split_once(':') {
-        Some((plain, law)) => (plain, Some(law.trim())),
-        None => (name, None),
-    };
-    let entry = entry(plain)?;
-    let fit = law.map_or_else(|| entry.default_fit(), |law| entry.fit(law));
-    let fit = fit.ok_or_else(|| LibraryError::NoSuchFit {
-        rubber: entry.name.clone(),
-        law: law.unwrap_or("").chars().take(60).collect(),
-        available: entry.laws(),
-    })?;
-    let is_default = entry.default_fit().is_some_and(|d| d.law.name() == fit.law.name());
-    let name = if is_default { entry.name.clone() } else { format!("{}:{}", entry.name, fit.law.name()) };
-    Ok(Rubber {
-        name: Some(name),
-        law: fit.law.clone(),
-        bulk: Bulk::Incompressible,
-        fitted_to_stretch: entry.reach(fit).map(|strain| 1.0 + strain),
-    })
-}
-
-impl RubberEntry {
-    /// Names of the laws it has, each once.
-    pub fn laws(&self) -> Vec<&'static str> {
-        let mut laws: Vec<_> = self.fits.iter().map(|f| f.law.name()).collect();
-        laws.dedup();
-        laws
-    }
-
-    /// The fit of a law: of several ranges the widest that is stable in two axes, else the one that stays stable furthest (of
-    /// equals the widest).
-    pub fn fit(&self, law: &str) -> Option<&RubberFit> {
-        let stable_to = |f: &RubberFit| match biaxial_stability(&f.law, LARGEST_HOOP_STRETCH) {
-            Stability::Stable => f64::INFINITY,
-            Stability::UnstableFrom { hoop_stretch } => hoop_stretch,
-        };
-        let strain = |f: &RubberFit| f.up_to_strain.unwrap_or(0.0);
-        self.fits
-            .iter()
-            .filter(|f| f.law.name() == law)
-            .map(|f| (stable_to(f), strain(f), f))
-            .max_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)))
-            .map(|found| found.2)
-    }
-
-    /// What the name alone means: the neo-Hookean fit, or the first law where there is none.
-    pub fn default_fit(&self) -> Option<&RubberFit> {
-        self.fit("neo-hookean").or_else(|| self.fit(self.fits.first()?.law.name()))
-    }
-
-    /// Engineering strain to which a fit has data behind it: rubber may fail before the range ends.
-    pub fn reach(&self, fit: &RubberFit) -> Option<f64> {
-        fit.up_to_strain.map(|strain| self.max_strain.map_or(strain, |max| strain.min(max)))
-    }
 }
 
 /// What to mind about a rubber.

@@ -1,0 +1,171 @@
+//! From a name to a law: which one follows from the stretches that a muscle reaches.
+
+use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, entry};
+use crate::muscle::{Bulk, Muscle, Rubber};
+use crate::rubber::Law;
+
+/// Stretch for which a law is meant where there is no muscle: that of the prototype ([`Muscle::reach`]).
+const USUAL_REACH: f64 = 1.9662;
+
+/// The rubber `name` or `name:law` as the prototype would have it; a muscle that is made of it takes the law for its own stretches
+/// ([`Muscle::new`]). Its name is the one it can be found by.
+///
+/// # Errors
+/// [`LibraryError`] with the nearest name, or the laws the rubber has.
+///
+/// ```
+/// use mckibben::rubber::library::find;
+/// assert_eq!(find("dragon-skin-30")?.law.name(), "yeoh");
+/// assert!(find("dragon-skin-3").unwrap_err().to_string().contains("did you mean dragon-skin-30?"));
+/// # Ok::<(), mckibben::rubber::LibraryError>(())
+/// ```
+pub fn find(name: &str) -> Result<Rubber, LibraryError> {
+    find_for(name, USUAL_REACH)
+}
+
+/// The rubber `name` or `name:law` for stretches up to `reach`: see the module on which fit that is.
+///
+/// # Errors
+/// As [`find`].
+pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
+    let (plain, law) = match name.split_once(':') {
+        Some((plain, law)) => (plain, Some(law)),
+        None => (name, None),
+    };
+    let entry = entry(plain)?;
+    let law = law.map(|law| law.trim().to_lowercase().replace([' ', '_'], "-"));
+    let found = entry.meant(law.as_deref(), reach).ok_or_else(|| LibraryError::NoSuchFit {
+        rubber: entry.name.clone(),
+        law: law.as_deref().unwrap_or("").chars().take(60).collect(),
+        available: entry.laws(),
+    })?;
+    Ok(entry.rubber(law.as_deref(), found))
+}
+
+/// A rubber as a muscle that reaches `reach` has it: one of the library with the law for these stretches, any other as it is. A rubber
+/// is of the library if name and constants are; with a constant changed it no longer is.
+pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
+    let of_library = |(entry, law): (&RubberEntry, Option<&str>)| {
+        let one = |found| entry.rubber(law, found) == rubber;
+        entry.each(law).any(one).then(|| entry.meant(law, reach).map(|found| entry.rubber(law, found)))?
+    };
+    let followed = rubber.name.as_deref().and_then(exactly).and_then(of_library);
+    followed.unwrap_or(rubber)
+}
+
+/// Whether a rubber is one of the library whose law follows the muscle.
+pub(crate) fn follows(rubber: &Rubber) -> bool {
+    let found = rubber.name.as_deref().and_then(exactly);
+    found.is_some_and(|(entry, law)| {
+        entry.each(law).count() > 1 && entry.each(law).any(|f| entry.rubber(law, f) == *rubber)
+    })
+}
+
+/// Entry and law of a name that the library itself gave.
+fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
+    let (plain, law) = name.split_once(':').map_or((name, None), |(plain, law)| (plain, Some(law)));
+    Some((super::entries().ok()?.iter().find(|e| e.name == plain)?, law))
+}
+
+/// The laws that the data of a muscle's rubber, up to the stretches of this muscle, do not tell from the law that is recommended: that
+/// one and those of equal standing with it ([`TensionFit::of_equal_standing`](crate::rubber::fit::TensionFit::of_equal_standing)), but for
+/// the muscle's own. What a muscle pulls with one and with another differs by what nobody knows from these data. Empty for rubbers without a
+/// curve. Nothing is fitted.
+pub fn of_equal_standing(muscle: &Muscle) -> Vec<Rubber> {
+    let own = &muscle.tube().rubber;
+    let Some((entry, asked)) = own.name.as_deref().and_then(exactly) else { return vec![] };
+    let Some(window) = entry.meant(asked, muscle.reach()).and_then(|found| found.window) else {
+        return vec![];
+    };
+    let good = window.laws.iter().filter(|l| l.standing != Standing::Behind && l.law != own.law);
+    good.map(|l| Rubber {
+        name: Some(format!("{}:{}", entry.name, l.name)),
+        bulk: own.bulk,
+        fitted_to_stretch: Some(window.fitted_to_stretch),
+        ..Rubber::of(l.law.clone())
+    })
+    .collect()
+}
+
+/// A fit of a rubber.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Found<'a> {
+    pub law: &'a Law,
+    /// Largest stretch of the data.
+    pub fitted_to_stretch: Option<f64>,
+    /// Of a rubber with a curve.
+    pub window: Option<&'a Window>,
+}
+
+impl RubberEntry {
+    /// Names of the laws that can be asked for, each once; `ogden-2` beside `ogden`, which is the best of them.
+    pub fn laws(&self) -> Vec<String> {
+        let mut laws: Vec<String> = vec![];
+        let fits = self.fits.iter().filter(|_| self.windows.is_empty()).map(|f| f.law.name().to_owned());
+        let fitted = self.windows.iter().flat_map(|w| &w.laws).map(|l| l.name.clone());
+        for name in fits.chain(fitted) {
+            if !laws.contains(&name) {
+                laws.push(name);
+            }
+        }
+        laws.sort_by_key(|name| order(name));
+        laws
+    }
+
+    /// The window for stretches up to `reach`: the smallest that covers them, else all data.
+    pub fn window(&self, reach: f64) -> Option<&Window> {
+        self.windows.iter().find(|w| w.fitted_to_stretch >= reach).or_else(|| self.windows.last())
+    }
+
+    /// The fit that is meant for stretches up to `reach`: of all that have the law the smallest range that covers them, else the widest.
+    pub(super) fn meant(&self, law: Option<&str>, reach: f64) -> Option<Found<'_>> {
+        let covers = |f: &Found<'_>| f.fitted_to_stretch.is_none_or(|end| end >= reach);
+        self.each(law).find(covers).or_else(|| self.each(law).last())
+    }
+
+    /// The fits of a law, or those that the name alone means, from the smallest range to the widest.
+    pub(super) fn each(&self, law: Option<&str>) -> impl Iterator<Item = Found<'_>> {
+        let law = law.map(str::to_owned);
+        // Without a curve: the first law of the table, which for the silicones is the neo-Hookean one.
+        let published = law.clone().or_else(|| self.published_default().map(str::to_owned));
+        let fits = self.fits.iter().filter(|_| self.windows.is_empty());
+        let fits = fits.filter(move |f| Some(f.law.name()) == published.as_deref());
+        let published = fits.map(|f| Found {
+            law: &f.law,
+            fitted_to_stretch: self.reach(f).map(|strain| 1.0 + strain),
+            window: None,
+        });
+        let fitted = self.windows.iter().filter_map(move |w| {
+            let law = &w.law(law.as_deref())?.law;
+            Some(Found { law, fitted_to_stretch: Some(w.fitted_to_stretch), window: Some(w) })
+        });
+        published.chain(fitted)
+    }
+
+    /// The law that the name of a rubber without a curve means: of all fits to one axis the one that can be trusted in two.
+    fn published_default(&self) -> Option<&'static str> {
+        let laws = || self.fits.iter().map(|f| f.law.name());
+        laws().find(|law| *law == "neo-hookean").or_else(|| laws().next())
+    }
+
+    /// Engineering strain to which a published fit has data behind it: rubber may fail before the range ends.
+    pub fn reach(&self, fit: &RubberFit) -> Option<f64> {
+        fit.up_to_strain.map(|strain| self.max_strain.map_or(strain, |max| strain.min(max)))
+    }
+
+    fn rubber(&self, law: Option<&str>, found: Found<'_>) -> Rubber {
+        // Where the name alone always means this law it says enough.
+        let named = law.filter(|law| !self.windows.is_empty() || self.published_default() != Some(*law));
+        Rubber {
+            name: Some(named.map_or_else(|| self.name.clone(), |law| format!("{}:{law}", self.name))),
+            law: found.law.clone(),
+            bulk: Bulk::Incompressible,
+            fitted_to_stretch: found.fitted_to_stretch,
+        }
+    }
+}
+
+/// Place of a law among all: sums of terms by their number.
+fn order(name: &str) -> usize {
+    crate::rubber::fit::Form::all().iter().position(|f| f.name() == name).unwrap_or(usize::MAX)
+}
