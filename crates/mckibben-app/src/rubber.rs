@@ -2,8 +2,10 @@
 
 use crate::muscle::rubber;
 use crate::problem::{Problem, ProblemKind};
-use mckibben::rubber::RubberLaw;
-use mckibben::rubber::library::{self, LibraryError, RubberEntry, RubberFit};
+use mckibben::rubber::library::{
+    self, COVERING, LibraryError, RubberEntry, RubberFit, Standing, USUAL_REACH, Window, WindowLaw,
+};
+use mckibben::rubber::{Law, RubberLaw};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -27,11 +29,15 @@ pub struct RubberSummary {
     pub name: String,
     /// What it is.
     pub title: String,
-    /// Shear modulus μ at rest of the fit that is taken when no law is named, MPa.
+    /// The law that the name means in the prototype.
+    pub law: String,
+    /// Shear modulus μ at rest of that law, MPa.
     pub shear_modulus_mpa: f64,
+    /// Whether its curve is at hand: the law then is fitted to the stretches that a muscle reaches.
+    pub curve: bool,
     /// Largest engineering strain of the test.
     pub max_strain: Option<f64>,
-    /// Its laws, with spaces between them.
+    /// The laws that can be asked for (`NAME:LAW`), with spaces between them.
     pub laws: String,
     /// Where the data come from.
     pub source: String,
@@ -56,17 +62,21 @@ pub struct RubberShowAnswer {
     pub max_strain: Option<f64>,
     /// Nominal stress there, MPa.
     pub max_stress_mpa: Option<f64>,
-    /// The laws fitted to it.
+    /// The laws that can be asked for: `NAME:LAW`.
+    pub laws: Vec<String>,
+    /// The laws fitted to it: those of its curve by ranges of stretch, then the published ones.
     pub fits: Vec<LibraryFit>,
+    /// Its curve in the repository's `data/`, where there is one.
+    pub data: Option<String>,
     /// Where the data come from.
     pub source: String,
     /// Terms under which the data may be used.
     pub terms: String,
     /// What else one should know.
     pub note: Option<String>,
-    /// The word for `rubber` by which the fit is found that is taken.
+    /// The word for `rubber` by which the fits are found that are taken.
     pub rubber: String,
-    /// What to mind about the fit that is taken.
+    /// What to mind about the fit that is taken in the prototype.
     pub warnings: Vec<String>,
 }
 
@@ -75,8 +85,13 @@ pub struct RubberShowAnswer {
 pub struct LibraryFit {
     /// The law.
     pub law: String,
-    /// Whether it is the one that the name means.
+    /// The same with the number of its terms.
+    pub name: String,
+    /// Whether it is what the name that was asked for means: for muscles up to `reach_up_to`, and beyond the last range with it.
     pub taken: bool,
+    /// Largest stretch that a muscle may reach for this range to be the one that is taken; none for published constants that
+    /// stand for comparison.
+    pub reach_up_to: Option<f64>,
     /// Its constants; those in MPa end in `_mpa`.
     #[serde(flatten)]
     pub constants: BTreeMap<String, f64>,
@@ -86,9 +101,30 @@ pub struct LibraryFit {
     pub up_to_strain: Option<f64>,
     /// R² of the fit.
     pub r_squared: Option<f64>,
-    /// The fit itself.
+    /// What is known of a law that was fitted to the curve.
+    #[serde(flatten)]
+    pub fitted: Option<FittedToCurve>,
+    /// The law itself.
     #[serde(skip)]
-    pub fit: RubberFit,
+    pub fit: Law,
+}
+
+/// What is known of a law that was fitted to a curve.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct FittedToCurve {
+    /// Number of points.
+    pub points: usize,
+    /// `recommended`, `equal` where the data do not tell it from that one, or `behind`.
+    pub standing: String,
+    /// Whether it was held among the laws that are stable in a muscle.
+    pub held: bool,
+    /// Akaike's criterion less that of the recommended law.
+    pub delta_aicc: f64,
+    /// Root mean square of the differences of nominal stress, MPa.
+    pub rms_mpa: f64,
+    /// Largest difference from the recommended law of the stress in planar tension (a wall that widens at constant length), up to
+    /// the end of the data, over the largest stress there.
+    pub planar_difference: f64,
 }
 
 /// All named rubbers.
@@ -97,10 +133,13 @@ pub struct LibraryFit {
 /// [`Problem`] of kind `rubber` where the library is damaged, which no released program should see.
 pub fn rubber_list(_: &RubberListRequest) -> Result<RubberListAnswer, Problem> {
     let one = |entry: &RubberEntry| {
+        let law = rubber(&entry.name)?.law;
         Ok(RubberSummary {
             name: entry.name.clone(),
             title: entry.title.clone(),
-            shear_modulus_mpa: rubber(&entry.name)?.law.shear_modulus_mpa(),
+            law: law.name().into(),
+            shear_modulus_mpa: law.shear_modulus_mpa(),
+            curve: !entry.windows.is_empty(),
             max_strain: entry.max_strain,
             laws: entry.laws().join(" "),
             source: entry.source.clone(),
@@ -115,34 +154,92 @@ pub fn rubber_list(_: &RubberListRequest) -> Result<RubberListAnswer, Problem> {
 /// [`Problem`] of kind `rubber` with the name that was probably meant, or the laws that it has.
 pub fn rubber_show(request: &RubberShowRequest) -> Result<RubberShowAnswer, Problem> {
     let found = rubber(&request.name)?;
-    let (plain, law) = match request.name.split_once(':') {
-        Some((plain, law)) => (plain, Some(law.trim())),
-        None => (request.name.as_str(), None),
-    };
+    let plain = request.name.split(':').next().unwrap_or_default();
     let entry = library::entry(plain)?;
-    // Fits up to different strains may have the same constants: the one that is taken is one of them.
-    let taken = law.map_or_else(|| entry.default_fit(), |law| entry.fit(law));
-    let fit = |fit: &RubberFit| LibraryFit {
-        law: fit.law.name().into(),
-        taken: taken.is_some_and(|taken| std::ptr::eq(taken, fit)),
-        constants: fit.law.constants().into_iter().map(|c| (c.column(), c.value)).collect(),
-        shear_modulus_mpa: fit.law.shear_modulus_mpa(),
-        up_to_strain: fit.up_to_strain,
-        r_squared: fit.r_squared,
-        fit: fit.clone(),
-    };
+    let word = found.name.clone().unwrap_or_else(|| entry.name.clone());
+    let fitted = entry.windows.iter().flat_map(|w| w.laws.iter().map(|l| of_curve(&word, w, l)));
+    let published = entry.fits.iter().map(|fit| as_published(&word, entry, fit));
     Ok(RubberShowAnswer {
         name: entry.name.clone(),
         title: entry.title.clone(),
         max_strain: entry.max_strain,
         max_stress_mpa: entry.max_stress_mpa,
-        fits: entry.fits.iter().map(fit).collect(),
+        laws: entry.laws(),
+        fits: fitted.chain(published).collect(),
+        data: entry.data.clone(),
         source: entry.source.clone(),
         terms: entry.terms.clone(),
         note: entry.note.clone(),
         warnings: library::warnings(&found).iter().map(ToString::to_string).collect(),
-        rubber: found.name.unwrap_or_else(|| entry.name.clone()),
+        rubber: word,
     })
+}
+
+/// Whether a law is what a word means for muscles that reach so far; `None` is the prototype.
+fn means(word: &str, reach: Option<f64>, law: &Law) -> bool {
+    library::find_for(word, reach.unwrap_or(USUAL_REACH)).is_ok_and(|found| found.law == *law)
+}
+
+fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
+    // A hair less, so that rounding does not lead into the next range.
+    let reach = window.fitted_to_stretch / COVERING * (1.0 - 1e-9);
+    let best = window.law(None).map_or(&l.law, |best| &best.law);
+    LibraryFit {
+        law: l.law.name().into(),
+        name: l.name.clone(),
+        taken: means(word, Some(reach), &l.law),
+        reach_up_to: Some(reach),
+        constants: columns(&l.law),
+        shear_modulus_mpa: l.law.shear_modulus_mpa(),
+        up_to_strain: Some(window.fitted_to_stretch - 1.0),
+        r_squared: Some(l.r_squared),
+        fitted: Some(FittedToCurve {
+            points: window.points,
+            standing: match l.standing {
+                Standing::Recommended => "recommended",
+                Standing::Equal => "equal",
+                Standing::Behind => "behind",
+            }
+            .into(),
+            held: l.held,
+            delta_aicc: l.delta_aicc,
+            rms_mpa: l.rms_mpa,
+            planar_difference: planar_difference(&l.law, best, window.fitted_to_stretch),
+        }),
+        fit: l.law.clone(),
+    }
+}
+
+fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit {
+    let alone = entry.windows.is_empty();
+    let end = entry.reach(fit).map(|strain| (1.0 + strain) / COVERING * (1.0 - 1e-9));
+    LibraryFit {
+        law: fit.law.name().into(),
+        name: fit.law.name().into(),
+        taken: alone && means(word, end, &fit.law),
+        reach_up_to: end.filter(|_| alone),
+        constants: columns(&fit.law),
+        shear_modulus_mpa: fit.law.shear_modulus_mpa(),
+        up_to_strain: fit.up_to_strain,
+        r_squared: fit.r_squared,
+        fitted: None,
+        fit: fit.law.clone(),
+    }
+}
+
+fn columns(law: &Law) -> BTreeMap<String, f64> {
+    law.constants().into_iter().map(|c| (c.column(), c.value)).collect()
+}
+
+/// max |P − P_best| over max |P_best| of stretches from 1 to `end`.
+fn planar_difference(law: &Law, best: &Law, end: f64) -> f64 {
+    const STEPS: u32 = 40;
+    let stretches = (1..=STEPS).map(|i| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS));
+    let (apart, largest) = stretches.fold((0.0_f64, f64::MIN_POSITIVE), |(apart, largest), stretch| {
+        let (own, best) = (law.planar_stress_mpa(stretch), best.planar_stress_mpa(stretch));
+        (apart.max((own - best).abs()), largest.max(best.abs()))
+    });
+    apart / largest
 }
 
 impl From<LibraryError> for Problem {

@@ -35,17 +35,22 @@ pub fn list(args: &RubberListArgs, format: Format) -> Result<u8, Failure> {
 
 fn list_text(answer: &RubberListAnswer) -> String {
     let width = answer.rubbers.iter().map(|r| r.name.chars().count()).max().unwrap_or(0);
-    let mut out = format!("  {:<width$}   μ [MPa]   breaks at   title\n", "name");
+    let mut out = format!("  {:<width$}   μ [MPa]   law              breaks at   title\n", "name");
     for rubber in &answer.rubbers {
         let breaks = or_dash(rubber.max_strain, |s| format!("{} %", (100.0 * s).round()));
+        let law = format!("{}{}", rubber.law, if rubber.curve { " *" } else { "" });
         out.push_str(&format!(
-            "  {:<width$}   {:>7}   {breaks:>9}   {}\n",
+            "  {:<width$}   {:>7}   {law:<15}   {breaks:>8}   {}\n",
             rubber.name,
             number(rubber.shear_modulus_mpa, 3),
             rubber.title
         ));
     }
-    out.push_str("\nμ: shear modulus of the fit that is taken when no law is named. `mckibben rubber show NAME` tells more.\n");
+    out.push_str(
+        "\nμ: shear modulus at rest of the law that the name means in the prototype.\n\
+         *: fitted to its curve, up to the stretches that a muscle reaches: another muscle may have another law.\n\
+         `mckibben rubber show NAME` tells more; NAME:LAW asks for another law.\n",
+    );
     out
 }
 
@@ -66,20 +71,100 @@ fn show_text(answer: &RubberShowAnswer) -> String {
         let stress = or_dash(answer.max_stress_mpa, |s| format!(" at {} MPa", number(s, 3)));
         head.push(("breaks at", format!("{} strain{stress}", percent(strain))));
     }
+    if let Some(data) = &answer.data {
+        head.push(("curve", format!("data/{data}")));
+    }
     head.extend([("source", answer.source.clone()), ("terms", answer.terms.clone())]);
     if let Some(note) = &answer.note {
         head.push(("note", note.clone()));
     }
-    let row = |fit: &LibraryFit| {
-        vec![
-            if fit.taken { "→".into() } else { String::new() },
-            law_text(&fit.fit.law),
+    let mut out = pairs(&head);
+    let curve: Vec<&LibraryFit> = answer.fits.iter().filter(|f| f.fitted.is_some()).collect();
+    if curve.is_empty() {
+        return out + "\n" + &published_text(answer);
+    }
+    out.push_str(&format!("\n{}\n{}", by_reach_text(answer, &curve), others_text(answer, &curve)));
+    let published: Vec<_> = answer.fits.iter().filter(|f| f.fitted.is_none()).map(published_row).collect();
+    out.push_str(&format!("\nPublished, for comparison:\n{}", table(&PUBLISHED, published)));
+    out
+}
+
+const PUBLISHED: [&str; 5] = ["", "law and constants", "μ [MPa]", "fitted up to", "R²"];
+
+fn published_row(fit: &LibraryFit) -> Vec<String> {
+    vec![
+        if fit.taken { "→".into() } else { String::new() },
+        law_text(&fit.fit),
+        number(fit.shear_modulus_mpa, 3),
+        or_dash(fit.up_to_strain, percent),
+        or_dash(fit.r_squared, |r| number(r, 5)),
+    ]
+}
+
+/// A rubber without a curve.
+fn published_text(answer: &RubberShowAnswer) -> String {
+    let rows: Vec<_> = answer.fits.iter().map(published_row).collect();
+    let taken = answer.fits.iter().filter(|f| f.taken).count();
+    let which = if taken > 1 { ", each for muscles whose stretches it covers" } else { "" };
+    format!("{}\n→ is taken for --rubber {}{which}\n", table(&PUBLISHED, rows), answer.rubber)
+}
+
+/// What the name means, from the smallest range of stretches to the widest.
+fn by_reach_text(answer: &RubberShowAnswer, curve: &[&LibraryFit]) -> String {
+    let taken: Vec<&&LibraryFit> = curve.iter().filter(|f| f.taken).collect();
+    let row = |(i, fit): (usize, &&&LibraryFit)| {
+        let known = fit.fitted.as_ref()?;
+        let of_range = |f: &&&LibraryFit| f.reach_up_to == fit.reach_up_to && f.name != fit.name;
+        let equal =
+            curve.iter().filter(of_range).filter(|f| standing(f) != "behind").map(|f| f.name.as_str());
+        let equal = equal.collect::<Vec<_>>().join(", ");
+        Some(vec![
+            if i + 1 == taken.len() { "any".into() } else { or_dash(fit.reach_up_to, |r| number(r, 3)) },
+            or_dash(fit.up_to_strain, |s| number(1.0 + s, 3)),
+            known.points.to_string(),
+            law_text(&fit.fit),
             number(fit.shear_modulus_mpa, 3),
-            or_dash(fit.up_to_strain, percent),
-            or_dash(fit.r_squared, |r| number(r, 5)),
-        ]
+            number(1000.0 * known.rms_mpa, 2),
+            if equal.is_empty() { "–".into() } else { equal },
+        ])
     };
-    let header = ["", "law and constants", "μ [MPa]", "fitted up to", "R²"];
-    let rows = answer.fits.iter().map(row).collect();
-    format!("{}\n{}\n→ is taken for --rubber {}\n", pairs(&head), table(&header, rows), answer.rubber)
+    let header = ["reach", "data to", "points", "law and constants", "μ [MPa]", "rms [kPa]", "as good or better"];
+    format!(
+        "--rubber {} means, for muscles that stretch their rubber up to the reach (`mckibben muscle show`):\n{}",
+        answer.rubber,
+        table(&header, taken.iter().enumerate().filter_map(row).collect())
+    )
+}
+
+fn standing(fit: &LibraryFit) -> &str {
+    fit.fitted.as_ref().map_or("", |f| f.standing.as_str())
+}
+
+/// The laws that can be asked for, with the farthest that they come from the recommended one.
+fn others_text(answer: &RubberShowAnswer, curve: &[&LibraryFit]) -> String {
+    let ends: Vec<f64> =
+        curve.iter().filter(|f| standing(f) == "recommended").filter_map(|f| f.up_to_strain).collect();
+    let row = |name: &String| {
+        let mut cells = vec![format!("{}:{name}", answer.name)];
+        cells.extend(ends.iter().map(|end| {
+            let of = |f: &&&LibraryFit| f.up_to_strain == Some(*end) && f.name == *name;
+            let known = curve.iter().find(of).and_then(|f| f.fitted.as_ref());
+            or_dash(known, |f| match f.standing.as_str() {
+                "recommended" => "→".into(),
+                standing => {
+                    let mark = if standing == "equal" { " =" } else { "" };
+                    format!("{} %{mark}", number(100.0 * f.planar_difference, 2))
+                }
+            })
+        }));
+        cells
+    };
+    let mut header = vec!["law".to_owned()];
+    header.extend(ends.iter().map(|end| format!("to {}", number(1.0 + end, 3))));
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    format!(
+        "Laws that can be asked for, and how far they part from the recommended one (→) in planar tension, by the end of the data\n\
+         (=: the data do not tell it from that one):\n{}",
+        table(&header, answer.laws.iter().map(row).collect())
+    )
 }

@@ -76,6 +76,8 @@ fn varied(muscle: &Muscle, by: &[f64; Tolerances::COUNT]) -> Result<(Muscle, f64
     tube.wall_mm += wall;
     tube.outer_diameter_mm += diameter;
     tube.length_mm += length;
+    // The same rubber: the law of a named one would follow the measures.
+    tube.rubber.name = None;
     if modulus != 0.0 {
         tube.rubber.law = tube.rubber.law.scaled(1.0 + modulus);
     }

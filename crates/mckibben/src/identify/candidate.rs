@@ -96,8 +96,11 @@ impl Candidate {
         }
         tube.rubber.law = tube.rubber.law.scaled(factor);
         if tube.rubber.law != base.tube().rubber.law {
-            tube.rubber.name = None;
             tube.rubber.fitted_to_stretch = None;
+        }
+        // Constants that are sought are those of every row of the data; the law of a named rubber would follow its measures.
+        if values.iter().any(|v| matches!(v.0, Target::Law(_) | Target::Modulus)) {
+            tube.rubber.name = None;
         }
         let family = has_family.then_some(family);
         if let Some(family) = &family {

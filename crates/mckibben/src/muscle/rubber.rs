@@ -61,7 +61,8 @@ impl From<WrittenBulk> for Bulk {
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Rubber {
-    /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one.
+    /// Name in the library of rubbers (`paper`, `dragon-skin-30`), where it has one. A muscle gives a rubber of the library the
+    /// law for its own stretches; with other constants a name is only a name.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
     /// The law and its constants.
@@ -95,6 +96,15 @@ impl Rubber {
     /// Whether this is the paper's rubber, unchanged.
     pub fn is_paper(&self) -> bool {
         self.law == Self::paper().law && self.bulk == Bulk::Incompressible
+    }
+
+    /// What to know of a stretch beyond the data that the constants were fitted to; `None` where the data reach so far.
+    pub fn stretch_warning(&self, stretch: f64) -> Option<String> {
+        let limit = self.fitted_to_stretch.filter(|limit| stretch > *limit)?;
+        let name = self.name.as_deref().unwrap_or("this rubber");
+        Some(format!(
+            "the rubber is stretched to {stretch:.2} at the bore; the constants of {name} were fitted up to {limit:.2}"
+        ))
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {

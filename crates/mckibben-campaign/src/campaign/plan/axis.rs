@@ -165,10 +165,8 @@ impl Inputs {
                 Measure::Constant(name) => tube.rubber.law = with_constant(&tube.rubber.law, name, value),
             }
         }
-        // The constants are no longer those of a named rubber.
-        if tube.rubber.law != base.tube().rubber.law {
-            tube.rubber.name = None;
-        }
+        // All muscles of a plan are made of one rubber, that of the base muscle; the law of a named one would follow the measures.
+        tube.rubber.name = None;
         Self { tube, angle_deg: braid.angle_deg, stiffness: braid.stiffness, braid }
     }
 

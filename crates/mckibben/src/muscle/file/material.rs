@@ -37,12 +37,17 @@ fn own(section: &Section<'_>) -> Result<Rubber, FileError> {
         }
     }
     section.only(&[COMMON, &constants].concat(), &ALL)?;
-    Ok(Rubber {
+    let mut rubber = Rubber {
         name: section.text("name", "a text in quotes")?.map(str::to_string),
         law: law_of(section, kind)?,
         bulk: bulk(section)?,
         fitted_to_stretch: fitted_to_stretch(section)?,
-    })
+    };
+    // Constants that are written are those of this muscle, also where they are the library's for another one.
+    if library::follows(&rubber) {
+        rubber.name = None;
+    }
+    Ok(rubber)
 }
 
 fn fitted_to_stretch(section: &Section<'_>) -> Result<Option<f64>, FileError> {

@@ -19,7 +19,7 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.key("outer_diameter", &quantity(tube.outer_diameter_mm, "mm"), "");
     out.key("wall_thickness", &quantity(tube.wall_mm, "mm"), "");
     out.key("length", &quantity(tube.length_mm, "mm"), "between the terminals");
-    out.rubber(&tube.rubber);
+    out.rubber(&tube.rubber, muscle.reach());
     out.braid(muscle.braid(), tube.outer_diameter_mm);
     out.table("terminals");
     let insertion = quantity(muscle.terminals().insertion_mm, "mm");
@@ -76,8 +76,9 @@ impl Text {
         self.line(&line);
     }
 
-    fn rubber(&mut self, rubber: &Rubber) {
-        let named = rubber.name.as_deref().filter(|n| library::find(n).is_ok_and(|r| r == *rubber));
+    fn rubber(&mut self, rubber: &Rubber, reach: f64) {
+        let found = |name: &&str| library::find_for(name, reach).is_ok_and(|r| r == *rubber);
+        let named = rubber.name.as_deref().filter(found);
         if let Some(name) = named {
             self.key("rubber", &text(name), "or [tube.material] with a law and its constants");
             return;

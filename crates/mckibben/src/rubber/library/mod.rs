@@ -11,7 +11,7 @@ mod named;
 mod read;
 mod window;
 
-pub use named::{find, find_for, of_equal_standing};
+pub use named::{COVERING, USUAL_REACH, find, find_for, of_equal_standing};
 pub(crate) use named::{following, follows};
 pub use window::{Standing, Window, WindowLaw, windows_of};
 
