@@ -6,6 +6,7 @@ use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
+use crate::warnings;
 use crate::words::{PressureUnit, number};
 use mckibben::answer::{Options, point};
 use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
@@ -103,6 +104,8 @@ pub struct CompareAnswer {
     pub understood: Vec<UnderstoodTable>,
     /// The models.
     pub models: Vec<ComparedModel>,
+    /// What the user should know of the muscle and its rubber, in sentences.
+    pub warnings: Vec<String>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -222,6 +225,12 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         return Err(first.unwrap_or_else(|| Problem::missing("models", "at least one model")));
     }
     let points = reference.unwrap_or_default();
+    let asked: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
+    let stretches = compared.iter_mut().map(|c| {
+        let stretch = warnings::largest_stretch(&*c.model, &mut c.workspace, &asked, options);
+        c.model.muscle().tube().rubber.stretch_warning(stretch?).zip(stretch)
+    });
+    let beyond = stretches.flatten().max_by(|a, b| a.1.total_cmp(&b.1)).map(|found| found.0);
     let figure = request.figure.map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
         let fits: String = fits.map(|c| format!(". {} fitted: {}", c.row.model, c.row.fitted())).collect();
@@ -238,6 +247,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         muscle: (&muscle).into(),
         understood: understood.into_iter().collect(),
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
+        warnings: muscle.warnings().into_iter().chain(beyond).collect(),
         figure,
     })
 }

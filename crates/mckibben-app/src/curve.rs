@@ -6,6 +6,7 @@ use crate::muscle::MuscleSummary;
 use crate::point::{finite, no_ratio, pull};
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
+use crate::warnings;
 use crate::words::PressureUnit;
 use mckibben::analysis::{AnalysisError, free_contraction};
 use mckibben::answer::{Answer, Options};
@@ -157,18 +158,12 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
         test: request.test,
         muscle,
         fixed,
-        warnings: gravest(&list),
         points: list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect(),
+        warnings: warnings::of_points(answered(&list)),
         figure,
         problem: all_failed(&list),
         curves: list,
     })
-}
-
-/// The warnings of all points, of each kind the gravest.
-fn gravest(list: &[Curve]) -> Vec<Warning> {
-    let answers = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok());
-    Warning::gravest(answers.flat_map(|a| &a.warnings))
 }
 
 /// Contractions from 0 by a round step to the free contraction at the highest pressure, which is the last one of a closed list, or to
@@ -243,6 +238,11 @@ pub(crate) fn check_count(counts: &[usize], most: usize) -> Result<(), Problem> 
         format!("{points} points are more than {most}"),
         "take larger steps",
     ))
+}
+
+/// The answers of curves.
+pub(crate) fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl Iterator<Item = &'a Answer> {
+    list.into_iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok())
 }
 
 /// Where every point fails: the first of the gravest reasons.

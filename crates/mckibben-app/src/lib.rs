@@ -46,6 +46,7 @@ mod show;
 mod simulate;
 mod study;
 mod validate;
+mod warnings;
 pub mod words;
 
 #[cfg(feature = "files")]

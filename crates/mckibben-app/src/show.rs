@@ -45,6 +45,8 @@ pub struct MuscleShowAnswer {
     pub constants_mpa: BTreeMap<String, f64>,
     /// Shear modulus μ at rest, MPa.
     pub shear_modulus_mpa: f64,
+    /// Largest stretch of the data behind the constants, where it is known.
+    pub fitted_to_stretch: Option<f64>,
     /// Bulk modulus, MPa; none for an incompressible rubber.
     pub bulk_modulus_mpa: Option<f64>,
     /// Stiffness k of one strand family, N/mm; none for inextensible strands.
@@ -76,6 +78,8 @@ pub struct Derived {
     pub strand_length_per_turn_mm: f64,
     /// Contraction at which the ideal muscle no longer pulls.
     pub max_ideal_contraction: f64,
+    /// Largest stretch of the rubber there, at the bore: the reach by which a named rubber has its law.
+    pub reach: f64,
     /// Cavity at rest, mm³.
     pub volume_mm3: f64,
 }
@@ -125,13 +129,21 @@ pub struct Characteristics {
 pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
     let characteristics = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
-    let (sheet, law) = (muscle.build_sheet(), &muscle.tube().rubber.law);
-    let warnings = library::warnings(&muscle.tube().rubber);
+    let (sheet, rubber) = (muscle.build_sheet(), &muscle.tube().rubber);
+    let (law, reach) = (&rubber.law, muscle.reach());
+    let warnings = library::warnings(rubber);
+    let beyond = rubber.fitted_to_stretch.filter(|limit| reach > *limit).map(|limit| {
+        format!(
+            "free to contract, this muscle stretches its rubber to {reach:.2} at the bore; the constants of {} were fitted up to {limit:.2}",
+            rubber.name.as_deref().unwrap_or("this rubber")
+        )
+    });
     Ok(MuscleShowAnswer {
         summary: (&muscle).into(),
         law: law.name().into(),
         constants_mpa: law.constants().into_iter().map(|c| (c.name, c.value)).collect(),
         shear_modulus_mpa: law.shear_modulus_mpa(),
+        fitted_to_stretch: rubber.fitted_to_stretch,
         bulk_modulus_mpa: match muscle.tube().rubber.bulk {
             Bulk::Incompressible => None,
             Bulk::Modulus(k) => Some(k),
@@ -143,6 +155,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             turns: muscle.turns(),
             strand_length_per_turn_mm: muscle.strand_length_per_turn_mm(),
             max_ideal_contraction: muscle.max_ideal_contraction(),
+            reach,
             volume_mm3: muscle.rest_volume_mm3(),
         },
         build_sheet: BuildSheetAnswer {
@@ -153,7 +166,12 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             strands: sheet.strands,
             rubber_volume_mm3: sheet.rubber_volume_mm3,
         },
-        warnings: muscle.warnings().into_iter().chain(warnings.iter().map(ToString::to_string)).collect(),
+        warnings: muscle
+            .warnings()
+            .into_iter()
+            .chain(warnings.iter().map(ToString::to_string))
+            .chain(beyond)
+            .collect(),
         characteristics,
         muscle,
     })

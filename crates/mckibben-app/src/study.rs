@@ -1,14 +1,16 @@
 //! `curve --study`: the paper's thickness study.
 
-use crate::curve::PointRow;
+use crate::curve::{PointRow, answered};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
+use crate::warnings;
 use crate::words::PressureUnit;
 use mckibben::curve::Test;
 use mckibben::study::{Finding, Study, thickness};
+use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -41,6 +43,9 @@ pub struct StudyAnswer {
     pub findings: Vec<FindingAnswer>,
     /// The points of all curves.
     pub points: Vec<StudyRow>,
+    /// What the user should know, in sentences: those of the points, once a wall.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -91,6 +96,8 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer, Problem> {
         let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");
         figure::study(&study, &about, unit)
     });
+    let curves = study.panels.iter().flat_map(|p| &p.curves).map(|c| &c.curve);
+    let warnings = warnings::of_points(answered(curves));
     let finding =
         |f: &Finding| FindingAnswer { statement: f.statement.into(), ours: f.ours.clone(), holds: f.holds };
     let points = study.panels.iter().flat_map(|panel| {
@@ -109,6 +116,7 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer, Problem> {
         test: "thickness".into(),
         findings: study.findings.iter().map(finding).collect(),
         points: points.collect(),
+        warnings,
         figure,
         study,
     })

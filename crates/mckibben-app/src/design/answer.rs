@@ -8,7 +8,7 @@ use mckibben::design::{
     Spec, Spread,
 };
 use mckibben::model::Response;
-use mckibben::warning::{Warning, of_response};
+use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -378,9 +378,7 @@ impl ClosestAnswer {
 
 /// What the user should know of a candidate: of its muscle, and of its operating points.
 fn warnings(c: &Candidate) -> Vec<Warning> {
-    let said = c.muscle.warnings().into_iter().map(Warning::from);
-    let points = c.points.iter().flat_map(|q| of_response(&c.muscle, &q.response));
-    Warning::gravest(&said.chain(points).collect::<Vec<_>>())
+    crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response))
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.

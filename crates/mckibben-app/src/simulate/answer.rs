@@ -7,6 +7,7 @@ use crate::problem::Problem;
 use mckibben::curve::Test;
 use mckibben::model::Response;
 use mckibben::status::Status;
+use mckibben::warning::Warning;
 use mckibben_report::{Figure, Scene};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -24,6 +25,9 @@ pub struct SimulateAnswer {
     pub points: Vec<SimulatedRow>,
     /// What the user should know of the mesh.
     pub notes: Vec<String>,
+    /// What the user should know, of each kind the gravest.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,

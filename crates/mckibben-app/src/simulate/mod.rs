@@ -12,6 +12,7 @@ use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
+use crate::warnings;
 use mckibben::answer::Options;
 use mckibben::curve::Test;
 use mckibben::model::{ForceModel, Response, ThickWall, Workspace};
@@ -178,6 +179,8 @@ pub fn simulate(
     let problem = all_failed(&simulated);
     let figure = request.figure.filter(|_| problem.is_none());
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
+    let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
+    let warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let picture = match (&request.picture, last) {
         (Some(fields), Some(response)) => {
             let shape = meshed.shape(workspace, &response, Extent::Whole)?;
@@ -191,6 +194,7 @@ pub fn simulate(
         muscle: summary,
         points: simulated.iter().map(SimulatedRow::from).collect(),
         notes: simulation.notes(workspace),
+        warnings,
         figure,
         deck,
         picture,

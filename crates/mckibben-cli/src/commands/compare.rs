@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use crate::files;
 use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
-use crate::output::show;
 use crate::output::text::{number, percent, table, understood};
+use crate::output::{show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, points};
@@ -83,7 +83,11 @@ pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
     };
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    show(&answer, format, "models", || as_text(args, &answer), args.output.output.as_deref())?;
+    let text = || {
+        answer.warnings.iter().for_each(warn);
+        as_text(args, &answer)
+    };
+    show(&answer, format, "models", text, args.output.output.as_deref())?;
     Ok(0)
 }
 

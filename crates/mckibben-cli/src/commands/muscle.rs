@@ -77,6 +77,13 @@ fn flat(value: &Value) -> Value {
     Value::Object(out)
 }
 
+/// How far the muscle stretches its rubber, and how far the rubber is known.
+fn reach_text(m: &Muscle) -> String {
+    let known = m.tube().rubber.fitted_to_stretch;
+    let known = known.map_or_else(String::new, |end| format!(", fitted up to {}", number(end, 3)));
+    format!("to {} at the bore{known}", number(m.reach(), 3))
+}
+
 fn as_text(m: &Muscle) -> String {
     let mm = |v: f64| format!("{} mm", number(v, 5));
     let rubber = &m.tube().rubber;
@@ -95,6 +102,7 @@ fn as_text(m: &Muscle) -> String {
         ("braid angle θ0", format!("{}°", number(m.braid().angle_deg, 5))),
         ("rubber", rubber_name(m)),
         ("law", law_text(&rubber.law)),
+        ("stretched, at most", reach_text(m)),
         ("shear modulus", format!("{} MPa", number(rubber.law.shear_modulus_mpa(), 4))),
         ("bulk modulus", bulk),
         ("braid", stiffness),

@@ -128,7 +128,8 @@ fn by_reach_text(answer: &RubberShowAnswer, curve: &[&LibraryFit]) -> String {
             if equal.is_empty() { "–".into() } else { equal },
         ])
     };
-    let header = ["reach", "data to", "points", "law and constants", "μ [MPa]", "rms [kPa]", "as good or better"];
+    let header =
+        ["reach", "data to", "points", "law and constants", "μ [MPa]", "rms [kPa]", "as good or better"];
     format!(
         "--rubber {} means, for muscles that stretch their rubber up to the reach (`mckibben muscle show`):\n{}",
         answer.rubber,

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields, pressure_unit};
 use crate::output::text::{PressureUnit, number, or_dash, percent, table};
-use crate::output::{save, show};
+use crate::output::{save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -139,6 +139,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         return Err(problem.into());
     }
     let text = || {
+        answer.warnings.iter().for_each(warn);
         let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
         as_text(&answer, unit) + &opened.unwrap_or_default()
     };

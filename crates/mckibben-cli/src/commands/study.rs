@@ -3,8 +3,8 @@
 use super::curve::CurveArgs;
 use crate::failure::Failure;
 use crate::flags::{Format, pressure_unit};
-use crate::output::show;
 use crate::output::text::{PressureUnit, number, percent, table};
+use crate::output::{show, warn};
 use crate::plot;
 use mckibben::curve::Test;
 use mckibben::study::{Study, StudyPanel};
@@ -21,7 +21,10 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit),
     })?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    let text = || as_text(&answer.study, unit);
+    let text = || {
+        answer.warnings.iter().for_each(warn);
+        as_text(&answer.study, unit)
+    };
     show(&answer, format, "points", text, args.output.output.as_deref())?;
     Ok(0)
 }

@@ -1,0 +1,38 @@
+//! Sentences for a whole answer, once each, in place of one a point.
+
+use mckibben::analysis::Options;
+use mckibben::answer::{Answer, point};
+use mckibben::model::{ForceModel, Response, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::warning::{Warning, of_response};
+
+/// What points of a muscle warn of: each sentence once, of each kind the gravest.
+pub(crate) fn of_points<'a>(answers: impl Iterator<Item = &'a Answer>) -> Vec<Warning> {
+    Warning::gravest(answers.flat_map(|a| &a.warnings))
+}
+
+/// The same of responses of one muscle.
+pub(crate) fn of_responses<'a>(
+    muscle: &Muscle,
+    responses: impl Iterator<Item = &'a Response>,
+) -> Vec<Warning> {
+    let said = muscle.warnings().into_iter().map(Warning::from);
+    let all: Vec<Warning> = said.chain(responses.flat_map(|r| of_response(muscle, r))).collect();
+    Warning::gravest(&all)
+}
+
+/// The largest stretch of a model's rubber at points of pressure in MPa and contraction: at each pressure that of the largest
+/// contraction that is not slack, since contraction stretches the wall. `None` where the rubber's data have no end.
+pub(crate) fn largest_stretch(
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    points: &[(f64, f64)],
+    options: Options,
+) -> Option<f64> {
+    model.muscle().tube().rubber.fitted_to_stretch?;
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
+    let mut stretch =
+        |&(p, e): &(f64, f64)| point(model, workspace, p, e, options).ok()?.response.rubber_stretch();
+    sorted.chunk_by(|a, b| a.0 == b.0).filter_map(|same| same.iter().find_map(&mut stretch)).reduce(f64::max)
+}
