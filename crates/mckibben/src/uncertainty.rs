@@ -7,7 +7,8 @@
 //! - `mesh`: finite elements against the limit of fine meshes;
 //! - `measured`: finite elements against measured muscles, √[((a + b ε/ε_max) F0)² + (c μ A)²], with F0 the blocked force at the same
 //!   pressure, ε_max the ideal muscle's largest contraction, μ the rubber's shear modulus and A the wall's cross-section at rest;
-//! - `rubber`: what laws of equal standing disagree on;
+//! - `rubber`: what laws of equal standing with the one that a named rubber has disagree on, the largest difference of their pulls by
+//!   the thick-wall model;
 //! - `friction`: half the width of the hysteresis loop, where the muscle does not state its friction.
 //!
 //! a, b and c come from four sets of measured muscles (hand-made, 20°; DMSP-20-300; DMSP-10-250; DMSP-10 hose in three lengths), each
@@ -15,9 +16,10 @@
 //! every set (means of branches). The loop's width is what holds 95 % of the single branches of the two sets that have them.
 //! `mckibben validate` prints the coverage of every set. A muscle whose rubber was not identified from its own pull may be further off.
 
-use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, Workspace};
-use crate::muscle::Muscle;
+use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, ThickWall, Workspace};
+use crate::muscle::{Muscle, Tube};
 use crate::rubber::RubberLaw;
+use crate::rubber::library::of_equal_standing;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -31,7 +33,7 @@ const MEASURED_BY_WALL: f64 = 0.35;
 const FRICTION: f64 = 0.12;
 
 /// What is known of every ± besides the model's own part, in a sentence.
-pub const STORY: &str = "measured: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which hold 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; friction: 12 % of the blocked force where the muscle does not state its friction, which holds 95 % of single branches; all parts add as squares";
+pub const STORY: &str = "measured: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which hold 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law of equal standing makes, by thick-wall; friction: 12 % of the blocked force where the muscle does not state its friction, which holds 95 % of single branches; all parts add as squares";
 
 /// The parts of a ±, each a 95 % half-width in N.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -98,7 +100,7 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
     Some(UncertaintyParts {
         formula,
         mesh: model.mesh_error_n(workspace, pressure_mpa, contraction, force_n),
-        rubber: None,
+        rubber: rubber_n(workspace, muscle, pressure_mpa, contraction),
         measured: Some(measured_n(muscle, blocked, contraction)),
         friction: muscle.friction().is_none().then_some(FRICTION * blocked),
     })
@@ -116,6 +118,18 @@ pub fn with_friction_n(measured_n: f64, blocked_n: f64) -> f64 {
     measured_n.hypot(FRICTION * blocked_n)
 }
 
+/// The largest difference that another law of equal standing makes, in N; `None` of a rubber that has no such laws.
+fn rubber_n(workspace: &mut Workspace, muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
+    let others = of_equal_standing(muscle);
+    let mut pull = |m: &Muscle| ThickWall::new(m).force_n(workspace, pressure_mpa, contraction).ok();
+    let own = pull(muscle).filter(|_| !others.is_empty())?;
+    let differences = others.into_iter().filter_map(|rubber| {
+        let tube = Tube { rubber, ..muscle.tube().clone() };
+        Some((pull(&muscle.with_tube(tube).ok()?)? - own).abs())
+    });
+    differences.reduce(f64::max)
+}
+
 /// μ A in N.
 fn wall_n(muscle: &Muscle) -> f64 {
     let tube = muscle.tube();
@@ -126,7 +140,7 @@ fn wall_n(muscle: &Muscle) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::{Ideal, ThickWall};
+    use crate::model::Ideal;
     use crate::muscle::Friction;
 
     #[test]
@@ -134,6 +148,22 @@ mod tests {
         let parts = UncertaintyParts { formula: Some(3.0), friction: Some(4.0), ..Default::default() };
         assert_eq!(parts.total_n(), 5.0);
         assert_eq!(parts.named().map(|p| p.0).collect::<Vec<_>>(), ["formula", "friction"]);
+    }
+
+    #[test]
+    fn laws_that_disagree_are_a_part() {
+        let tube = |name: &str| Tube {
+            rubber: crate::rubber::library::find(name).unwrap(),
+            ..Muscle::prototype().tube().clone()
+        };
+        let w = &mut Workspace::new();
+        let part = |m: &Muscle, w: &mut Workspace| {
+            uncertainty(&ThickWall::new(m), w, 0.25, 0.2, 100.0).unwrap().rubber
+        };
+        let named = Muscle::prototype().with_tube(tube("soloplast-150318")).unwrap();
+        let others = of_equal_standing(&named);
+        assert_eq!(part(&named, w).is_some(), !others.is_empty());
+        assert_eq!(part(&Muscle::prototype(), w), None);
     }
 
     #[test]

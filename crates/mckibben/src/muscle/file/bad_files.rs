@@ -76,7 +76,11 @@ const BAD: &[(&str, usize, &str)] = &[
         2,
         "there is no rubber named \"dragonskin-30\" (did you mean dragon-skin-30?)",
     ),
-    ("[tube]\nrubber = \"rebound-25:gent\"", 2, "rebound-25 has no fit of the law \"gent\"; it has neo-hookean"),
+    (
+        "[tube]\nrubber = \"rebound-25:gent\"",
+        2,
+        "rebound-25 has no fit of the law \"gent\"; it has neo-hookean",
+    ),
     ("[tube]\nrubber = 30", 2, "tube.rubber = 30: is a number; expected the name of a rubber"),
     (
         "[tube]\nrubber = \"paper\"\n[tube.material]\nlaw = \"neo-hookean\"\nmu = 1",

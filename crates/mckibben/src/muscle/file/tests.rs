@@ -289,7 +289,10 @@ fn named_rubbers_are_written_by_name() {
     let rubber = library::find("dragon-skin-30").unwrap();
     let text = with(Rubber { law: rubber.law.scaled(2.0), ..rubber });
     assert!(text.contains("[tube.material]\nname = \"dragon-skin-30\""), "{text}");
-    assert!(text.contains("c10 = \"0.178750676 MPa\"") && text.contains("fitted_to_stretch = 2.4773"), "{text}");
+    assert!(
+        text.contains("c10 = \"0.178750676 MPa\"") && text.contains("fitted_to_stretch = 2.4773"),
+        "{text}"
+    );
 }
 
 /// The factors of single models stand in tables of these models; files from before, that have them under the terminals, say
