@@ -83,7 +83,7 @@ pub enum PointRow {
     Answered {
         /// The answer.
         #[serde(flatten)]
-        answer: Answer,
+        answer: Box<Answer>,
         /// `ok`.
         status: Status,
     },
@@ -111,7 +111,7 @@ pub struct FailedPoint {
 impl From<&CurvePoint> for PointRow {
     fn from(point: &CurvePoint) -> Self {
         match &point.answer {
-            Ok(answer) => Self::Answered { answer: answer.clone(), status: Status::Ok },
+            Ok(answer) => Self::Answered { answer: Box::new(answer.clone()), status: Status::Ok },
             Err(error) => Self::Failed(FailedPoint {
                 pressure_mpa: point.pressure_mpa,
                 contraction: point.contraction,

@@ -1,34 +1,38 @@
 //! From the texts of flags to numbers.
 
 use crate::failure::Failure;
-use crate::output::warn;
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
 use mckibben_app::ProblemKind;
-use std::sync::Once;
+use std::sync::OnceLock;
 
 /// A quantity from a flag.
 pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<f64>, Failure> {
-    mind_the_unit(flag, text, dimension);
     let wrong = |e| Failure::flag(flag, ProblemKind::Quantity, e);
-    text.map(|t| parse_quantity(t, dimension).map_err(wrong)).transpose()
+    let one =
+        |t: &str| parse_quantity(t, dimension).map_err(wrong).inspect(|_| mind_the_unit(flag, t, dimension));
+    text.map(one).transpose()
 }
 
-/// Says once that a bare number is a pressure in MPa, where that is so high that bar was probably meant.
-fn mind_the_unit(flag: &str, text: Option<&str>, dimension: Dimension) {
-    static SAID: Once = Once::new();
+/// What to mind about the unit of a pressure that was typed.
+static MIND: OnceLock<String> = OnceLock::new();
+
+/// What the user should mind about a pressure that was typed as a bare number; to be said beside an answer.
+pub fn to_mind() -> Option<&'static str> {
+    MIND.get().map(String::as_str)
+}
+
+/// A bare number is a pressure in MPa; where that is high, bar was probably meant.
+fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
     const HIGH_MPA: f64 = 1.0;
-    let Some(text) = text.filter(|_| dimension == Dimension::Pressure && flag.ends_with("pressure")) else {
+    if dimension != Dimension::Pressure || !flag.ends_with("pressure") {
         return;
-    };
-    let bare =
-        text.split([',', ':']).flat_map(|part| part.split("..")).map(|part| part.trim().parse::<f64>());
-    let Ok(numbers) = bare.collect::<Result<Vec<f64>, _>>() else { return };
-    if let Some(high) = numbers.into_iter().find(|p| *p >= HIGH_MPA) {
-        SAID.call_once(|| {
-            warn(format!(
-                "{flag} {text}: a bare {high} is {high} MPa = {} bar; for bar write {high}bar",
-                10.0 * high
-            ));
+    }
+    let parts = text.split([',', ':']).flat_map(|part| part.split(".."));
+    let numbers: Result<Vec<f64>, _> = parts.map(|part| part.trim().parse::<f64>()).collect();
+    if let Some(high) = numbers.ok().and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA)) {
+        let bar = 10.0 * high;
+        MIND.get_or_init(|| {
+            format!("{flag} {text}: a bare {high} is {high} MPa = {bar} bar; for bar write {high}bar")
         });
     }
 }
@@ -60,12 +64,13 @@ fn no_contraction(flag: &str, text: &str, e: f64) -> Failure {
 
 /// A list or range from a flag.
 pub fn values(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<Option<Values>, Failure> {
-    mind_the_unit(flag, text, dimension);
     let wrong = |e: RangeError| {
         let quantity = matches!(e, RangeError::Quantity(_));
         Failure::flag(flag, if quantity { ProblemKind::Quantity } else { ProblemKind::Range }, e)
     };
-    text.map(|t| parse_values(t, dimension).map_err(wrong)).transpose()
+    let all =
+        |t: &str| parse_values(t, dimension).map_err(wrong).inspect(|_| mind_the_unit(flag, t, dimension));
+    text.map(all).transpose()
 }
 
 /// A list or range as points; an interval without a step is cut into `divisions` parts.

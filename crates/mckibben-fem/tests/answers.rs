@@ -3,9 +3,8 @@
 use mckibben::analysis::{contraction_at, free_contraction, pressure_at, start_pressure_mpa};
 use mckibben::answer::{Options, force, point};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Muscle;
 use mckibben::muscle::file::parse_muscle;
-use mckibben::muscle::{Muscle, Tube};
-use mckibben::rubber::library;
 use mckibben_fem::axisymmetric::{Axisymmetric, sweep};
 
 /// P and ε for which a muscle that was thrown pulls, with its model.
@@ -67,14 +66,12 @@ fn past_its_free_contraction_a_muscle_hangs_slack() {
 /// implementation of the same elements.
 #[test]
 fn the_pressure_is_sought_from_where_the_muscle_is_taut() {
-    let muscle = parse_muscle("[braid]\nangle = 21.82\nstiffness = 1805.2\n").unwrap();
-    let tube = Tube {
-        outer_diameter_mm: 30.83,
-        wall_mm: 3.0,
-        length_mm: 471.2,
-        rubber: library::find("dragon-skin-30:neo-hookean").unwrap(),
-    };
-    let muscle: Muscle = muscle.with_tube(tube).unwrap();
+    let muscle = parse_muscle(
+        "[tube]\nouter_diameter = 30.83\nwall_thickness = 3\nlength = 471.2\n\
+         [tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2866\n\
+         [braid]\nangle = 21.82\nstiffness = 1805.2\n",
+    )
+    .unwrap();
     let model = Axisymmetric::new(&muscle).unwrap();
     let w = &mut Workspace::new();
     let p = pressure_at(&model, w, 82.390_691_47, 0.2042, Options::default()).unwrap();

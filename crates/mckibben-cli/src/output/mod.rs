@@ -8,6 +8,7 @@ pub use write::{emit, save, warn};
 
 use crate::failure::Failure;
 use crate::flags::Format;
+use crate::quantities::to_mind;
 use mckibben_app::ProblemKind;
 use serde::Serialize;
 use serde_json::Value;
@@ -29,7 +30,10 @@ pub fn show<T: Serialize>(
     path: Option<&Path>,
 ) -> Result<(), Failure> {
     let out = match format {
-        Format::Text => text(),
+        Format::Text => {
+            to_mind().into_iter().for_each(warn);
+            text()
+        }
         Format::Json => format!("{:#}\n", json(answer)?),
         Format::Csv => match json(answer)? {
             value if rows.is_empty() => csv::rows(&[value])?,

@@ -121,7 +121,6 @@ pub struct Formula {
 /// What a formula's file holds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
-#[expect(clippy::large_enum_variant, reason = "one at a time, on its way into an Arc")]
 pub enum Document {
     /// A formula for muscles of one make.
     Section(Formula),

@@ -1,6 +1,7 @@
 //! What can vary, and the measures of a muscle that come of it.
 
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Tube};
+use mckibben::rubber::library;
 use mckibben::rubber::{Constant, Law};
 use mckibben::units::{Dimension, Values};
 use std::sync::LazyLock;
@@ -166,7 +167,9 @@ impl Inputs {
             }
         }
         // All muscles of a plan are made of one rubber, that of the base muscle; the law of a named one would follow the measures.
-        tube.rubber.name = None;
+        if tube.rubber.law != base.tube().rubber.law || library::follows(&tube.rubber) {
+            tube.rubber.name = None;
+        }
         Self { tube, angle_deg: braid.angle_deg, stiffness: braid.stiffness, braid }
     }
 

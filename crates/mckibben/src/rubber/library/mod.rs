@@ -11,8 +11,8 @@ mod named;
 mod read;
 mod window;
 
-pub use named::{COVERING, USUAL_REACH, find, find_for, of_equal_standing};
-pub(crate) use named::{following, follows};
+pub(crate) use named::following;
+pub use named::{COVERING, USUAL_REACH, find, find_for, follows, of_equal_standing};
 pub use window::{Standing, Window, WindowLaw, windows_of};
 
 use super::{Law, Stability, biaxial_stability};

@@ -58,7 +58,7 @@ pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
 }
 
 /// Whether a rubber is one of the library whose law follows the muscle.
-pub(crate) fn follows(rubber: &Rubber) -> bool {
+pub fn follows(rubber: &Rubber) -> bool {
     rubber.name.as_deref().and_then(exactly).is_some_and(|(entry, law)| {
         entry.each(law).count() > 1 && entry.each(law).any(|f| entry.rubber(law, f) == *rubber)
     })
