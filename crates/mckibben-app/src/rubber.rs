@@ -87,8 +87,10 @@ pub struct LibraryFit {
     pub law: String,
     /// The same with the number of its terms.
     pub name: String,
-    /// Whether it is what the name that was asked for means: for muscles up to `reach_up_to`, and beyond the last range with it.
+    /// Whether it is what the name that was asked for means in the prototype.
     pub taken: bool,
+    /// Whether it is what the name means in muscles up to `reach_up_to`, and beyond the last range.
+    pub meant: bool,
     /// Largest stretch that a muscle may reach for this range to be the one that is taken; none for published constants that
     /// stand for comparison.
     pub reach_up_to: Option<f64>,
@@ -175,9 +177,10 @@ pub fn rubber_show(request: &RubberShowRequest) -> Result<RubberShowAnswer, Prob
     })
 }
 
-/// Whether a law is what a word means for muscles that reach so far; `None` is the prototype.
-fn means(word: &str, reach: Option<f64>, law: &Law) -> bool {
-    library::find_for(word, reach.unwrap_or(USUAL_REACH)).is_ok_and(|found| found.law == *law)
+/// Whether a law, fitted up to a stretch, is what a word means for muscles that reach so far; `None` is the prototype.
+fn means(word: &str, reach: Option<f64>, law: &Law, fitted_to_stretch: Option<f64>) -> bool {
+    library::find_for(word, reach.unwrap_or(USUAL_REACH))
+        .is_ok_and(|found| found.law == *law && found.fitted_to_stretch == fitted_to_stretch)
 }
 
 fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
@@ -187,7 +190,8 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
     LibraryFit {
         law: l.law.name().into(),
         name: l.name.clone(),
-        taken: means(word, Some(reach), &l.law),
+        taken: means(word, None, &l.law, Some(window.fitted_to_stretch)),
+        meant: means(word, Some(reach), &l.law, Some(window.fitted_to_stretch)),
         reach_up_to: Some(reach),
         constants: columns(&l.law),
         shear_modulus_mpa: l.law.shear_modulus_mpa(),
@@ -212,11 +216,13 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
 
 fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit {
     let alone = entry.windows.is_empty();
-    let end = entry.reach(fit).map(|strain| (1.0 + strain) / COVERING * (1.0 - 1e-9));
+    let fitted = entry.reach(fit).map(|strain| 1.0 + strain);
+    let end = fitted.map(|stretch| stretch / COVERING * (1.0 - 1e-9));
     LibraryFit {
         law: fit.law.name().into(),
         name: fit.law.name().into(),
-        taken: alone && means(word, end, &fit.law),
+        taken: alone && means(word, None, &fit.law, fitted),
+        meant: alone && means(word, end, &fit.law, fitted),
         reach_up_to: end.filter(|_| alone),
         constants: columns(&fit.law),
         shear_modulus_mpa: fit.law.shear_modulus_mpa(),

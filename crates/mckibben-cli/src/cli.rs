@@ -25,9 +25,12 @@ const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to 
 Quantities carry a unit (30mm, 2.5bar, 0.25MPa, 36psi, 28deg, 300N, 10%); a bare number is mm, MPa, N, degrees, \
 or a ratio. Ranges are low..high:step (0..2.5:0.1bar), lists are 1,2,3.";
 
+const EXIT_CODES: &str =
+    "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the computation did not converge.";
+
 /// The command line.
 #[derive(Debug, Parser)]
-#[command(name = "mckibben", version, about = ABOUT, disable_help_subcommand = true, max_term_width = 110)]
+#[command(name = "mckibben", version, about = ABOUT, disable_help_subcommand = true, max_term_width = 110, after_help = EXIT_CODES)]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]

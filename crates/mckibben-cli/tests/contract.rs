@@ -597,3 +597,17 @@ fn friction_parts_the_branches() {
     close(half, 37.6, 0.05);
     close(0.5 * (at("elongation") + at("contraction")), at("mean"), 1e-9);
 }
+
+/// The ending of a file says its format.
+#[test]
+fn a_file_is_written_in_the_format_of_its_ending() {
+    let dir = folder();
+    let path = dir.path().join("x.csv");
+    let line = "curve isobaric --model ideal -p 0.1,0.2 -e 0,0.1";
+    mckibben(&format!("{line} -o {}", path.to_str().unwrap()));
+    let written = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(written, mckibben(&format!("{line} --format csv")).text());
+    let path = dir.path().join("x.json");
+    mckibben(&format!("{line} -o {}", path.to_str().unwrap()));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), mckibben(&format!("{line} --format json")).text());
+}

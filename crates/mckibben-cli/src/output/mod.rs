@@ -29,6 +29,7 @@ pub fn show<T: Serialize>(
     text: impl FnOnce() -> String,
     path: Option<&Path>,
 ) -> Result<(), Failure> {
+    let format = format_of(path, format)?;
     let out = match format {
         Format::Text => {
             to_mind().into_iter().for_each(warn);
@@ -41,4 +42,23 @@ pub fn show<T: Serialize>(
         },
     };
     emit(&out, path)
+}
+
+/// The format of a file by its ending; without one, or for standard output, that of `--format`.
+fn format_of(path: Option<&Path>, format: Format) -> Result<Format, Failure> {
+    let Some(ending) = path.and_then(Path::extension) else { return Ok(format) };
+    let by_ending = match ending.to_string_lossy().to_ascii_lowercase().as_str() {
+        "txt" | "md" => Format::Text,
+        "json" => Format::Json,
+        "csv" => Format::Csv,
+        other => {
+            let message = format!("--output: nothing is written that ends in .{other}");
+            return Err(Failure::input(ProblemKind::Output, message, "the endings are .txt, .json and .csv"));
+        }
+    };
+    if format == Format::Text || format == by_ending {
+        return Ok(by_ending);
+    }
+    let message = "--output and --format name two formats";
+    Err(Failure::input(ProblemKind::Output, message, "leave out --format: the ending of the file says it"))
 }
