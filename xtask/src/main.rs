@@ -98,6 +98,9 @@ fn golds(check: bool) -> Done {
         quiet(Command::new(&program).arg("fit").arg(&campaign).args(["--method", form, "-o"]).arg(&path))?;
         settle(&path, &Path::new("crates/mckibben/data").join(file), check)?;
     }
+    let path = made.join("rubber-laws.json");
+    save(&mut example_of("mckibben", "rubber_laws"), &path)?;
+    settle(&path, Path::new("crates/mckibben/data/rubber-laws.json"), check)?;
     let path = made.join("paper.csv");
     save(&mut example_of("mckibben-campaign", "paper_campaign_csv"), &path)?;
     settle(&path, Path::new("data/campaign/paper.csv"), check)

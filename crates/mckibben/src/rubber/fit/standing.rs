@@ -5,8 +5,8 @@ use super::data::TensionPoint;
 use super::fitted::FittedLaw;
 use super::mode::Mode;
 
-/// Difference of Akaike's criterion from which on one law is decidedly better than another (K. P. Burnham, D. R. Anderson, Model
-/// Selection and Multimodel Inference, 2nd ed., Springer 2002, §2.6: above 10 a model has essentially no support).
+/// Difference of Akaike's criterion from which on one law is decidedly better than another (K. P. Burnham, D. R. Anderson 2002
+/// \[burnham2002\], §2.6: above 10 a model has essentially no support).
 pub const DECIDED_AICC: f64 = 10.0;
 
 /// A law that a muscle can be computed with: stable in it, and no C01 below zero.

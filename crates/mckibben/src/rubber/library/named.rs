@@ -7,7 +7,7 @@ use crate::rubber::Law;
 /// Stretch for which a law is meant where there is no muscle: that of the prototype ([`Muscle::reach`]).
 pub const USUAL_REACH: f64 = 1.9662;
 /// By how much data should reach farther than the ideal muscle does. Strands that stretch let the wall go on: in finite elements at free
-/// contraction, on the braid `paper` at θ0 20° to 35° and walls of 1 to 5 mm, the largest stretch is 16 to 1 % below the reach at 1 and
+/// contraction, on the braid `paper` at θ0 20° to 35° and walls of 1 to 5 mm, the largest stretch is 1 to 51 % below the reach at 1 and
 /// 2 bar, 10 % below to 5 % above it at 4 bar, and 4 to 11 % above at 8 bar.
 pub const COVERING: f64 = 1.05;
 
