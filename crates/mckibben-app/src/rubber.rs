@@ -89,8 +89,9 @@ pub struct LibraryFit {
     pub name: String,
     /// Whether it is what the name that was asked for means in the prototype.
     pub taken: bool,
-    /// Whether it is what the name means in muscles up to `reach_up_to`, and beyond the last range.
-    pub meant: bool,
+    /// Whether it is what that name means for muscles up to `reach_up_to` that no smaller range covers, and beyond the last range
+    /// with it.
+    pub by_reach: bool,
     /// Largest stretch that a muscle may reach for this range to be the one that is taken; none for published constants that
     /// stand for comparison.
     pub reach_up_to: Option<f64>,
@@ -177,10 +178,10 @@ pub fn rubber_show(request: &RubberShowRequest) -> Result<RubberShowAnswer, Prob
     })
 }
 
-/// Whether a law, fitted up to a stretch, is what a word means for muscles that reach so far; `None` is the prototype.
+/// Whether a law with data up to a stretch is what a word means for muscles that reach so far; where that is not known, in the prototype.
 fn means(word: &str, reach: Option<f64>, law: &Law, fitted_to_stretch: Option<f64>) -> bool {
-    library::find_for(word, reach.unwrap_or(USUAL_REACH))
-        .is_ok_and(|found| found.law == *law && found.fitted_to_stretch == fitted_to_stretch)
+    let found = library::find_for(word, reach.unwrap_or(USUAL_REACH));
+    found.is_ok_and(|found| found.law == *law && found.fitted_to_stretch == fitted_to_stretch)
 }
 
 fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
@@ -191,7 +192,7 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
         law: l.law.name().into(),
         name: l.name.clone(),
         taken: means(word, None, &l.law, Some(window.fitted_to_stretch)),
-        meant: means(word, Some(reach), &l.law, Some(window.fitted_to_stretch)),
+        by_reach: means(word, Some(reach), &l.law, Some(window.fitted_to_stretch)),
         reach_up_to: Some(reach),
         constants: columns(&l.law),
         shear_modulus_mpa: l.law.shear_modulus_mpa(),
@@ -217,12 +218,12 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
 fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit {
     let alone = entry.windows.is_empty();
     let fitted = entry.reach(fit).map(|strain| 1.0 + strain);
-    let end = fitted.map(|stretch| stretch / COVERING * (1.0 - 1e-9));
+    let end = fitted.map(|end| end / COVERING * (1.0 - 1e-9));
     LibraryFit {
         law: fit.law.name().into(),
         name: fit.law.name().into(),
         taken: alone && means(word, None, &fit.law, fitted),
-        meant: alone && means(word, end, &fit.law, fitted),
+        by_reach: alone && means(word, end, &fit.law, fitted),
         reach_up_to: end.filter(|_| alone),
         constants: columns(&fit.law),
         shear_modulus_mpa: fit.law.shear_modulus_mpa(),

@@ -93,7 +93,7 @@ const PUBLISHED: [&str; 5] = ["", "law and constants", "μ [MPa]", "fitted up to
 
 fn published_row(fit: &LibraryFit) -> Vec<String> {
     vec![
-        if fit.meant { "→".into() } else { String::new() },
+        if fit.by_reach { "→".into() } else { String::new() },
         law_text(&fit.fit),
         number(fit.shear_modulus_mpa, 3),
         or_dash(fit.up_to_strain, percent),
@@ -104,14 +104,14 @@ fn published_row(fit: &LibraryFit) -> Vec<String> {
 /// A rubber without a curve.
 fn published_text(answer: &RubberShowAnswer) -> String {
     let rows: Vec<_> = answer.fits.iter().map(published_row).collect();
-    let taken = answer.fits.iter().filter(|f| f.meant).count();
+    let taken = answer.fits.iter().filter(|f| f.by_reach).count();
     let which = if taken > 1 { ", each for muscles whose stretches it covers" } else { "" };
     format!("{}\n→ is taken for --rubber {}{which}\n", table(&PUBLISHED, rows), answer.rubber)
 }
 
 /// What the name means, from the smallest range of stretches to the widest.
 fn by_reach_text(answer: &RubberShowAnswer, curve: &[&LibraryFit]) -> String {
-    let taken: Vec<&&LibraryFit> = curve.iter().filter(|f| f.meant).collect();
+    let taken: Vec<&&LibraryFit> = curve.iter().filter(|f| f.by_reach).collect();
     let row = |(i, fit): (usize, &&&LibraryFit)| {
         let known = fit.fitted.as_ref()?;
         let of_range = |f: &&&LibraryFit| f.reach_up_to == fit.reach_up_to && f.name != fit.name;

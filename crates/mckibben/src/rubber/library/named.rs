@@ -49,6 +49,10 @@ pub fn find_for(name: &str, reach: f64) -> Result<Rubber, LibraryError> {
 /// A rubber as a muscle that reaches `reach` has it: one of the library with the law for these stretches, any other as it is. A rubber
 /// is of the library if name and constants are; with a constant changed it no longer is.
 pub(crate) fn following(rubber: Rubber, reach: f64) -> Rubber {
+    // The rubber of most muscles has one law: for it the library need not be read.
+    if rubber.name.is_none() || rubber == Rubber::paper() {
+        return rubber;
+    }
     let of_library = |(entry, law): (&RubberEntry, Option<&str>)| {
         let one = |found| entry.rubber(law, found) == rubber;
         entry.each(law).any(one).then(|| entry.meant(law, reach).map(|found| entry.rubber(law, found)))?
