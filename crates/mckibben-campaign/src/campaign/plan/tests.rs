@@ -259,3 +259,15 @@ fn parts_are_a_hundredth_of_the_plan_and_never_too_long() {
     assert_eq!(of(10_000, &format!("{TEST}sensitivities = true\n")), 512 / 6);
     assert_eq!(of(10_000, &format!("{TEST}mesh = \"2x12\"\n")), 512 / 6);
 }
+
+/// All rows of a plan have the law of the base muscle, whatever a muscle of their measures would have by name.
+#[test]
+fn a_plan_has_one_rubber() {
+    let text = "[tube]\nrubber = \"dragon-skin-30\"\n[vary]\nbraid.angle = \"16,28,40 deg\"\n[test]\ncontractions = \"0\"\npressures = \"0.1\"\n";
+    let plan = Plan::parse(text).unwrap();
+    let law = &plan.base().tube().rubber.law;
+    for number in 0..3 {
+        let muscle = plan.inputs(number).muscle(plan.base()).unwrap();
+        assert_eq!(muscle.tube().rubber.law, *law);
+    }
+}
