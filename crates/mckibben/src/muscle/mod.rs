@@ -39,7 +39,7 @@ pub struct Muscle {
 
 impl Muscle {
     /// Puts a muscle together. A rubber of the library has the law for the stretches that this muscle reaches
-    /// ([`library`](crate::rubber::library)), whichever it came with.
+    /// ([`library`]), whichever it came with.
     ///
     /// # Errors
     /// [`MuscleError`] names the part, its value and what it must be: lengths above zero, wall below the radius,
