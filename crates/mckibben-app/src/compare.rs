@@ -18,6 +18,7 @@ use mckibben::measured::{PointOptions, read_points};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -105,7 +106,8 @@ pub struct CompareAnswer {
     /// The models.
     pub models: Vec<ComparedModel>,
     /// What the user should know of the muscle and its rubber, in sentences.
-    pub warnings: Vec<String>,
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -226,11 +228,12 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     }
     let points = reference.unwrap_or_default();
     let asked: Vec<(f64, f64)> = points.iter().map(|p| (p.pressure_mpa, p.contraction)).collect();
-    let stretches = compared.iter_mut().map(|c| {
-        let stretch = warnings::largest_stretch(&*c.model, &mut c.workspace, &asked, options);
-        c.model.muscle().tube().rubber.stretch_warning(stretch?).zip(stretch)
+    let beyond = compared.iter_mut().filter_map(|c| {
+        let stretch = warnings::largest_stretch(&*c.model, &mut c.workspace, &asked, options)?;
+        Warning::of_stretch(&c.model.muscle().tube().rubber, stretch)
     });
-    let beyond = stretches.flatten().max_by(|a, b| a.1.total_cmp(&b.1)).map(|found| found.0);
+    let said = muscle.warnings().into_iter().map(Warning::from);
+    let warned: Vec<Warning> = said.chain(beyond).collect();
     let figure = request.figure.map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
         let fits: String = fits.map(|c| format!(". {} fitted: {}", c.row.model, c.row.fitted())).collect();
@@ -247,7 +250,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         muscle: (&muscle).into(),
         understood: understood.into_iter().collect(),
         models: compared.into_iter().map(|c| c.row).chain(skipped).collect(),
-        warnings: muscle.warnings().into_iter().chain(beyond).collect(),
+        warnings: Warning::gravest(&warned),
         figure,
     })
 }

@@ -38,15 +38,8 @@ pub struct MuscleFlags {
     /// Sleeve from the library, which gives angle and strands (see `mckibben braid list`) [none]
     #[arg(long, value_name = "NAME")]
     pub braid: Option<String>,
-    /// Diameter of one strand of that sleeve, where its source does not state it
-    #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
-    pub strand_diameter: Option<String>,
-    /// Young's modulus of a strand of that sleeve, where its source does not state it
-    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
-    pub strand_modulus: Option<String>,
-    /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
-    pub stiffness: Option<String>,
+    #[command(flatten)]
+    pub strands: StrandFlags,
     /// Empirical end factor k of Tondu & Lopez, for tondu-lopez and thick-wall
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub end_factor: Option<String>,
@@ -59,6 +52,37 @@ pub struct MuscleFlags {
     /// Turns of that strand, for belforte
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub turns: Option<String>,
+}
+
+/// What the strands of a braid are.
+#[derive(Debug, Clone, Default, Args)]
+pub struct StrandFlags {
+    /// Diameter of one strand of a named sleeve, where its source does not state it
+    #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
+    pub strand_diameter: Option<String>,
+    /// Young's modulus of a strand of a named sleeve, where its source does not state it
+    #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
+    pub strand_modulus: Option<String>,
+    /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
+    pub stiffness: Option<String>,
+}
+
+impl StrandFlags {
+    /// Diameter in mm of a strand.
+    pub fn diameter_mm(&self) -> Result<Option<f64>, Failure> {
+        quantity("--strand-diameter", self.strand_diameter.as_deref(), Dimension::Length)
+    }
+
+    /// Young's modulus in MPa of a strand.
+    pub fn modulus_mpa(&self) -> Result<Option<f64>, Failure> {
+        quantity("--strand-modulus", self.strand_modulus.as_deref(), Dimension::Pressure)
+    }
+
+    /// Stiffness of a family.
+    pub fn stiffness(&self) -> Result<Option<Stiffness>, Failure> {
+        self.stiffness.as_deref().map(stiffness).transpose()
+    }
 }
 
 /// Which column of a table is what.
@@ -127,13 +151,9 @@ impl MuscleFlags {
             angle_deg: quantity("--angle", self.angle.as_deref(), Dimension::Angle)?,
             rubber: self.rubber.clone(),
             braid: self.braid.clone(),
-            strand_diameter_mm: length("--strand-diameter", &self.strand_diameter)?,
-            strand_modulus_mpa: quantity(
-                "--strand-modulus",
-                self.strand_modulus.as_deref(),
-                Dimension::Pressure,
-            )?,
-            stiffness: self.stiffness.as_deref().map(stiffness).transpose()?,
+            strand_diameter_mm: self.strands.diameter_mm()?,
+            strand_modulus_mpa: self.strands.modulus_mpa()?,
+            stiffness: self.strands.stiffness()?,
             end_factor: ratio("--end-factor", self.end_factor.as_deref())?,
             cone_factor: ratio("--cone-factor", self.cone_factor.as_deref())?,
             strand_length_mm: length("--strand-length", &self.strand_length)?,

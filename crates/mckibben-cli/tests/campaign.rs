@@ -5,6 +5,7 @@
 mod common;
 
 use common::{Ran, command, folder, ran, run_in};
+use mckibben::random::Random;
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -42,15 +43,6 @@ fn signal(child: &Child, name: &str) {
     Command::new("kill").args([&format!("-{name}"), &child.id().to_string()]).status().unwrap();
 }
 
-/// SplitMix64
-fn random(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
 fn shown(dir: &Path, store: &str) -> Option<Value> {
     let result = campaign(dir, &format!("show {store} --format json"));
     (result.code == 0).then(|| result.json())
@@ -62,14 +54,14 @@ fn killed_at_random_moments_and_resumed_it_is_the_same_bytes() {
     let from = Instant::now();
     let expected = reference(dir.path());
     let whole = from.elapsed();
-    let mut state = 7;
+    let mut random = Random(7);
     for out in ["file.parquet", "parts"] {
         let store = if out == "parts" { "parts" } else { "file.parquet.parts" };
         let mut had = 0;
         for _ in 0..8 {
             let mut child = started(dir.path(), out);
             let longest = whole.as_millis() as u64 * 2 / 3;
-            std::thread::sleep(Duration::from_millis(random(&mut state) % longest.max(1)));
+            std::thread::sleep(Duration::from_millis(random.bits() % longest.max(1)));
             child.kill().unwrap();
             child.wait().unwrap();
             if dir.path().join(out).is_file() {

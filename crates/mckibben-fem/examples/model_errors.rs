@@ -7,9 +7,9 @@
 
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::random::Random;
 use mckibben::rubber::{Law, NeoHookean};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::axisymmetric::sweep::Random;
 
 /// A random muscle, a pressure and the strain of its strands at rest.
 fn random(r: &mut Random) -> Option<(Muscle, f64)> {

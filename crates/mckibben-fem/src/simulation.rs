@@ -118,7 +118,8 @@ pub trait Simulation: ForceModel {
     /// # Errors
     /// [`FemError`].
     fn free_contraction(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, FemError> {
-        self.contraction_at_force(workspace, 0.0, pressure_mpa)
+        // Without pressure every force is nil, and a muscle that nobody pulls is as long as at rest.
+        if pressure_mpa == 0.0 { Ok(0.0) } else { self.contraction_at_force(workspace, 0.0, pressure_mpa) }
     }
 
     /// P′ in MPa: the pressure at which the muscle begins to pull at a contraction.

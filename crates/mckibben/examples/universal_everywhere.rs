@@ -9,29 +9,9 @@
 use mckibben::formula::UniversalFormula;
 use mckibben::model::{ForceModel, Universal, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::random::Random;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use std::sync::Arc;
-
-/// Numbers in [0, 1), SplitMix64 (Steele, Lea & Flood 2014 \[steele2014\]).
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) as f64 / 2f64.powi(64)
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn log(&mut self, low: f64, high: f64) -> f64 {
-        self.between(low.ln(), high.ln()).exp()
-    }
-}
 
 /// A rubber with a shear modulus at rest.
 fn law(r: &mut Random, mu: f64) -> Law {

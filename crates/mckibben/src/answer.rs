@@ -147,11 +147,7 @@ fn hanging_at<M: ForceModel + ?Sized>(
     if options.two_sided || contraction <= 0.0 || pressure_mpa < 0.0 {
         return None;
     }
-    let free = if pressure_mpa == 0.0 {
-        0.0
-    } else {
-        free_contraction(model, workspace, pressure_mpa, options).ok()?
-    };
+    let free = free_contraction(model, workspace, pressure_mpa, options).ok()?;
     (contraction >= free).then_some(free)
 }
 

@@ -50,6 +50,7 @@ pub mod muscle;
 pub mod nearest;
 pub mod prelude;
 pub mod progress;
+pub mod random;
 pub mod rubber;
 pub mod sleeve;
 pub mod status;

@@ -99,7 +99,7 @@ pub fn uncertainty<M: ForceModel + ?Sized>(
     let muscle = model.muscle();
     Some(UncertaintyParts {
         formula,
-        mesh: model.mesh_error_n(workspace, pressure_mpa, contraction, force_n),
+        mesh: model.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked),
         rubber: rubber_n(workspace, muscle, pressure_mpa, contraction),
         measured: Some(measured_n(muscle, blocked, contraction)),
         friction: muscle.friction().is_none().then_some(FRICTION * blocked),

@@ -1,7 +1,7 @@
 //! What the user should know of an answer.
 
 use crate::model::Response;
-use crate::muscle::Muscle;
+use crate::muscle::{Muscle, Rubber};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
@@ -44,6 +44,13 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// Of a stretch beyond the data that a rubber's constants were fitted to.
+    pub fn of_stretch(rubber: &Rubber, stretch: f64) -> Option<Self> {
+        let limit = rubber.fitted_to_stretch.filter(|limit| stretch > *limit)?;
+        let rubber = rubber.name.clone().unwrap_or_else(|| "this rubber".into());
+        Some(Self::RubberStretch { stretch, limit, rubber })
+    }
+
     /// How grave it is among those of its kind; `None` for one that is not of a kind.
     fn gravity(&self) -> Option<f64> {
         match self {
@@ -140,12 +147,7 @@ pub fn of_response(muscle: &Muscle, response: &Response) -> Vec<Warning> {
     {
         out.push(Warning::FallsWithPressure { slope_n_per_mpa });
     }
-    if let (Some(limit), Some(stretch)) = (rubber.fitted_to_stretch, response.rubber_stretch())
-        && stretch > limit
-    {
-        let rubber = rubber.name.clone().unwrap_or_else(|| "this rubber".into());
-        out.push(Warning::RubberStretch { stretch, limit, rubber });
-    }
+    out.extend(response.rubber_stretch().and_then(|stretch| Warning::of_stretch(rubber, stretch)));
     out
 }
 

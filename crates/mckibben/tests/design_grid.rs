@@ -5,32 +5,12 @@ use mckibben::analysis::pressure_at;
 use mckibben::design::{BraidChoice, Limits, OperatingPoint, Spec, design, fits};
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::{Muscle, Tube};
+use mckibben::random::Random;
 use mckibben::units::Values;
 use rayon::prelude::*;
 
 fn universal(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
     ModelKind::Universal.build(muscle)
-}
-
-/// SplitMix64 (Steele, Lea & Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn one_of<T: Copy>(&mut self, list: &[T]) -> T {
-        list[(self.unit() * list.len() as f64) as usize]
-    }
 }
 
 fn muscle(d0: f64, s: f64, angle: f64, length: f64) -> Option<Muscle> {

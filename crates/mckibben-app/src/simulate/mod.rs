@@ -259,10 +259,12 @@ fn judged(
     };
     let asked = contraction.filter(|e| *e > 0.0 && !two_sided);
     let (free_contraction, slack) = match (asked, &solution) {
-        (Some(_), Ok(s)) if s.response.force_n < 0.0 => (hanging(model, workspace, pressure_mpa), true),
+        (Some(_), Ok(s)) if s.response.force_n < 0.0 => {
+            (model.free_contraction(workspace, pressure_mpa).ok(), true)
+        }
         // Where pushing has no equilibrium a muscle shortened past its free contraction hangs slack all the same.
         (Some(e), Err(_)) => {
-            let free = hanging(model, workspace, pressure_mpa).filter(|free| e >= *free);
+            let free = model.free_contraction(workspace, pressure_mpa).ok().filter(|free| e >= *free);
             (free, free.is_some())
         }
         _ => (None, false),
@@ -277,11 +279,6 @@ fn judged(
         },
     };
     Simulated { pressure_mpa, held, solution, slack, free_contraction, status }
-}
-
-/// The contraction at which a slack muscle hangs.
-fn hanging(model: &dyn Simulation, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
-    if pressure_mpa == 0.0 { Some(0.0) } else { model.free_contraction(workspace, pressure_mpa).ok() }
 }
 
 fn endless_pushes(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> bool {

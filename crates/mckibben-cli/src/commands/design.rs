@@ -4,7 +4,7 @@ mod text;
 
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{Format, PlotFlag, pressure_unit, stiffness};
+use crate::flags::{Format, PlotFlag, StrandFlags, pressure_unit};
 use crate::output::text::PressureUnit;
 use crate::output::{save, show, warn};
 use crate::plot;
@@ -123,18 +123,11 @@ pub struct DesignArgs {
     /// Sleeves and braids that one can buy, by name (mckibben braid list); the diameter then sets angle and stiffness
     #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], help_heading = "Search space")]
     pub braid: Vec<String>,
-    /// Diameter of their strands, where they do not state it
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, help_heading = "Search space")]
-    pub strand_diameter: Option<String>,
-    /// Young's modulus of their strands, likewise
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true, help_heading = "Search space")]
-    pub strand_modulus: Option<String>,
     /// Rubbers, by name [paper]
     #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Search space")]
     pub rubber: Vec<String>,
-    /// Stiffness of one strand family: N/mm, `inextensible`, or `paper` [paper]
-    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true, help_heading = "Search space")]
-    pub stiffness: Option<String>,
+    #[command(flatten, next_help_heading = "Search space")]
+    pub strands: StrandFlags,
     /// Lengths between the terminals at rest [285mm]
     #[arg(
         short = 'L',
@@ -248,14 +241,10 @@ fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequ
         angle_deg: choice("--angle", &args.angle, Dimension::Angle)?,
         strand_length_per_turn_mm: sleeves,
         braids: args.braid.clone(),
-        strand_diameter_mm: length("--strand-diameter", &args.strand_diameter)?,
-        strand_modulus_mpa: quantity(
-            "--strand-modulus",
-            args.strand_modulus.as_deref(),
-            Dimension::Pressure,
-        )?,
+        strand_diameter_mm: args.strands.diameter_mm()?,
+        strand_modulus_mpa: args.strands.modulus_mpa()?,
         rubbers: args.rubber.clone(),
-        stiffness: args.stiffness.as_deref().map(stiffness).transpose()?,
+        stiffness: args.strands.stiffness()?,
         length_mm: choice("--length", &args.length, Dimension::Length)?,
         tolerance: args.tolerance.as_deref().map(tolerances).transpose()?,
         model: ModelFields {

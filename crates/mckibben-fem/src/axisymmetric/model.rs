@@ -60,6 +60,18 @@ impl Axisymmetric {
         })
     }
 
+    /// How far a pull in N that another mesh gave is from this one's; 0 where the muscle hangs slack, which leaves nothing to compare.
+    pub(crate) fn difference_n(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+        force_n: f64,
+    ) -> f64 {
+        let own = self.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
+        if force_n > 0.0 { (force_n - own).abs() } else { 0.0 }
+    }
+
     /// The unknowns and what they are made of.
     pub fn discretisation(&self) -> &Discretisation {
         &self.discretisation
@@ -121,16 +133,13 @@ impl ForceModel for Axisymmetric {
         pressure_mpa: f64,
         contraction: f64,
         force_n: f64,
+        blocked_n: f64,
     ) -> Option<f64> {
-        let own = if contraction < 0.0 {
-            MESH_ERROR_STRETCHED * force_n.abs()
-        } else {
-            MESH_ERROR * self.blocked_scale_n(workspace, pressure_mpa).ok()?.abs()
-        };
-        let Some(default) = &self.default else { return Some(own) };
-        // A muscle that hangs slack has no force that could be compared.
-        let limit = default.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
-        Some(own + if force_n > 0.0 { (force_n - limit).abs() } else { 0.0 })
+        let own =
+            if contraction < 0.0 { MESH_ERROR_STRETCHED * force_n.abs() } else { MESH_ERROR * blocked_n };
+        let off =
+            self.default.as_deref().map(|m| m.difference_n(workspace, pressure_mpa, contraction, force_n));
+        Some(own + off.unwrap_or(0.0))
     }
 
     fn response(

@@ -6,32 +6,8 @@ use crate::simulation::Discretised;
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
+use mckibben::random::Random;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
-
-/// SplitMix64 (Steele, Lea & Flood 2014 \[steele2014\]): the same muscles everywhere.
-#[derive(Debug, Clone)]
-pub struct Random(pub u64);
-
-impl Random {
-    /// Uniform on [0, 1).
-    pub fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Uniform between two numbers.
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    /// Uniform in the logarithm.
-    pub fn log(&mut self, low: f64, high: f64) -> f64 {
-        (self.between(low.ln(), high.ln())).exp()
-    }
-}
 
 /// A question of the sweep.
 #[derive(Debug, Clone)]

@@ -110,10 +110,10 @@ impl ForceModel for ThreeDimensional {
         pressure_mpa: f64,
         contraction: f64,
         force_n: f64,
+        blocked_n: f64,
     ) -> Option<f64> {
-        let own = self.limit.mesh_error_n(workspace, pressure_mpa, contraction, force_n)?;
-        let limit = self.limit.force_n(workspace, pressure_mpa, contraction).unwrap_or(force_n);
-        Some(own + if force_n > 0.0 { (force_n - limit).abs() } else { 0.0 })
+        let own = self.limit.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked_n)?;
+        Some(own + self.limit.difference_n(workspace, pressure_mpa, contraction, force_n))
     }
 
     fn notes(&self, workspace: &Workspace) -> Vec<String> {

@@ -24,6 +24,16 @@ pub enum Limit {
     BurstMargin,
 }
 
+impl Limit {
+    /// The share of the bound by which a value misses it; at most 0 where it is met.
+    pub(super) fn missed_by(self, value: f64, bound: f64) -> f64 {
+        match self {
+            Self::Force | Self::BurstMargin => 1.0 - value / bound,
+            Self::BulgedDiameter | Self::MaxStretch | Self::StrandStrain => value / bound - 1.0,
+        }
+    }
+}
+
 /// One limit at one place: what the muscle has there, and what it may have.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Check {
@@ -37,10 +47,7 @@ pub(super) struct Check {
 impl Check {
     /// The share by which the limit is missed; at most 0 where it is met.
     pub(super) fn excess(&self) -> f64 {
-        match self.limit {
-            Limit::Force | Limit::BurstMargin => 1.0 - self.value / self.bound,
-            Limit::BulgedDiameter | Limit::MaxStretch | Limit::StrandStrain => self.value / self.bound - 1.0,
-        }
+        self.limit.missed_by(self.value, self.bound)
     }
 
     /// The limit as a reason why a muscle does not fit.
@@ -94,14 +101,14 @@ pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<P
         let value = force_on(model, workspace, max, point.contraction, direction)?;
         checks.push(Check { limit: Limit::Force, point: Some(point), value, bound: point.force_n });
     }
-    let strong = |checks: &[Check]| checks.iter().all(|c| c.excess() <= 0.0);
     let limits = &spec.limits;
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
     let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some();
     let by_pressure =
         matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
     let (mut highest, mut air, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
-    if shaped || by_pressure || strong(&checks) && spec.objective == Objective::Diameter {
+    let strong = checks.iter().all(|c| c.excess() <= 0.0);
+    if shaped || by_pressure || strong && spec.objective == Objective::Diameter {
         for (i, point) in spec.points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
             let p = if checks[i].excess() > 0.0 {

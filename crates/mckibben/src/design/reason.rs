@@ -103,14 +103,15 @@ impl Reason {
 
     /// The share of the limit by which it is missed; `None` where there is no answer at all.
     pub fn misses_by(&self) -> Option<f64> {
-        Some(match self {
-            Reason::Force { point, available_n, .. } => 1.0 - available_n / point.force_n,
-            Reason::Bulge { diameter_mm, limit_mm } => diameter_mm / limit_mm - 1.0,
-            Reason::Burst { margin, limit } => 1.0 - margin / limit,
-            Reason::Stretch { stretch, limit } => stretch / limit - 1.0,
-            Reason::StrandStrain { strain, limit } => strain / limit - 1.0,
+        let (value, bound) = match *self {
+            Reason::Force { point, available_n, .. } => (available_n, point.force_n),
+            Reason::Bulge { diameter_mm: value, limit_mm: bound }
+            | Reason::Burst { margin: value, limit: bound }
+            | Reason::Stretch { stretch: value, limit: bound }
+            | Reason::StrandStrain { strain: value, limit: bound } => (value, bound),
             Reason::Model(_) | Reason::Muscle(_) => return None,
-        })
+        };
+        Some(self.limit()?.missed_by(value, bound))
     }
 }
 

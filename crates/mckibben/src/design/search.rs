@@ -133,7 +133,7 @@ impl Search<'_> {
         Muscle::new(tube, braid, base.terminals().clone(), base.friction().copied())
     }
 
-    /// Holds one muscle against the specification with another model than the search's.
+    /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
     pub(super) fn sample(&self, pick: Pick, build: &Build<'_>, harvest: &mut Harvest) -> Sample {
         harvest.looked_at += 1;
         let none = Sample { x: pick.d0, excess: vec![], score: f64::INFINITY };

@@ -125,13 +125,15 @@ pub trait ForceModel: Send + Sync {
         self.force_n(workspace, pressure_mpa, 0.0)
     }
 
-    /// What the mesh errs by in N, of the pull `force_n` that it gave there; `None` for models without a mesh.
+    /// What the mesh errs by in N, of the pull `force_n` that it gave there, where the blocked force is `blocked_n`
+    /// ([`ForceModel::blocked_scale_n`]); `None` for models without a mesh.
     fn mesh_error_n(
         &self,
         _workspace: &mut Workspace,
         _pressure_mpa: f64,
         _contraction: f64,
         _force_n: f64,
+        _blocked_n: f64,
     ) -> Option<f64> {
         None
     }

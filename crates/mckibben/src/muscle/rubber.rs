@@ -98,15 +98,6 @@ impl Rubber {
         self.law == Self::paper().law && self.bulk == Bulk::Incompressible
     }
 
-    /// What to know of a stretch beyond the data that the constants were fitted to; `None` where the data reach so far.
-    pub fn stretch_warning(&self, stretch: f64) -> Option<String> {
-        let limit = self.fitted_to_stretch.filter(|limit| stretch > *limit)?;
-        let name = self.name.as_deref().unwrap_or("this rubber");
-        Some(format!(
-            "the rubber is stretched to {stretch:.2} at the bore; the constants of {name} were fitted up to {limit:.2}"
-        ))
-    }
-
     pub(super) fn check(&self) -> Result<(), MuscleError> {
         self.law.clone().validated()?;
         match self.bulk {

@@ -5,9 +5,9 @@ use super::points::{PullPoint, Sample};
 use mckibben::formula::UniversalSummary;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::random::Random;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
 use mckibben_fem::axisymmetric::Axisymmetric;
-use mckibben_fem::axisymmetric::sweep::Random;
 use rayon::prelude::*;
 use serde::Serialize;
 
