@@ -6,8 +6,9 @@ use crate::figure;
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
+use crate::units::Units;
 use crate::warnings;
-use crate::words::{PressureUnit, number};
+use crate::words::number;
 use mckibben::answer::{Options, point};
 use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
 use mckibben::identify::{
@@ -38,7 +39,7 @@ pub struct CompareRequest {
     pub data: Option<TextFile>,
     /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
     pub columns: Columns,
-    /// Which branch of measured hysteresis.
+    /// Which branch of measured hysteresis; models of a muscle that states its friction answer on the same one.
     pub branch: Direction,
     /// Constants to fit to the points, for each model that knows them.
     pub fit: Vec<FitConstant>,
@@ -52,8 +53,8 @@ pub struct CompareRequest {
     /// How the models are asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// The answer shall carry a figure, with pressures in this unit.
-    pub figure: Option<PressureUnit>,
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
 }
 
 /// A constant of the muscle that can be fitted in a comparison.
@@ -181,7 +182,11 @@ struct Compared {
 /// [`Problem`] for a wrong request, or where no model could be compared; a single model that cannot carries its cause.
 pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<CompareAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
-    let options = request.asking.options(&muscle)?;
+    let mut asking = request.asking;
+    if asking.direction.is_mean() && muscle.friction().is_some() {
+        asking.direction = request.branch;
+    }
+    let options = asking.options(&muscle)?;
     let models = request.chosen()?;
     let read = request.data.as_ref().map(|file| request.on_branch(file, &muscle)).transpose()?;
     let (measured, understood) = read.unzip();
@@ -234,10 +239,10 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     });
     let said = muscle.warnings().into_iter().map(Warning::from);
     let warned: Vec<Warning> = said.chain(beyond).collect();
-    let figure = request.figure.map(|unit| {
+    let figure = request.figure.as_ref().map(|unit| {
         let fits = compared.iter().filter(|c| !c.row.fitted().is_empty());
         let fits: String = fits.map(|c| format!(". {} fitted: {}", c.row.model, c.row.fitted())).collect();
-        let about = format!("{}{fits}", MuscleSummary::from(&muscle).line());
+        let about = format!("{}{fits}", MuscleSummary::from(&muscle).line(unit));
         let drawn: Vec<(&dyn ForceModel, &mut Workspace)> =
             compared.iter_mut().map(|c| (&*c.model, &mut c.workspace)).collect();
         let measured = measured.as_deref().unwrap_or_default();

@@ -2,16 +2,18 @@
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
+use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, no_ratio, pull};
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
+use crate::units::Units;
 use crate::warnings;
-use crate::words::PressureUnit;
 use mckibben::analysis::{AnalysisError, free_contraction};
 use mckibben::answer::{Answer, Options};
 use mckibben::curve::{Curve, CurvePoint, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Direction;
 use mckibben::status::Status;
 use mckibben::units::{MAX_POINTS, Values};
 use mckibben::warning::Warning;
@@ -43,9 +45,12 @@ pub struct CurveRequest {
     /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forces_n: Option<Vec<f64>>,
-    /// The answer shall carry a figure, with pressures in this unit.
+    /// Each curve shall be given on both branches of the friction's hysteresis.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub both: bool,
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub figure: Option<PressureUnit>,
+    pub figure: Option<Units>,
 }
 
 /// A family of curves.
@@ -57,7 +62,7 @@ pub struct CurveAnswer {
     pub test: Test,
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// What is fixed along each curve: ε, F in N, or P in MPa.
+    /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, where both branches were asked for.
     pub fixed: Vec<f64>,
     /// What the user should know, of each kind the gravest.
     #[schemars(with = "Vec<String>")]
@@ -70,6 +75,9 @@ pub struct CurveAnswer {
     /// The curves themselves.
     #[serde(skip)]
     pub curves: Vec<Curve>,
+    /// Whether every two curves are the branches of one: shortening, then lengthening.
+    #[serde(skip)]
+    pub both: bool,
     /// Where no point has an answer: the reason.
     #[serde(skip)]
     pub problem: Option<Problem>,
@@ -150,9 +158,22 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
     };
     check_count(&[fixed.len(), along.len()], MAX_POINTS)?;
     let (model, workspace) = (&*question.model, &mut question.workspace);
-    let list = curves(model, workspace, request.test, &fixed, &along, question.options);
+    let mut on = |fixed: &[f64], options| curves(model, workspace, request.test, fixed, &along, options);
+    let list: Vec<Curve> = if request.both {
+        check_both(question.options.direction, &question.muscle)?;
+        let on_both = |value: &f64| {
+            let of = |direction| on(&[*value], Options { direction, ..question.options });
+            Direction::BRANCHES.map(of).into_iter().flatten().collect::<Vec<_>>()
+        };
+        fixed.iter().flat_map(on_both).collect()
+    } else {
+        on(&fixed, question.options)
+    };
     let muscle = MuscleSummary::from(&question.muscle);
-    let figure = request.figure.map(|unit| figure::curves(model.name(), &muscle, request.test, &list, unit));
+    let figure = request
+        .figure
+        .as_ref()
+        .map(|unit| figure::curves(model.name(), &muscle, request.test, &list, request.both, unit));
     Ok(CurveAnswer {
         model: model.name().into(),
         test: request.test,
@@ -163,6 +184,7 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
         figure,
         problem: all_failed(&list),
         curves: list,
+        both: request.both,
     })
 }
 

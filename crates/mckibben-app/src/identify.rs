@@ -7,7 +7,8 @@ use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
-use crate::words::{PressureUnit, number};
+use crate::units::Units;
+use crate::words::number;
 use mckibben::identify::{
     Fitted, Identification, Identified, IdentifyError, Parameter, ParameterError, Request, Spread, Target,
     identify_default, identify_with,
@@ -66,8 +67,8 @@ pub struct IdentifyRequest {
     pub bounds: Vec<String>,
     /// How residuals count.
     pub loss: LossWord,
-    /// The answer shall carry a figure, with pressures in this unit.
-    pub figure: Option<PressureUnit>,
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
 }
 
 /// How residuals count.
@@ -227,8 +228,8 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         identify_with(&asked, build, progress)?
     };
     let summary = MuscleSummary::from(&found.muscle);
-    let figure = request.figure.map(|unit| {
-        let about = format!("{}. {}", summary.line(), in_one_line(&found.parameters));
+    let figure = request.figure.as_ref().map(|unit| {
+        let about = format!("{}. {}", summary.line(unit), in_one_line(&found.parameters));
         figure::identified(&found, &build, &origin, &about, unit)
     });
     Ok(IdentifyAnswer {
@@ -441,7 +442,7 @@ fn warnings(request: &IdentifyRequest, found: &Identification) -> Vec<String> {
         let m = MuscleSummary::from(&Muscle::prototype());
         format!(
             "no muscle was given: these are the constants of a muscle of the prototype's measures ({})",
-            m.line()
+            m.line(&Units::default())
         )
     });
     prototype.into_iter().chain(found.notes.iter().cloned()).collect()

@@ -23,8 +23,8 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-#[cfg(feature = "files")]
 mod braid;
+#[cfg(feature = "files")]
 mod campaign;
 mod commands;
 mod compare;
@@ -45,12 +45,13 @@ mod rubber_fit;
 mod show;
 mod simulate;
 mod study;
+pub mod units;
 mod validate;
 mod warnings;
 pub mod words;
 
-#[cfg(feature = "files")]
 pub use braid::*;
+#[cfg(feature = "files")]
 pub use campaign::*;
 pub use commands::{COMMANDS, CommandEntry, ask, schema};
 pub use compare::*;

@@ -214,6 +214,15 @@ impl From<Terminal> for Plug {
     }
 }
 
+/// Refuses both branches where one was asked for, or where the muscle does not state its friction.
+pub(crate) fn check_both(direction: Direction, muscle: &Muscle) -> Result<(), Problem> {
+    if direction == Direction::Mean {
+        return check_direction(Direction::Contraction, muscle);
+    }
+    let hint = "leave one of them out";
+    Err(Problem::new(ProblemKind::Usage, "`direction` and `both` ask for one branch and for two", hint))
+}
+
 /// Refuses a branch of the hysteresis of a muscle that does not state its friction.
 pub(crate) fn check_direction(direction: Direction, muscle: &Muscle) -> Result<(), Problem> {
     if direction == Direction::Mean || muscle.friction().is_some() {

@@ -2,6 +2,7 @@
 
 use crate::fields::{MuscleFields, NamedStiffness, Stiffness, TextFile};
 use crate::problem::{Problem, ProblemKind};
+use crate::units::Units;
 use crate::words;
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, Rubber};
@@ -163,12 +164,12 @@ impl From<&Muscle> for MuscleSummary {
 
 impl MuscleSummary {
     /// The muscle in one line.
-    pub fn line(&self) -> String {
+    pub fn line(&self, u: &Units) -> String {
         format!(
-            "D0 {} mm, s {} mm, L0 {} mm, θ0 {}°, rubber {}, braid {}",
-            words::number(self.outer_diameter_mm, 5),
-            words::number(self.wall_mm, 4),
-            words::number(self.length_mm, 5),
+            "D0 {}, s {}, L0 {}, θ0 {}°, rubber {}, braid {}",
+            u.length.show(self.outer_diameter_mm),
+            u.length.show(self.wall_mm),
+            u.length.show(self.length_mm),
             words::number(self.angle_deg, 4),
             self.rubber,
             self.braid

@@ -1,11 +1,14 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use mckibben::analysis::source_of;
-use mckibben::answer::{self, Answer};
+use mckibben::answer::{self, Answer, Options};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Direction;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +29,8 @@ pub struct ForceRequest {
     pub pressure_mpa: Option<f64>,
     /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
     pub contraction: Option<f64>,
+    /// The answer shall hold both branches of the friction's hysteresis too.
+    pub both: bool,
 }
 
 /// P(F, ε): the pressure that gives a pull at a contraction.
@@ -45,6 +50,8 @@ pub struct PressureRequest {
     pub force_n: Option<f64>,
     /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
     pub contraction: Option<f64>,
+    /// The answer shall hold both branches of the friction's hysteresis too.
+    pub both: bool,
 }
 
 /// ε(F, P): the contraction at which a pressure gives a pull.
@@ -64,6 +71,8 @@ pub struct ContractionRequest {
     pub force_n: Option<f64>,
     /// Gauge pressure P in MPa.
     pub pressure_mpa: Option<f64>,
+    /// The answer shall hold both branches of the friction's hysteresis too.
+    pub both: bool,
 }
 
 /// One point: what the model knows of it, of which muscle, by which model.
@@ -72,6 +81,9 @@ pub struct PointAnswer {
     /// The point.
     #[serde(flatten)]
     pub point: Answer,
+    /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub branches: Vec<Answer>,
     /// The muscle.
     pub muscle: MuscleSummary,
     /// The model.
@@ -92,17 +104,12 @@ pub struct ModelAbout {
 /// # Errors
 /// [`Problem`].
 pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let question = Question::new(&request.muscle, &request.model, request.asking)?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    let point = answer::force(
-        &*question.model,
-        &mut question.workspace,
-        pressure_mpa,
-        contraction,
-        question.options,
-    )?;
-    Ok(answered(&question, point))
+    answered(question, request.both, |model, workspace, options| {
+        Ok(answer::force(model, workspace, pressure_mpa, contraction, options)?)
+    })
 }
 
 /// P(F, ε).
@@ -110,13 +117,13 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
 /// # Errors
 /// [`Problem`].
 pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let question = Question::new(&request.muscle, &request.model, request.asking)?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, request.asking)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
-    let point =
-        answer::pressure(&*question.model, &mut question.workspace, force_n, contraction, question.options)?;
-    Ok(answered(&question, point))
+    answered(question, request.both, |model, workspace, options| {
+        Ok(answer::pressure(model, workspace, force_n, contraction, options)?)
+    })
 }
 
 /// ε(F, P).
@@ -124,27 +131,40 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
 /// # Errors
 /// [`Problem`].
 pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
+    let question = Question::new(&request.muscle, &request.model, request.asking)?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, request.asking)?;
-    let point = answer::contraction(
-        &*question.model,
-        &mut question.workspace,
-        force_n,
-        pressure_mpa,
-        question.options,
-    )?;
-    Ok(answered(&question, point))
+    answered(question, request.both, |model, workspace, options| {
+        Ok(answer::contraction(model, workspace, force_n, pressure_mpa, options)?)
+    })
 }
 
-/// The point with its muscle, and where the model's numbers come from.
-fn answered(question: &Question, point: Answer) -> PointAnswer {
+/// The point with its muscle, and where the model's numbers come from; with both branches where they are asked for.
+fn answered(
+    mut question: Question,
+    both: bool,
+    mut ask: impl FnMut(&dyn ForceModel, &mut Workspace, Options) -> Result<Answer, Problem>,
+) -> Result<PointAnswer, Problem> {
+    let options = question.options;
+    if both {
+        check_both(options.direction, &question.muscle)?;
+    }
+    let mut on = |options| ask(&*question.model, &mut question.workspace, options);
+    let point = on(options)?;
+    let branches = if both {
+        Direction::BRANCHES
+            .into_iter()
+            .map(|direction| on(Options { direction, ..options }))
+            .collect::<Result<_, _>>()?
+    } else {
+        vec![]
+    };
     let about = ModelAbout {
-        source: source_of(&*question.model, question.options.direction),
+        source: source_of(&*question.model, options.direction),
         uncertainty_basis: question.model.accuracy().basis(),
     };
-    PointAnswer { point, muscle: (&question.muscle).into(), about }
+    Ok(PointAnswer { point, branches, muscle: (&question.muscle).into(), about })
 }
 
 /// A number that must be there.

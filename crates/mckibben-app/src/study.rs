@@ -6,8 +6,8 @@ use crate::figure;
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::problem::Problem;
+use crate::units::Units;
 use crate::warnings;
-use crate::words::PressureUnit;
 use mckibben::curve::Test;
 use mckibben::study::{Finding, Study, thickness};
 use mckibben::warning::Warning;
@@ -28,8 +28,8 @@ pub struct StudyRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// The answer shall carry a figure, with pressures in this unit.
-    pub figure: Option<PressureUnit>,
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
 }
 
 /// The study: curves of five walls and of the ideal formula, and the paper's findings with a verdict on each.
@@ -91,7 +91,7 @@ pub fn study(request: &StudyRequest) -> Result<StudyAnswer, Problem> {
     let options = request.asking.options(&base)?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
     let study = thickness(&base, options, |m| model.build(m))?;
-    let figure = request.figure.map(|unit| {
+    let figure = request.figure.as_ref().map(|unit| {
         let MuscleSummary { angle_deg, rubber, .. } = (&base).into();
         let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");
         figure::study(&study, &about, unit)

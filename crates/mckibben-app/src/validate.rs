@@ -4,7 +4,7 @@ use crate::problem::Problem;
 use mckibben::progress::Progress;
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
-use mckibben_fem::verification::{Kind, Row};
+use mckibben_fem::verification::{Kind, Measure, Row};
 use mckibben_fem::{validation, verification};
 use rayon::prelude::*;
 use schemars::JsonSchema;
@@ -40,6 +40,8 @@ pub struct Case {
     pub name: String,
     /// Verification or validation.
     pub kind: CaseKind,
+    /// What its numbers are.
+    pub measure: CaseMeasure,
     /// Where the reference comes from.
     pub source: String,
     /// The reference.
@@ -64,6 +66,18 @@ pub enum CaseKind {
     Validation,
 }
 
+/// What the numbers of a case are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CaseMeasure {
+    /// A value and what it should be.
+    Value,
+    /// A root mean square of forces in N, beside the largest or the blocked force; the error is their ratio.
+    Rms,
+    /// A share of points, beside the least share.
+    Share,
+}
+
 impl From<Row> for Case {
     fn from(row: Row) -> Self {
         Self {
@@ -71,6 +85,11 @@ impl From<Row> for Case {
             kind: match row.kind {
                 Kind::Verification => CaseKind::Verification,
                 Kind::Validation => CaseKind::Validation,
+            },
+            measure: match row.measure {
+                Measure::Value => CaseMeasure::Value,
+                Measure::Rms => CaseMeasure::Rms,
+                Measure::Share => CaseMeasure::Share,
             },
             source: row.source.into(),
             reference: row.reference,

@@ -2,50 +2,6 @@
 
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::Law;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
-
-/// Units in which people are shown pressures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum PressureUnit {
-    /// bar
-    Bar,
-    /// kPa
-    Kpa,
-    /// psi
-    Psi,
-    /// MPa
-    #[default]
-    Mpa,
-}
-
-impl PressureUnit {
-    /// The unit's name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Bar => "bar",
-            Self::Kpa => "kPa",
-            Self::Psi => "psi",
-            Self::Mpa => "MPa",
-        }
-    }
-
-    /// A pressure in this unit.
-    pub fn value(self, mpa: f64) -> f64 {
-        match self {
-            Self::Bar => mpa * 10.0,
-            Self::Kpa => mpa * 1000.0,
-            Self::Psi => mpa * (1.0 / 0.006_894_757_293_168_361),
-            Self::Mpa => mpa,
-        }
-    }
-
-    /// `2.5 bar`.
-    pub fn show(self, mpa: f64) -> String {
-        format!("{} {}", number(self.value(mpa), 4), self.name())
-    }
-}
 
 /// A number with so many significant digits, without an exponent where it is short without.
 pub fn number(v: f64, digits: usize) -> String {
@@ -60,6 +16,42 @@ pub fn number(v: f64, digits: usize) -> String {
     let text = format!("{v:.decimals$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0".into() } else { text.into() }
+}
+
+/// A number with as many decimals as its ± leaves: the last place is at most a hundredth of it.
+pub fn within(v: f64, uncertainty: f64) -> String {
+    fixed(v, decimals_within(uncertainty))
+}
+
+/// Decimals of a number that is known so far.
+pub fn decimals_within(uncertainty: f64) -> usize {
+    if !(uncertainty > 0.0 && uncertainty.is_finite()) {
+        return 4;
+    }
+    (2.0 - uncertainty.log10().floor()).clamp(0.0, 8.0) as usize
+}
+
+/// A number with so many decimals.
+pub fn fixed(v: f64, decimals: usize) -> String {
+    let text = format!("{v:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.chars().all(|c| "0.".contains(c)) => rest.into(),
+        _ => text,
+    }
+}
+
+/// The numbers of a column with their points aligned: as many decimals as give the largest so many significant digits, less those that
+/// none of them needs. What there is not is a dash.
+pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
+    let known = || column.iter().flatten().filter(|v| v.is_finite());
+    let largest = known().fold(0.0_f64, |a, v| a.max(v.abs()));
+    let whole = if largest > 0.0 { largest.log10().floor() as i32 + 1 } else { 1 };
+    let most = (digits as i32 - whole).clamp(0, 8) as usize;
+    let needs = |v: &f64, d: usize| fixed(*v, most).parse() == fixed(*v, d).parse::<f64>();
+    let decimals = (0..most).find(|&d| known().all(|v| needs(v, d))).unwrap_or(most);
+    let one =
+        |v: &Option<f64>| v.filter(|v| v.is_finite()).map_or_else(|| "–".into(), |v| fixed(v, decimals));
+    column.iter().map(one).collect()
 }
 
 /// A ratio as a percentage.
@@ -97,5 +89,28 @@ pub fn braid_name(m: &Muscle) -> String {
     match &m.braid().sleeve {
         Some(sleeve) => format!("{}, {stiffness}", sleeve.name),
         None => stiffness,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_that_the_uncertainty_hides_are_not_shown() {
+        assert_eq!(within(326.31, 118.0), "326");
+        assert_eq!(within(326.31, 41.0), "326.3");
+        assert_eq!(within(0.012_345, 0.000_4), "0.012345");
+        assert_eq!(within(-0.2, 118.0), "0");
+    }
+
+    #[test]
+    fn columns_are_aligned_and_no_longer_than_needed() {
+        let list = |v: &[f64]| aligned(&v.iter().copied().map(Some).collect::<Vec<_>>(), 4);
+        assert_eq!(list(&[38.61, 44.5]), ["38.61", "44.50"]);
+        assert_eq!(list(&[0.5, 1.0, 2.0]), ["0.5", "1.0", "2.0"]);
+        assert_eq!(list(&[28.0, 30.0]), ["28", "30"]);
+        assert_eq!(list(&[921.72, 10.107, -0.001]), ["921.7", "10.1", "0.0"]);
+        assert_eq!(aligned(&[None, Some(2.0), Some(f64::NAN)], 3), ["–", "2", "–"]);
     }
 }

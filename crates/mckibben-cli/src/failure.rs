@@ -12,7 +12,7 @@ pub struct Failure {
 
 /// Fields of requests whose flag is not their name without its unit.
 const FLAGS: &[(&str, &str)] = &[
-    ("direction", "motion"),
+    ("direction", "branch"),
     ("pressures_mpa", "pressure"),
     ("contractions", "contraction"),
     ("forces_n", "force"),

@@ -6,18 +6,21 @@ use crate::quantities::{quantity, ratio};
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::units::Dimension;
-use mckibben_app::words::PressureUnit;
+use mckibben_app::units::Units;
 use mckibben_app::{
     AskFields, Columns, Direction, Keep, MeshFields, ModelFields, MuscleFields, NamedStiffness, ProblemKind,
     Stiffness, Terminal, TerminalMaterial,
 };
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The muscle: a file, and flags that override it.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Muscle")]
 pub struct MuscleFlags {
-    /// Muscle file (TOML); flags override what it says
+    /// Muscle file; flags override what it says
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
+    pub file: Option<PathBuf>,
+    /// The same as a flag
     #[arg(long, value_name = "FILE")]
     pub muscle: Option<PathBuf>,
     /// Outer diameter of the tube at rest [30mm]
@@ -133,16 +136,21 @@ pub struct AskFlags {
     /// Terminal of `fe3d`: none (a rigid plane), rigid or aluminium (a plug), with :insertion and :radius of its nose [none]
     #[arg(long, value_name = "WORD:MM:MM")]
     pub terminal: Option<String>,
-    /// Branch of the friction hysteresis (needs [friction] in the muscle file)
-    #[arg(long, value_parser = word::<Direction>(), default_value = "mean")]
-    pub motion: Direction,
+    /// Branch of the friction's hysteresis: of the model ([friction] in the muscle file), and of measured points
+    #[arg(long, alias = "motion", value_parser = word::<Direction>(), default_value = "mean")]
+    pub branch: Direction,
 }
 
 impl MuscleFlags {
-    /// The muscle's fields; `file` stands in for `--muscle`.
-    pub fn fields(&self, file: Option<&Path>) -> Result<MuscleFields, Failure> {
+    /// The outer diameter as it was typed.
+    pub fn diameter(&self) -> &Option<String> {
+        &self.outer_diameter
+    }
+
+    /// The muscle's fields.
+    pub fn fields(&self) -> Result<MuscleFields, Failure> {
         let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
-        let file = file.or(self.muscle.as_deref());
+        let file = self.file.as_deref().or(self.muscle.as_deref());
         Ok(MuscleFields {
             muscle: file.map(files::text).transpose()?,
             outer_diameter_mm: length("--outer-diameter", &self.outer_diameter)?,
@@ -192,7 +200,7 @@ impl ModelFlags {
 impl AskFlags {
     /// How the model is asked.
     pub fn fields(&self) -> AskFields {
-        AskFields { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.motion }
+        AskFields { extrapolate: self.extrapolate, two_sided: self.two_sided, direction: self.branch }
     }
 
     /// The mesh's fields.
@@ -233,13 +241,29 @@ fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
     Ok(Some(Terminal { material, insertion_mm, nose_mm }))
 }
 
+/// The units of what people are shown.
+#[derive(Debug, Clone, Default, Args)]
+#[command(next_help_heading = "Output")]
+pub struct UnitsFlag {
+    /// Units of text and figures, such as bar or psi,lbf,in [those you typed, else MPa, N, mm]
+    #[arg(long, value_name = "UNIT,…", value_parser = |text: &str| text.parse::<Units>().map(Box::new))]
+    units: Option<Box<Units>>,
+}
+
+impl UnitsFlag {
+    /// Those that were asked for, else those of what was typed, else MPa, N and mm.
+    pub fn or_typed<'a>(&self, typed: impl IntoIterator<Item = &'a Option<String>>) -> Units {
+        let typed = || Units::typed(typed.into_iter().filter_map(|text| text.as_deref()));
+        self.units.as_deref().cloned().unwrap_or_else(typed)
+    }
+}
+
 /// What is printed, drawn and written.
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "Output")]
 pub struct OutputFlags {
-    /// Unit of pressures in text and figures [the one you typed, else MPa]
-    #[arg(long, value_parser = word::<PressureUnit>(), value_name = "UNIT")]
-    pub units: Option<PressureUnit>,
+    #[command(flatten)]
+    pub units: UnitsFlag,
     /// Write the result to a file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
@@ -264,15 +288,4 @@ pub enum Format {
     Json,
     /// One row a point; columns carry their unit
     Csv,
-}
-
-/// The unit of pressures: the one that was asked for, else the one that was typed, else MPa.
-pub fn pressure_unit(asked: Option<PressureUnit>, typed: Option<&str>) -> PressureUnit {
-    let typed = || {
-        let text = typed?.trim().to_ascii_lowercase();
-        let units = [PressureUnit::Mpa, PressureUnit::Kpa, PressureUnit::Psi, PressureUnit::Bar];
-        let mut known = units.into_iter();
-        known.find(|unit| text.ends_with(&unit.name().to_ascii_lowercase()) && !text.ends_with("mbar"))
-    };
-    asked.or_else(typed).unwrap_or_default()
 }

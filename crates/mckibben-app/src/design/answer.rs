@@ -2,7 +2,8 @@
 
 use super::request::{Searching, Wanted};
 use crate::muscle::MuscleSummary;
-use crate::words::{PressureUnit, number, percent};
+use crate::units::Units;
+use crate::words::{number, percent};
 use mckibben::design::{
     BraidChoice, Candidate, CandidatePoint, Closest, Limit, OperatingPoint, Outcome, Rejected, Relaxation,
     Spec, Spread,
@@ -316,7 +317,7 @@ impl From<&Rejected> for RejectedAnswer {
             length_mm: r.length_mm,
             angle_deg: r.angle_deg,
             rubber: r.rubber.clone(),
-            reason: r.reason.describe(|v| PressureUnit::Mpa.show(v)),
+            reason: r.reason.describe(|kind, v| Units::default().show(kind, v)),
             limit: r.reason.limit(),
             misses_by: r.reason.misses_by(),
         }

@@ -40,7 +40,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
         _ => None,
     };
-    let figure = match request.figure {
+    let figure = match &request.figure {
         Some(unit) if winner.is_some() => Some(draw(&spec, &model, &outcome, unit)?),
         _ => None,
     };
@@ -86,7 +86,7 @@ fn draw(
     spec: &Spec,
     model: &Searching,
     outcome: &Outcome,
-    unit: crate::words::PressureUnit,
+    unit: &crate::units::Units,
 ) -> Result<mckibben_report::Figure, Problem> {
     let options = spec.options();
     let drawn = outcome.candidates.iter().take(DRAWN);

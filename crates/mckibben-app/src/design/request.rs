@@ -5,7 +5,7 @@ use crate::model::{Model, Purpose};
 use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
-use crate::words::PressureUnit;
+use crate::units::Units;
 use mckibben::design::{
     BraidChoice, Limits, Objective, OperatingPoint, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
 };
@@ -74,8 +74,8 @@ pub struct DesignRequest {
     pub verify: Verify,
     /// How many candidates and rejected muscles to report; 5 where it is left out.
     pub top: Option<usize>,
-    /// The answer shall carry a figure, with pressures in this unit.
-    pub figure: Option<PressureUnit>,
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
 }
 
 /// An operating point that is wanted.

@@ -1,8 +1,8 @@
 //! Models and measured points on one figure.
 
 use super::caption;
-use super::curves::line;
-use crate::words::PressureUnit;
+use super::curves::{line, pull};
+use crate::units::Units;
 use mckibben::answer::Options;
 use mckibben::compare::MeasuredPoint;
 use mckibben::curve::{Test, curves};
@@ -17,28 +17,28 @@ pub fn compare(
     contractions: &[f64],
     options: Options,
     about: &str,
-    p: PressureUnit,
+    u: &Units,
 ) -> Figure {
-    let mut panel =
-        Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
+    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let count = models.len();
     for (number, (model, workspace)) in models.into_iter().enumerate() {
         let family = curves(model, workspace, Test::Isobaric, pressures, contractions, options);
         for (i, curve) in family.iter().enumerate() {
             let label = if i == 0 { model.name() } else { "" };
             let style = [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][number % 4];
-            let mut series = Series::new(label, line(curve, Test::Isobaric, p)).colour(number).style(style);
+            let mut series = Series::new(label, line(curve, Test::Isobaric, u)).colour(number).style(style);
             if number + 1 == count && measured.is_empty() {
-                series = series.end_label(p.show(curve.fixed));
+                series = series.end_label(u.pressure.show(curve.fixed));
             }
             panel = panel.series(series);
         }
     }
     if !measured.is_empty() {
-        let points: Vec<(f64, f64)> = measured.iter().map(|m| (m.contraction, m.force_n)).collect();
+        let points: Vec<(f64, f64)> =
+            measured.iter().map(|m| (m.contraction, u.force.value(m.force_n))).collect();
         panel = panel.series(Series::scatter("measured", points).colour(count));
     }
-    let list: Vec<String> = pressures.iter().map(|&v| p.show(v)).collect();
+    let list: Vec<String> = pressures.iter().map(|&v| u.pressure.show(v)).collect();
     let about = format!("Isobaric at {}. {about}", list.join(", "));
     Figure::new("Models compared").caption(caption(about)).panel(panel)
 }

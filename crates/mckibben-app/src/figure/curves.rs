@@ -2,14 +2,15 @@
 
 use super::caption;
 use crate::muscle::MuscleSummary;
-use crate::words::{PressureUnit, number, percent};
+use crate::units::Units;
+use crate::words::percent;
 use mckibben::curve::{Curve, Test};
-use mckibben_report::{Axis, Figure, Palette, Panel, Series};
+use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// The axes of a test.
-pub(super) fn axes(test: Test, p: PressureUnit) -> (Axis, Axis) {
-    let pressure = Axis::new(format!("pressure P [{}]", p.name())).from_zero();
-    let pull = Axis::new("pull F [N]").from_zero();
+pub(super) fn axes(test: Test, u: &Units) -> (Axis, Axis) {
+    let pressure = Axis::new(u.pressure.heading("pressure P")).from_zero();
+    let pull = pull(u);
     let contraction = Axis::new("contraction ratio ε [–]").from_zero();
     match test {
         Test::Isometric => (pressure, pull),
@@ -18,39 +19,57 @@ pub(super) fn axes(test: Test, p: PressureUnit) -> (Axis, Axis) {
     }
 }
 
+/// The axis of a pull.
+pub(super) fn pull(u: &Units) -> Axis {
+    Axis::new(u.force.heading("pull F")).from_zero()
+}
+
 /// The points of a curve in the figure's units.
-pub(super) fn line(curve: &Curve, test: Test, p: PressureUnit) -> Vec<(f64, f64)> {
+pub(super) fn line(curve: &Curve, test: Test, u: &Units) -> Vec<(f64, f64)> {
     let points = curve.line(test).into_iter();
-    points.map(|(x, y)| if test == Test::Isobaric { (x, y) } else { (p.value(x), y) }).collect()
+    let shown = |(x, y)| match test {
+        Test::Isobaric => (x, u.force.value(y)),
+        Test::Isometric => (u.pressure.value(x), u.force.value(y)),
+        Test::Isotonic => (u.pressure.value(x), y),
+    };
+    points.map(shown).collect()
 }
 
 /// What is fixed along a curve, as its label.
-pub(super) fn label(test: Test, fixed: f64, p: PressureUnit) -> String {
+pub(super) fn label(test: Test, fixed: f64, u: &Units) -> String {
     match test {
         Test::Isometric => format!("ε {}", percent(fixed)),
-        Test::Isotonic => format!("{} N", number(fixed, 5)),
-        Test::Isobaric => p.show(fixed),
+        Test::Isotonic => u.force.show(fixed),
+        Test::Isobaric => u.pressure.show(fixed),
     }
 }
 
 /// The figure of `curve`.
-pub fn curves(model: &str, muscle: &MuscleSummary, test: Test, list: &[Curve], p: PressureUnit) -> Figure {
-    let (x, y) = axes(test, p);
+pub fn curves(
+    model: &str,
+    muscle: &MuscleSummary,
+    test: Test,
+    list: &[Curve],
+    both: bool,
+    u: &Units,
+) -> Figure {
+    let (x, y) = axes(test, u);
     let mut panel = Panel::new(x, y);
-    for curve in list {
-        let text = label(test, curve.fixed, p);
-        let points = line(curve, test, p);
-        panel = panel.series(if list.len() <= 12 {
-            Series::line("", points).end_label(text)
-        } else {
-            Series::line(text, points)
-        });
+    // Of two branches of one colour the muscle lengthens on the dashed one.
+    let each = if both { 2 } else { 1 };
+    for (i, curve) in list.iter().enumerate() {
+        let text = if i % each == 0 { label(test, curve.fixed, u) } else { String::new() };
+        let style = if i % each == 0 { Style::Line } else { Style::Dashed };
+        let series = |name: &str| Series::new(name, line(curve, test, u)).style(style).colour(i / each);
+        panel =
+            panel.series(if list.len() <= 12 * each { series("").end_label(text) } else { series(&text) });
     }
     let title = match test {
         Test::Isometric => "Isometric curves",
         Test::Isotonic => "Isotonic curves",
         Test::Isobaric => "Isobaric curves",
     };
-    let about = format!("Model {model}. {}", muscle.line());
+    let branches = if both { "; dashed: while it is lengthened" } else { "" };
+    let about = format!("Model {model}{branches}. {}", muscle.line(u));
     Figure::new(title).caption(caption(about)).palette(Palette::Sequential).panel(panel)
 }

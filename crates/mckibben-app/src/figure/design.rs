@@ -1,8 +1,9 @@
 //! Isobaric curves of the first candidates with the operating points.
 
 use super::caption;
-use super::curves::line;
-use crate::words::{PressureUnit, number, percent};
+use super::curves::{line, pull};
+use crate::units::Units;
+use crate::words::percent;
 use mckibben::answer::Options;
 use mckibben::curve::{Test, curves};
 use mckibben::design::{Candidate, OperatingPoint};
@@ -15,14 +16,13 @@ pub fn design(
     wanted: &[OperatingPoint],
     max_pressure_mpa: f64,
     options: Options,
-    p: PressureUnit,
+    u: &Units,
 ) -> Figure {
-    let mut panel =
-        Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), Axis::new("pull F [N]").from_zero());
+    let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u));
     let asked = wanted.iter().map(|w| w.contraction).fold(0.0, f64::max);
     for (i, (candidate, model)) in models.iter().enumerate() {
         let m = &candidate.muscle;
-        let name = format!("D0 {}, s {}", number(m.outer_diameter_mm(), 4), number(m.wall_mm(), 3));
+        let name = format!("D0 {}, s {}", u.length.to(m.outer_diameter_mm(), 4), u.length.to(m.wall_mm(), 3));
         let end = candidate.free_contraction.unwrap_or(0.2).max(asked).min(model.range().contraction.1);
         let along: Vec<f64> = (0..=60).map(|i| end * f64::from(i) / 60.0).collect();
         let needed = candidate.pressure_mpa;
@@ -33,19 +33,19 @@ pub fn design(
             }
             for curve in curves(model.as_ref(), &mut workspace, Test::Isobaric, &[pressure], &along, options)
             {
-                let label = format!("{name} at {}", p.show(pressure));
-                let points = line(&curve, Test::Isobaric, p);
+                let label = format!("{name} at {}", u.pressure.show(pressure));
+                let points = line(&curve, Test::Isobaric, u);
                 panel = panel.series(Series::new(label, points).colour(i).style(style));
             }
         }
     }
     for w in wanted {
-        let label = format!("{} N at {}", number(w.force_n, 4), percent(w.contraction));
-        panel = panel.mark(Mark::new(w.contraction, w.force_n, label));
+        let label = format!("{} at {}", u.force.show(w.force_n), percent(w.contraction));
+        panel = panel.mark(Mark::new(w.contraction, u.force.value(w.force_n), label));
     }
     let mut names: Vec<&str> = models.iter().map(|m| m.1.name()).collect();
     names.dedup();
     Figure::new("Candidates: pull over contraction")
-        .caption(caption(format!("Model {}; lengths in mm", names.join(", then "))))
+        .caption(caption(format!("Model {}; lengths in {}", names.join(", then "), u.length.name)))
         .panel(panel)
 }

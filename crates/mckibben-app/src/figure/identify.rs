@@ -1,7 +1,9 @@
 //! What was identified: the model over the points, and what is left of them.
 
 use super::caption;
-use crate::words::{PressureUnit, number, percent};
+use super::curves::pull;
+use crate::units::Units;
+use crate::words::percent;
 use mckibben::analysis::force_on;
 use mckibben::identify::{Fitted, Identification};
 use mckibben::measured::Section;
@@ -35,11 +37,7 @@ fn same(a: f64, b: f64) -> bool {
 }
 
 fn word(branch: Direction) -> &'static str {
-    match branch {
-        Direction::Mean => "points",
-        Direction::Contraction => "shortening",
-        Direction::Elongation => "lengthening",
-    }
+    if branch.is_mean() { "points" } else { branch.motion() }
 }
 
 /// The model over the points of the first muscle, and the residuals of all over contraction and pressure.
@@ -48,21 +46,25 @@ pub(crate) fn identified(
     build: &Build<'_>,
     origin: &str,
     about: &str,
-    p: PressureUnit,
+    u: &Units,
 ) -> Figure {
     let mut figure = Figure::new(format!("Identified from {origin}"))
-        .caption(caption(format!("Dots: data; lines: {about}. rms {} N", number(found.rms_n, 3))))
+        .caption(caption(format!(
+            "Dots: data; lines: {about}. rms {} {}",
+            u.force.to(found.rms_n, 3),
+            u.force.name
+        )))
         .palette(Palette::Sequential)
         .columns(2);
     let sections = sections(found);
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
-        figure = figure.panel(fit(found, build, section, p, sections.len() > 1));
+        figure = figure.panel(fit(found, build, section, u, sections.len() > 1));
     }
     let left = |x: fn(&Fitted) -> f64, axis: Axis, scale: f64| {
-        let mut panel = Panel::new(axis, Axis::new("model less data [N]").from_zero());
+        let mut panel = Panel::new(axis, Axis::new(u.force.heading("model less data")).from_zero());
         for (n, branch) in Direction::ALL.into_iter().enumerate() {
             let mine = found.points.iter().filter(|f| f.point.at.branch == branch);
-            let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), f.residual_n)).collect();
+            let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), u.force.value(f.residual_n))).collect();
             if !points.is_empty() {
                 panel = panel.series(Series::scatter(word(branch), points).colour(n));
             }
@@ -73,8 +75,8 @@ pub(crate) fn identified(
         .panel(left(|f| f.point.at.contraction, Axis::new("contraction ratio ε [–]").from_zero(), 1.0))
         .panel(left(
             |f| f.point.at.pressure_mpa,
-            Axis::new(format!("pressure P [{}]", p.name())).from_zero(),
-            p.value(1.0),
+            Axis::new(u.pressure.heading("pressure P")).from_zero(),
+            u.pressure.value(1.0),
         ))
 }
 
@@ -96,33 +98,38 @@ fn sections(found: &Identification) -> Vec<Section> {
     list.into_iter().map(|s| s.0).collect()
 }
 
-fn fit(found: &Identification, build: &Build<'_>, section: &Section, p: PressureUnit, named: bool) -> Panel {
+fn fit(found: &Identification, build: &Build<'_>, section: &Section, u: &Units, named: bool) -> Panel {
     let mine: Vec<&Fitted> = found.points.iter().filter(|f| f.point.section == *section).collect();
     let pressures = levels(mine.iter().map(|f| f.point.at.pressure_mpa));
     let contractions = levels(mine.iter().map(|f| f.point.at.contraction));
     let isobaric = pressures.len() <= contractions.len();
-    let pull = Axis::new("pull F [N]").from_zero();
     let (x_axis, fixed) = if isobaric {
         (Axis::new("contraction ratio ε [–]").from_zero(), thinned(&pressures))
     } else {
-        (Axis::new(format!("pressure P [{}]", p.name())).from_zero(), thinned(&contractions))
+        (Axis::new(u.pressure.heading("pressure P")).from_zero(), thinned(&contractions))
     };
-    let mut panel = Panel::new(x_axis, pull);
+    let mut panel = Panel::new(x_axis, pull(u));
     let muscle = found.candidate.of_section(section);
     if named && let Ok(m) = &muscle {
-        panel =
-            panel.title(format!("D0 {}, s {} mm", number(m.outer_diameter_mm(), 4), number(m.wall_mm(), 3)));
+        panel = panel.title(format!(
+            "D0 {}, s {}",
+            u.length.show(m.outer_diameter_mm()),
+            u.length.show(m.wall_mm())
+        ));
     }
     let model = muscle.ok().and_then(|m| build(&m).ok());
     for (n, &value) in fixed.iter().enumerate() {
         let key = |f: &&&Fitted| {
             same(if isobaric { f.point.at.pressure_mpa } else { f.point.at.contraction }, value)
         };
-        let label = if isobaric { p.show(value) } else { format!("ε {}", percent(value)) };
+        let label = if isobaric { u.pressure.show(value) } else { format!("ε {}", percent(value)) };
         let on: Vec<&&Fitted> = mine.iter().filter(key).collect();
         let dots = on.iter().map(|f| {
             let at = &f.point.at;
-            (if isobaric { at.contraction } else { p.value(at.pressure_mpa) }, at.force_n)
+            (
+                if isobaric { at.contraction } else { u.pressure.value(at.pressure_mpa) },
+                u.force.value(at.force_n),
+            )
         });
         panel = panel.series(Series::scatter(label.clone(), dots.collect::<Vec<_>>()).colour(n));
         let Some(model) = &model else { continue };
@@ -137,7 +144,7 @@ fn fit(found: &Identification, build: &Build<'_>, section: &Section, p: Pressure
                 let x = low + (high - low) * f64::from(i) / 40.0;
                 let (pressure, contraction) = if isobaric { (value, x) } else { (x, value) };
                 let force = pulled(model.as_ref(), &mut workspace, found, (pressure, contraction), branch)?;
-                Some((if isobaric { x } else { p.value(x) }, force))
+                Some((if isobaric { x } else { u.pressure.value(x) }, u.force.value(force)))
             });
             let style = if branch == Direction::Elongation { Style::Dashed } else { Style::Line };
             panel = panel.series(Series::new("", points.collect::<Vec<_>>()).style(style).colour(n));

@@ -4,7 +4,7 @@ use super::caption;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::simulate::PictureFields;
-use crate::words::{number, percent};
+use crate::words::percent;
 use mckibben::model::Response;
 use mckibben_fem::output::Shape;
 use mckibben_report::{Axis, Face, Scene, Thread, View};
@@ -20,17 +20,17 @@ pub fn picture(
     shape: &Shape,
     r: &Response,
 ) -> Result<Scene, Problem> {
-    let p = wanted.pressure_unit;
+    let u = &wanted.units;
     let Some(seen) = shape.seen(&wanted.show, wanted.cut) else {
         let message = format!("there is no \"{}\" at the points of the tube", wanted.show);
         let hint = format!("there are {}", shape.names().join(", "));
         return Err(Problem::new(ProblemKind::Show, message, hint).in_field("show"));
     };
     let title = format!(
-        "{}: pulls {}\u{a0}N at {} and ε\u{a0}{}",
-        muscle.line(),
-        number(r.force_n, 4),
-        p.show(r.pressure_mpa).replace(' ', "\u{a0}"),
+        "{}: pulls {} at {} and ε\u{a0}{}",
+        muscle.line(u),
+        u.force.to(r.force_n, 4) + "\u{a0}" + &u.force.name,
+        u.pressure.show(r.pressure_mpa).replace(' ', "\u{a0}"),
         percent(r.contraction).replace(' ', "\u{a0}")
     );
     let faces = seen.faces.into_iter().map(|(corners, values)| Face { corners, values: Some(values) });

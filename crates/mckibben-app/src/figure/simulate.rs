@@ -4,7 +4,8 @@ use super::caption;
 use super::curves::axes;
 use crate::muscle::MuscleSummary;
 use crate::simulate::Simulated;
-use crate::words::{PressureUnit, number, percent};
+use crate::units::Units;
+use crate::words::percent;
 use mckibben::curve::Test;
 use mckibben_fem::results::Solution;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
@@ -13,20 +14,20 @@ use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 const SHAPES: usize = 6;
 
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
-pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], p: PressureUnit) -> Figure {
+pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
     let mut figure = Figure::new(format!("{} test, finite elements", capital(test.name()))).columns(2);
     figure = figure.palette(Palette::Sequential);
-    let (x, y) = axes(test, p);
+    let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
     let mut fixed: Vec<f64> = points.iter().map(|q| key(test, q)).collect();
     fixed.dedup();
     for (i, &value) in fixed.iter().enumerate() {
         let line: Vec<(f64, f64)> =
-            points.iter().filter(|q| key(test, q) == value).map(|q| coordinates(test, q, p)).collect();
+            points.iter().filter(|q| key(test, q) == value).map(|q| coordinates(test, q, u)).collect();
         let label = match test {
             Test::Isometric => format!("ε {}", percent(value)),
-            Test::Isotonic => format!("{} N", number(value, 4)),
-            Test::Isobaric => p.show(value),
+            Test::Isotonic => u.force.show(value),
+            Test::Isobaric => u.pressure.show(value),
         };
         curve = curve.series(Series::line("", line).colour(i).end_label(label));
     }
@@ -34,31 +35,38 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], p: Pressure
     let step = solved.len().div_ceil(SHAPES).max(1);
     // The last always belongs to them.
     let shown: Vec<&Solution> = solved.iter().rev().step_by(step).rev().copied().collect();
-    let name =
-        |s: &Solution| format!("{}, {}", p.show(s.response.pressure_mpa), percent(s.response.contraction));
-    let mut shape =
-        Panel::new(Axis::new("z from the middle [mm]").from_zero(), Axis::new("r [mm]").from_zero());
-    let mut tension = Panel::new(
-        Axis::new("z at rest [mm]").from_zero(),
-        Axis::new("tension of a family [N/mm]").from_zero(),
+    let name = |s: &Solution| {
+        format!("{}, {}", u.pressure.show(s.response.pressure_mpa), percent(s.response.contraction))
+    };
+    let at = |(z, r): (f64, f64)| (u.length.value(z), u.length.value(r));
+    let mut shape = Panel::new(
+        Axis::new(u.length.heading("z from the middle")).from_zero(),
+        Axis::new(u.length.heading("r")).from_zero(),
     );
-    let mut angle = Panel::new(Axis::new("z at rest [mm]").from_zero(), Axis::new("strand angle θ [°]"));
+    let per_width = u.stiffness();
+    let mut tension = Panel::new(
+        Axis::new(u.length.heading("z at rest")).from_zero(),
+        Axis::new(per_width.heading("tension of a family")).from_zero(),
+    );
+    let mut angle =
+        Panel::new(Axis::new(u.length.heading("z at rest")).from_zero(), Axis::new("strand angle θ [°]"));
     for (i, s) in shown.iter().enumerate() {
-        let outer: Vec<(f64, f64)> = s.profile.iter().map(|x| x.outer_mm).collect();
-        let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| x.inner_mm).collect();
+        let outer: Vec<(f64, f64)> = s.profile.iter().map(|x| at(x.outer_mm)).collect();
+        let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| at(x.inner_mm)).collect();
         shape =
             shape.series(Series::line(name(s), outer).colour(i)).series(Series::line("", inner).colour(i));
-        let along = |of: fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
-            s.strands.iter().map(|x| (x.rest_mm, of(x))).collect()
+        let along = |of: &dyn Fn(&mckibben_fem::results::StrandState) -> f64| -> Vec<(f64, f64)> {
+            s.strands.iter().map(|x| (u.length.value(x.rest_mm), of(x))).collect()
         };
-        tension = tension.series(Series::line(name(s), along(|x| x.tension_n_per_mm)).colour(i));
-        angle = angle.series(Series::line(name(s), along(|x| x.angle_deg)).colour(i));
+        tension =
+            tension.series(Series::line(name(s), along(&|x| per_width.value(x.tension_n_per_mm))).colour(i));
+        angle = angle.series(Series::line(name(s), along(&|x| x.angle_deg)).colour(i));
     }
     figure = figure.panel(curve.title("curve"));
     figure = figure.panel(shape.title("outer and inner surface"));
     figure = figure.panel(tension.title("strand tension"));
     figure = figure.panel(angle.title("strand angle"));
-    figure.caption(caption(format!("Axisymmetric finite elements. {}", m.line())))
+    figure.caption(caption(format!("Axisymmetric finite elements. {}", m.line(u))))
 }
 
 fn capital(word: &str) -> String {
@@ -75,12 +83,12 @@ fn key(test: Test, q: &Simulated) -> f64 {
     }
 }
 
-fn coordinates(test: Test, q: &Simulated, p: PressureUnit) -> (f64, f64) {
+fn coordinates(test: Test, q: &Simulated, u: &Units) -> (f64, f64) {
     let r = q.solution.as_ref().ok().map(|s| s.response);
-    let pull = r.filter(|_| !q.slack).map_or(f64::NAN, |r| r.force_n);
+    let pull = r.filter(|_| !q.slack).map_or(f64::NAN, |r| u.force.value(r.force_n));
     match test {
-        Test::Isometric => (p.value(q.pressure_mpa), pull),
-        Test::Isotonic => (p.value(q.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),
+        Test::Isometric => (u.pressure.value(q.pressure_mpa), pull),
+        Test::Isotonic => (u.pressure.value(q.pressure_mpa), r.map_or(f64::NAN, |r| r.contraction)),
         Test::Isobaric => (q.contraction().unwrap_or(f64::NAN), pull),
     }
 }

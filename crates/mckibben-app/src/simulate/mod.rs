@@ -177,7 +177,7 @@ pub fn simulate(
     }
     let name = simulation.name();
     let problem = all_failed(&simulated);
-    let figure = request.figure.filter(|_| problem.is_none());
+    let figure = request.figure.as_ref().filter(|_| problem.is_none());
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
     let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
     let warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));

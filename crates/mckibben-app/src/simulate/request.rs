@@ -1,7 +1,7 @@
 //! A finite-element test that is asked for.
 
 use crate::fields::{MeshFields, MuscleFields};
-use crate::words::PressureUnit;
+use crate::units::Units;
 use mckibben::curve::Test;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -42,9 +42,9 @@ pub struct SimulateRequest {
     /// The answer shall carry a picture of the last point that has an answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<PictureFields>,
-    /// The answer shall carry a figure, with pressures in this unit.
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub figure: Option<PressureUnit>,
+    pub figure: Option<Units>,
 }
 
 /// A picture of the deformed muscle.
@@ -55,12 +55,13 @@ pub struct PictureFields {
     pub show: String,
     /// Cut a quarter out, so that wall and cavity show.
     pub cut: bool,
-    /// Pressures in this unit.
-    pub pressure_unit: PressureUnit,
+    /// Units of its title.
+    #[serde(alias = "pressure_unit")]
+    pub units: Units,
 }
 
 impl Default for PictureFields {
     fn default() -> Self {
-        Self { show: "max_stretch".into(), cut: false, pressure_unit: PressureUnit::default() }
+        Self { show: "max_stretch".into(), cut: false, units: Units::default() }
     }
 }

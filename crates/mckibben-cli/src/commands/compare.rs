@@ -2,16 +2,17 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
-use crate::output::text::{number, percent, table, understood};
+use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag};
+use crate::output::text::{Units, percent, percents, rows_of, table, understood};
 use crate::output::{show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, points};
-use crate::word::word;
 use clap::Args;
 use mckibben::units::Dimension;
-use mckibben_app::{CompareAnswer, CompareRequest, Direction, FitConstant, ProblemKind};
+use mckibben_app::{
+    AskFields, CompareAnswer, CompareRequest, ComparedModel, Direction, FitConstant, ProblemKind,
+};
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
@@ -33,9 +34,6 @@ pub struct CompareArgs {
     pub data: Option<PathBuf>,
     #[command(flatten)]
     pub columns: ColumnsFlag,
-    /// Which branch of measured hysteresis
-    #[arg(long, value_parser = word::<Direction>(), default_value = "mean")]
-    pub branch: Direction,
     /// Constants to fit to the points, for each model: modulus, end-factor, stiffness
     #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "data")]
     pub fit: Vec<String>,
@@ -58,7 +56,7 @@ pub struct CompareArgs {
 /// Runs the command.
 pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = pressure_unit(args.output.units, args.pressure.as_deref());
+    let unit = args.output.units.or_typed([&args.pressure, args.muscle.diameter()]);
     let models: Vec<String> = match &args.model {
         Some(one) => vec![one.clone()],
         None => args.models.clone(),
@@ -73,19 +71,20 @@ pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
         mesh: args.asking.mesh_fields()?,
         data: args.data.as_deref().map(files::table).transpose()?,
         columns: args.columns.fields()?,
-        branch: args.branch,
+        branch: args.asking.branch,
         fit: args.fit.iter().map(|word| constant(word)).collect::<Result<_, _>>()?,
         pressures_mpa: points("--pressure", args.pressure.as_deref(), Dimension::Pressure, 5)?,
         contractions: contractions(args.contraction.as_deref())?,
-        muscle: args.muscle.fields(None)?,
-        asking: args.asking.fields(),
-        figure: args.plot.plot.as_ref().map(|_| unit),
+        muscle: args.muscle.fields()?,
+        // A muscle that states its friction answers on the branch of the points; of others it is theirs alone.
+        asking: AskFields { direction: Direction::Mean, ..args.asking.fields() },
+        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let mut answer = mckibben_app::compare(&request, &Bar::new("models"))?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     let text = || {
         answer.warnings.iter().for_each(warn);
-        as_text(args, &answer)
+        as_text(args, &answer, &unit)
     };
     show(&answer, format, "models", text, args.output.output.as_deref())?;
     Ok(0)
@@ -100,28 +99,39 @@ fn constant(word: &str) -> Result<FitConstant, Failure> {
     })
 }
 
-fn as_text(args: &CompareArgs, answer: &CompareAnswer) -> String {
+fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
     let mut out = understood(&answer.understood);
-    out.push_str(&format!("{}\n", answer.muscle.line()));
+    out.push_str(&format!("{}\n", answer.muscle.line(u)));
     match &args.data {
         Some(path) => {
-            let mean = args.branch == Direction::Mean;
+            let mean = args.asking.branch == Direction::Mean;
             let which = if mean { " (mean of the branches where both stand)" } else { "" };
             out.push_str(&format!(
-                "against {} points of {}{which}, largest {} N\n\n",
+                "against {} points of {}{which}, largest {}\n\n",
                 answer.points,
                 path.display(),
-                number(answer.largest_force_n, 4)
+                u.force.show(answer.largest_force_n)
             ));
         }
         None => out.push_str(&format!("against the model {}\n\n", answer.reference)),
     }
-    let header = ["model", "rms [N]", "largest [N]", "mean [N]", "points"];
-    let rows = answer.models.iter().filter_map(|m| {
-        let errors = [m.rms_n?, m.max_n?, m.mean_n?].map(|v| number(v, 3));
-        Some(std::iter::once(m.model.clone()).chain(errors).chain([m.points.to_string()]).collect())
-    });
-    out.push_str(&table(&header, rows.collect()));
+    let answered: Vec<&ComparedModel> = answer.models.iter().filter(|m| m.rms_n.is_some()).collect();
+    let largest = answer.largest_force_n;
+    // What is left of rounding is nothing.
+    let error = |of: fn(&ComparedModel) -> Option<f64>| {
+        answered.iter().map(move |m| of(m).map(|v| if v.abs() < 1e-9 * largest { 0.0 } else { v }))
+    };
+    let columns = vec![
+        answered.iter().map(|m| m.model.clone()).collect(),
+        u.force.column(error(|m| m.rms_n), 3),
+        percents(error(|m| m.rms_n).map(|v| v.map(|v| v / largest)), 3),
+        u.force.column(error(|m| m.max_n), 3),
+        u.force.column(error(|m| m.mean_n), 3),
+        answered.iter().map(|m| m.points.to_string()).collect(),
+    ];
+    let [rms, most, mean] = ["rms", "largest", "mean"].map(|word| u.force.heading(word));
+    let header = ["model", &rms, "of the largest pull", &most, &mean, "points"];
+    out.push_str(&table(&header, rows_of(columns)));
     out.push_str("\nmean: above zero where the model promises too much\n");
     for m in answer.models.iter().filter(|m| m.rms_n.is_none()) {
         out.push_str(&format!("{}: not compared: {}\n", m.model, m.cause.as_deref().unwrap_or_default()));

@@ -1,16 +1,17 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag, pressure_unit};
-use crate::output::text::{PressureUnit, number, percent, table};
+use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::output::text::{Units, percent, percents, rows_of, table};
 use crate::output::{show, warn};
 use crate::plot;
 use crate::quantities::{contractions, forces, pressures};
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::curve::{Curve, Test};
+use mckibben::muscle::Direction;
 use mckibben::warning::Warning;
-use mckibben_app::CurveRequest;
+use mckibben_app::{CurveAnswer, CurveRequest};
 
 pub const EXAMPLES: &str = "Examples:
   mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
@@ -48,6 +49,9 @@ pub struct CurveArgs {
     /// Pulls of an isotonic test [20,80,150N]
     #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
     pub force: Option<String>,
+    /// Both branches of the friction's hysteresis
+    #[arg(long, conflicts_with = "study")]
+    pub both: bool,
     #[command(flatten)]
     pub plot: PlotFlag,
     #[command(flatten)]
@@ -59,16 +63,18 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     // Without a study, which is another command to the program, the test must be there.
     let test = args.test.unwrap_or(Test::Isometric);
-    let unit = pressure_unit(args.output.units, args.pressure.as_deref());
+    let typed = [&args.pressure, &args.force, args.muscle.diameter()];
+    let unit = args.output.units.or_typed(typed);
     let mut answer = mckibben_app::curve(&CurveRequest {
         test,
-        muscle: args.muscle.fields(None)?,
+        muscle: args.muscle.fields()?,
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         pressures_mpa: pressures(args.pressure.as_deref(), 25)?,
         contractions: contractions(args.contraction.as_deref())?,
         forces_n: forces(args.force.as_deref())?,
-        figure: args.plot.plot.as_ref().map(|_| unit),
+        both: args.both,
+        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     })?;
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
         return Err(problem.into());
@@ -76,8 +82,8 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), args.plot.plot.as_deref())?;
     let text = || {
         warnings(&answer.warnings, &answer.curves);
-        let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line());
-        format!("{head}{}", as_table(test, &answer.curves, unit))
+        let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
+        head + &as_table(&answer, &unit) + &doubt(&answer.curves, &unit)
     };
     show(&answer, format, "points", text, args.output.output.as_deref())?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
@@ -92,31 +98,64 @@ fn warnings(all: &[Warning], list: &[Curve]) {
     }
 }
 
-/// One row per value along the curves, one column per curve.
-fn as_table(test: Test, list: &[Curve], p: PressureUnit) -> String {
-    let along = if test == Test::Isobaric { "ε".to_owned() } else { format!("P [{}]", p.name()) };
-    let fixed = |c: &Curve| match test {
-        Test::Isometric => format!("F [N] at ε {}", percent(c.fixed)),
-        Test::Isotonic => format!("ε at {} N", number(c.fixed, 5)),
-        Test::Isobaric => format!("F [N] at {}", p.show(c.fixed)),
+/// The ± of the pulls, from the least to the largest.
+fn doubt(list: &[Curve], u: &Units) -> String {
+    let answers = list.iter().flat_map(|c| &c.points).filter_map(|q| q.answer.as_ref().ok());
+    let known: Vec<f64> = answers.filter(|a| !a.slack).filter_map(|a| a.uncertainty_n).collect();
+    let (Some(low), Some(high)) =
+        (known.iter().copied().reduce(f64::min), known.iter().copied().reduce(f64::max))
+    else {
+        return String::new();
     };
-    let header: Vec<String> = std::iter::once(along).chain(list.iter().map(fixed)).collect();
+    format!(
+        "\n± {} to {} {}: 95 %, against a measured muscle\n",
+        u.force.to(low, 2),
+        u.force.to(high, 2),
+        u.force.name
+    )
+}
+
+/// One row per value along the curves, one column per curve.
+fn as_table(answer: &CurveAnswer, u: &Units) -> String {
+    let (test, list) = (answer.test, &answer.curves);
+    let along = if test == Test::Isobaric { "ε".to_owned() } else { u.pressure.heading("P") };
+    let fixed = |(i, c): (usize, &Curve)| {
+        let branch = match (answer.both, i % 2) {
+            (false, _) => String::new(),
+            (true, branch) => format!(", {}", Direction::BRANCHES[branch].motion()),
+        };
+        let of = match test {
+            Test::Isometric => format!("{} at ε {}", u.force.heading("F"), percent(c.fixed)),
+            Test::Isotonic => format!("ε at {}", u.force.show(c.fixed)),
+            Test::Isobaric => format!("{} at {}", u.force.heading("F"), u.pressure.show(c.fixed)),
+        };
+        of + &branch
+    };
+    let header: Vec<String> = std::iter::once(along).chain(list.iter().enumerate().map(fixed)).collect();
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let count = list.first().map_or(0, |c| c.points.len());
-    let rows = (0..count).map(|i| {
-        let first = list.first().map(|c| &c.points[i]);
-        let x = first.map_or_else(String::new, |q| match test {
-            Test::Isobaric => percent(q.contraction.unwrap_or(0.0)),
-            _ => number(p.value(q.pressure_mpa), 4),
-        });
-        std::iter::once(x)
-            .chain(list.iter().map(|c| match &c.points[i].answer {
-                Err(_) => "–".into(),
-                Ok(a) if test == Test::Isotonic => percent(a.response.contraction),
-                Ok(a) if a.slack => "slack".into(),
-                Ok(a) => number(a.response.force_n, 5),
-            }))
-            .collect()
-    });
-    table(&header, rows.collect())
+    let first = list.first().map_or(&[][..], |c| &c.points[..]);
+    let first = match test {
+        Test::Isobaric => percents(first.iter().map(|q| q.contraction), 4),
+        _ => u.pressure.column(first.iter().map(|q| Some(q.pressure_mpa)), 4),
+    };
+    let columns = list.iter().map(|c| column(test, c, u));
+    table(&header, rows_of(std::iter::once(first).chain(columns).collect()))
+}
+
+/// A curve's answers, to the digits that the least ± of them leaves.
+fn column(test: Test, curve: &Curve, u: &Units) -> Vec<String> {
+    let answers = || curve.points.iter().map(|q| q.answer.as_ref().ok());
+    if test == Test::Isotonic {
+        return percents(answers().map(|a| a.map(|a| a.response.contraction)), 4);
+    }
+    let pulls = || answers().map(|a| a.filter(|a| !a.slack).map(|a| a.response.force_n));
+    let least = answers().flatten().filter(|a| !a.slack).filter_map(|a| a.uncertainty_n).reduce(f64::min);
+    let cells = match least {
+        Some(least) => {
+            pulls().map(|v| v.map_or_else(|| "–".into(), |v| u.force.within(v, Some(least)))).collect()
+        }
+        None => u.force.column(pulls(), 4),
+    };
+    let slack = answers().map(|a| a.is_some_and(|a| a.slack));
+    cells.into_iter().zip(slack).map(|(cell, slack)| if slack { "slack".into() } else { cell }).collect()
 }

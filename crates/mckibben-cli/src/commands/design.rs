@@ -4,8 +4,8 @@ mod text;
 
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{Format, PlotFlag, StrandFlags, pressure_unit};
-use crate::output::text::PressureUnit;
+use crate::flags::{Format, PlotFlag, StrandFlags, UnitsFlag};
+use crate::output::text::Units;
 use crate::output::{save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
@@ -88,6 +88,9 @@ pub struct DesignArgs {
     #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
     pub objective: ObjectiveWord,
     /// Muscle file for what is not searched; flags override it
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
+    pub file: Option<PathBuf>,
+    /// The same as a flag
     #[arg(long, value_name = "FILE", help_heading = "Search space")]
     pub muscle: Option<PathBuf>,
     /// Outer diameters at rest: a value, list, range or stepped range [5..80]
@@ -156,9 +159,8 @@ pub struct DesignArgs {
     /// How many candidates to show
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=1000), help_heading = "Output")]
     pub top: u16,
-    /// Unit of pressures in text and figures [the one you typed, else MPa]
-    #[arg(long, value_parser = word::<PressureUnit>(), value_name = "UNIT", help_heading = "Output")]
-    pub units: Option<PressureUnit>,
+    #[command(flatten)]
+    pub units: UnitsFlag,
     #[command(flatten)]
     pub plot: PlotFlag,
     /// No chart in the terminal
@@ -172,9 +174,9 @@ pub struct DesignArgs {
 /// Runs the command.
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = pressure_unit(args.units, args.max_pressure.as_deref());
+    let unit = args.units.or_typed([&args.max_pressure, &args.force, &args.outer_diameter]);
     let chart = format == Format::Text && !args.no_chart;
-    let request = request(args, (chart || args.plot.plot.is_some()).then_some(unit))?;
+    let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
     let figure = answer.figure.take();
     let winner = answer.outcome.candidates.first().map(|c| &c.muscle);
@@ -183,7 +185,7 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     }
     let text = || {
         answer.warnings.iter().for_each(warn);
-        let mut text = text::of(&answer, unit);
+        let mut text = text::of(&answer, &unit);
         if let Some(figure) = figure.as_ref().filter(|_| chart) {
             text.push_str(&format!("\n{}\n", figure.to_text(100, 24, colour())));
         }
@@ -203,7 +205,7 @@ fn colour() -> bool {
     std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
-fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequest, Failure> {
+fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Failure> {
     let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
     let choice = |flag, text: &Option<String>, dimension| -> Result<Option<Choice>, Failure> {
         Ok(values(flag, text.as_deref(), dimension)?.map(Choice::from))
@@ -235,7 +237,7 @@ fn request(args: &DesignArgs, figure: Option<PressureUnit>) -> Result<DesignRequ
         max_stretch: ratio("--max-stretch", args.max_stretch.as_deref())?,
         max_strand_strain: ratio("--max-strand-strain", args.max_strand_strain.as_deref())?,
         objective: args.objective,
-        muscle: args.muscle.as_deref().map(files::text).transpose()?,
+        muscle: args.file.as_deref().or(args.muscle.as_deref()).map(files::text).transpose()?,
         outer_diameter_mm: choice("--outer-diameter", &args.outer_diameter, Dimension::Length)?,
         wall_mm: choice("--wall", &args.wall, Dimension::Length)?,
         angle_deg: choice("--angle", &args.angle, Dimension::Angle)?,

@@ -4,8 +4,8 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, MuscleFlags, PlotFlag, pressure_unit};
-use crate::output::text::PressureUnit;
+use crate::flags::{ColumnsFlag, Format, MuscleFlags, PlotFlag, UnitsFlag};
+use crate::output::text::Units;
 use crate::output::{save, show};
 use crate::plot;
 use crate::progress::Bar;
@@ -28,9 +28,6 @@ pub const EXAMPLES: &str = "Examples:
 /// `identify`.
 #[derive(Debug, Args)]
 pub struct IdentifyArgs {
-    /// Muscle file (TOML) with a value for everything; flags override it
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
-    pub file: Option<PathBuf>,
     /// Points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units; may be repeated
     #[arg(long, value_name = "FILE.csv", help_heading = "Data")]
     pub data: Vec<PathBuf>,
@@ -115,9 +112,8 @@ pub struct IdentifyArgs {
     pub mesh: Option<String>,
     #[command(flatten)]
     pub muscle: MuscleFlags,
-    /// Unit of pressures in figures [MPa]
-    #[arg(long, value_parser = word::<PressureUnit>(), value_name = "UNIT", help_heading = "Output")]
-    pub units: Option<PressureUnit>,
+    #[command(flatten)]
+    pub units: UnitsFlag,
     #[command(flatten)]
     pub plot: PlotFlag,
     /// Write the muscle with what was found as a muscle file
@@ -134,7 +130,7 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
         save(path, answer.muscle_file().as_bytes())?;
     }
     let text = || {
-        let mut text = text::of(&answer);
+        let mut text = text::of(&answer, &units(args));
         if let Some(path) = &args.output {
             text.push_str(&format!("\nThe muscle is in {}.\n", path.display()));
         }
@@ -142,6 +138,10 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     };
     show(&answer, format, "points", text, None)?;
     Ok(0)
+}
+
+fn units(args: &IdentifyArgs) -> Units {
+    args.units.or_typed([&args.pressure, args.muscle.diameter()])
 }
 
 fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
@@ -161,9 +161,8 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
     let words = [&args.model, &args.formula].into_iter().flatten();
     let formulas = words.map(|word| files::formula(word)).collect::<Result<Vec<_>, _>>()?;
     let weight = |text: &String| Ok(ratio("--weights", Some(text))?.unwrap_or(1.0));
-    let unit = pressure_unit(args.units, args.pressure.as_deref());
     Ok(IdentifyRequest {
-        muscle: muscle.fields(args.file.as_deref())?,
+        muscle: muscle.fields()?,
         model: ModelFields {
             model: args.model.clone(),
             formulas: formulas.into_iter().flatten().collect(),
@@ -183,6 +182,6 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
         fix: args.fix.clone(),
         bounds: args.bounds.clone(),
         loss: if args.robust { LossWord::Huber } else { args.loss },
-        figure: args.plot.plot.as_ref().map(|_| unit),
+        figure: args.plot.plot.as_ref().map(|_| units(args)),
     })
 }

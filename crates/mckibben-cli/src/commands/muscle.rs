@@ -1,8 +1,8 @@
 //! `muscle show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, pressure_unit};
-use crate::output::text::{PressureUnit, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
+use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
+use crate::output::text::{Units, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
 use crate::output::{json, show as print, warn};
 use crate::quantities::quantity;
 use clap::Args;
@@ -11,14 +11,10 @@ use mckibben::rubber::RubberLaw;
 use mckibben::units::Dimension;
 use mckibben_app::{Characteristics, MuscleShowRequest, muscle_show};
 use serde_json::{Map, Value};
-use std::path::PathBuf;
 
 /// `muscle show`.
 #[derive(Debug, Args)]
 pub struct MuscleShowArgs {
-    /// Muscle file (TOML)
-    #[arg(value_name = "FILE", conflicts_with = "muscle")]
-    pub file: Option<PathBuf>,
     /// Also what it does at this pressure: blocked force, free contraction, work, air, burst
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
@@ -33,7 +29,7 @@ pub struct MuscleShowArgs {
 /// Shows a muscle.
 pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
     let answer = muscle_show(&MuscleShowRequest {
-        muscle: args.muscle.fields(args.file.as_deref())?,
+        muscle: args.muscle.fields()?,
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
@@ -45,24 +41,27 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
     }
     let text = || {
         answer.warnings.iter().for_each(warn);
-        let p = pressure_unit(args.output.units, args.pressure.as_deref());
-        let does = answer.characteristics.as_ref().map(|c| characteristics(c, p));
-        as_text(&answer.muscle) + &does.unwrap_or_default()
+        let u = args.output.units.or_typed([&args.pressure, args.muscle.diameter()]);
+        let does = answer.characteristics.as_ref().map(|c| characteristics(c, &u));
+        as_text(&answer.muscle, &u) + &does.unwrap_or_default()
     };
     print(&answer, format, "", text, path)?;
     Ok(0)
 }
 
-fn characteristics(c: &Characteristics, p: PressureUnit) -> String {
+fn characteristics(c: &Characteristics, u: &Units) -> String {
     let list = [
-        ("blocked force", format!("{} N", number(c.blocked_force_n, 5))),
+        ("blocked force", u.force.show(c.blocked_force_n)),
         ("free contraction", or_dash(c.free_contraction, percent)),
         ("work of a free stroke", or_dash(c.work_j, |v| format!("{} J", number(v, 4)))),
-        ("cavity at its end", or_dash(c.volume_mm3, |v| format!("{} cm³", number(v * 1e-3, 4)))),
+        ("cavity at its end", or_dash(c.volume_mm3, |v| u.volume.show(v))),
         ("air of a free stroke", or_dash(c.air_normal_litres, |v| format!("{} normal litres", number(v, 4)))),
-        ("strands break at", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| p.show(v))),
+        (
+            "strands break at",
+            c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v)),
+        ),
     ];
-    format!("\nAt {}, model {}\n{}", p.show(c.pressure_mpa), c.model, pairs(&list))
+    format!("\nAt {}, model {}\n{}", u.pressure.show(c.pressure_mpa), c.model, pairs(&list))
 }
 
 /// Nested objects laid flat, for one CSV row.
@@ -84,15 +83,15 @@ fn reach_text(m: &Muscle) -> String {
     format!("to {} at the bore{known}", number(m.reach(), 3))
 }
 
-fn as_text(m: &Muscle) -> String {
-    let mm = |v: f64| format!("{} mm", number(v, 5));
+fn as_text(m: &Muscle, u: &Units) -> String {
+    let mm = |v: f64| u.length.show(v);
     let rubber = &m.tube().rubber;
     let bulk = match rubber.bulk {
         Bulk::Incompressible => "incompressible".to_owned(),
         Bulk::Modulus(k) => format!("{} MPa", number(k, 4)),
     };
     let stiffness = match m.family_stiffness_n_per_mm() {
-        Some(k) => format!("{} ({} N/mm a strand family)", braid_name(m), number(k, 4)),
+        Some(k) => format!("{} ({} a strand family)", braid_name(m), u.stiffness().show(k)),
         None => "inextensible".into(),
     };
     let mut understood = vec![
@@ -111,7 +110,7 @@ fn as_text(m: &Muscle) -> String {
     if let Some(s) = m.braid().strands {
         understood.push(("strands", s.count.to_string()));
         if let Some(strength) = s.strength_n {
-            understood.push(("strand strength", format!("{} N", number(strength, 4))));
+            understood.push(("strand strength", u.force.show(strength)));
         }
     }
     match m.terminals().end_factor {
@@ -122,7 +121,7 @@ fn as_text(m: &Muscle) -> String {
         None => {}
     }
     if let Some(f) = m.friction() {
-        let text = format!("± {} N · (P/MPa)^{}", number(f.coefficient, 4), number(f.exponent, 3));
+        let text = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
         understood.push(("friction", text));
     }
     let derived = [
@@ -131,17 +130,17 @@ fn as_text(m: &Muscle) -> String {
         ("turns of a strand", number(m.turns(), 4)),
         ("strand length per turn", mm(m.strand_length_per_turn_mm())),
         ("largest ideal contraction", percent(m.max_ideal_contraction())),
-        ("cavity at rest", format!("{} cm³", number(m.rest_volume_mm3() * 1e-3, 4))),
+        ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
     ];
     let sheet = m.build_sheet();
-    let clamp = number(m.terminals().insertion_mm, 4);
+    let clamp = mm(m.terminals().insertion_mm);
     let build = [
-        ("tube to cut", format!("{} ({clamp} mm on each plug)", mm(sheet.tube_cut_mm))),
+        ("tube to cut", format!("{} ({clamp} on each plug)", mm(sheet.tube_cut_mm))),
         ("braid to cut", format!("{} at {}°", mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4))),
         ("strand in it", mm(sheet.strand_cut_mm)),
         ("plug diameter", mm(sheet.plug_diameter_mm)),
         ("strands", sheet.strands.map_or_else(|| "not stated".into(), |n| n.to_string())),
-        ("rubber", format!("{} cm³", number(sheet.rubber_volume_mm3 * 1e-3, 4))),
+        ("rubber", u.volume.show(sheet.rubber_volume_mm3)),
     ];
     format!(
         "Understood\n{}\nDerived\n{}\nBuild sheet\n{}",

@@ -1,11 +1,12 @@
 //! `force`, `pressure`, `contraction`: one point.
 
 use crate::failure::Failure;
-use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, pressure_unit};
-use crate::output::text::{PressureUnit, number, pairs, percent, plus_minus};
+use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
+use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{show, warn};
 use crate::quantities::{contraction as contraction_ratio, quantity};
 use clap::Args;
+use mckibben::answer::Answer;
 use mckibben::units::Dimension;
 use mckibben_app::{ContractionRequest, ForceRequest, PointAnswer, PressureRequest};
 
@@ -22,6 +23,9 @@ pub struct ForceArgs {
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
+    /// Both branches of the friction's hysteresis, and the band between them
+    #[arg(long)]
+    pub both: bool,
     #[command(flatten)]
     pub output: OutputFlags,
 }
@@ -39,6 +43,9 @@ pub struct PressureArgs {
     /// Contraction ratio ΔL/L0 [0]
     #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
     pub contraction: Option<String>,
+    /// Both branches of the friction's hysteresis, and the band between them
+    #[arg(long)]
+    pub both: bool,
     #[command(flatten)]
     pub output: OutputFlags,
 }
@@ -56,6 +63,9 @@ pub struct ContractionArgs {
     /// Gauge pressure
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
+    /// Both branches of the friction's hysteresis, and the band between them
+    #[arg(long)]
+    pub both: bool,
     #[command(flatten)]
     pub output: OutputFlags,
 }
@@ -63,91 +73,137 @@ pub struct ContractionArgs {
 /// F(P, ε).
 pub fn force(args: &ForceArgs, format: Format) -> Result<u8, Failure> {
     let answer = mckibben_app::force(&ForceRequest {
-        muscle: args.muscle.fields(None)?,
+        muscle: args.muscle.fields()?,
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
         contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
+        both: args.both,
     })?;
-    print(&answer, format, &args.output, args.pressure.as_deref())
+    print(&answer, Asked::Force, format, &args.output, [&args.pressure, &None, args.muscle.diameter()])
 }
 
 /// P(F, ε).
 pub fn pressure(args: &PressureArgs, format: Format) -> Result<u8, Failure> {
     let answer = mckibben_app::pressure(&PressureRequest {
-        muscle: args.muscle.fields(None)?,
+        muscle: args.muscle.fields()?,
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
         contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
+        both: args.both,
     })?;
-    print(&answer, format, &args.output, None)
+    print(&answer, Asked::Pressure, format, &args.output, [&None, &args.force, args.muscle.diameter()])
 }
 
 /// ε(F, P).
 pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure> {
     let answer = mckibben_app::contraction(&ContractionRequest {
-        muscle: args.muscle.fields(None)?,
+        muscle: args.muscle.fields()?,
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+        both: args.both,
     })?;
-    print(&answer, format, &args.output, args.pressure.as_deref())
+    print(
+        &answer,
+        Asked::Contraction,
+        format,
+        &args.output,
+        [&args.pressure, &args.force, args.muscle.diameter()],
+    )
 }
 
 fn print(
     answer: &PointAnswer,
+    asked: Asked,
     format: Format,
     output: &OutputFlags,
-    typed: Option<&str>,
+    typed: [&Option<String>; 3],
 ) -> Result<u8, Failure> {
     let text = || {
         answer.point.warnings.iter().for_each(warn);
-        text(answer, pressure_unit(output.units, typed))
+        text(answer, asked, &output.units.or_typed(typed))
     };
     show(answer, format, "", text, output.output.as_deref())?;
     Ok(0)
 }
 
-fn text(answer: &PointAnswer, p: PressureUnit) -> String {
+/// What a command finds.
+#[derive(Debug, Clone, Copy)]
+enum Asked {
+    Force,
+    Pressure,
+    Contraction,
+}
+
+impl Asked {
+    fn of(self, answer: &Answer) -> f64 {
+        match self {
+            Self::Force => answer.response.force_n,
+            Self::Pressure => answer.response.pressure_mpa,
+            Self::Contraction => answer.response.contraction,
+        }
+    }
+
+    fn show(self, value: f64, u: &Units) -> String {
+        match self {
+            Self::Force => u.force.show(value),
+            Self::Pressure => u.pressure.show(value),
+            Self::Contraction => percent(value),
+        }
+    }
+}
+
+fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
     let (a, r) = (&answer.point, &answer.point.response);
     let pull = if a.slack {
-        "0 N (slack: the muscle would have to push)".to_owned()
+        format!("{} (slack: the muscle would have to push)", u.force.show(0.0))
     } else {
-        format!("{} N  {}", number(r.force_n, 5), plus_minus(a.uncertainty_n))
+        let error = a.uncertainty_n.map_or_else(|| "unknown".into(), |e| u.force.to(e, 2));
+        format!("{} ± {error} {}", u.force.within(r.force_n, a.uncertainty_n), u.force.name)
     };
-    let shortening = number(r.contraction * answer.muscle.length_mm, 4);
+    let shortening = u.length.to(r.contraction * answer.muscle.length_mm, 4);
     let mut list = vec![
-        ("muscle", answer.muscle.line()),
+        ("muscle", answer.muscle.line(u)),
         ("model", format!("{} ({})", a.model, answer.about.source)),
-        ("pressure", p.show(r.pressure_mpa)),
-        ("contraction", format!("{}  ({shortening} mm)", percent(r.contraction))),
+        ("pressure", u.pressure.show(r.pressure_mpa)),
+        ("contraction", format!("{}  ({shortening} {})", percent(r.contraction), u.length.name)),
         ("pull", pull),
     ];
-    let mut add = |name, value: Option<f64>, unit: &str, digits| {
-        if let Some(v) = value {
-            list.push((name, format!("{} {unit}", number(v, digits)).trim_end().to_owned()));
-        }
+    if let [shortening, lengthening] = &answer.branches[..] {
+        let of = |branch: &Answer| match asked {
+            Asked::Force if branch.slack => "slack".to_owned(),
+            _ => asked.show(asked.of(branch), u),
+        };
+        let band = (asked.of(lengthening) - asked.of(shortening)).abs();
+        list.push(("while shortening", of(shortening)));
+        list.push(("while lengthening", of(lengthening)));
+        list.push(("friction's band", asked.show(band, u)));
+    }
+    let mut add = |name, value: Option<f64>, show: &dyn Fn(f64) -> String| {
+        list.extend(value.map(|v| (name, show(v))));
     };
-    add("stiffness", r.stiffness_n_per_mm, "N/mm", 4);
-    let per_unit = format!("N/{}", p.name());
-    add("pull per pressure", r.force_per_pressure_mm2.map(|v| v / p.value(1.0)), &per_unit, 4);
-    add("starts to pull at", a.start_pressure_mpa.map(|v| p.value(v)), p.name(), 4);
-    add("free contraction", a.free_contraction.map(|v| 100.0 * v), "%", 4);
-    add("bulged diameter", r.bulged_diameter_mm, "mm", 4);
-    add("volume", r.volume_mm3.map(|v| v * 1e-3), "cm³", 4);
-    add("tension of one strand", r.strand_tension_n, "N", 4);
-    add("tension of all strands", r.braid_tension_n, "N", 4);
-    add("stretch of the rubber in the middle", r.middle_stretch, "", 3);
-    add("99 % of it stretched by less than", r.max_stretch, "", 3);
+    let (stiffness, slope) = (u.stiffness(), u.slope());
+    add("stiffness", r.stiffness_n_per_mm, &|v| stiffness.show(v));
+    add("pull per pressure", r.force_per_pressure_mm2, &|v| slope.show(v));
+    add("starts to pull at", a.start_pressure_mpa, &|v| u.pressure.show(v));
+    add("free contraction", a.free_contraction, &percent);
+    add("bulged diameter", r.bulged_diameter_mm, &|v| format!("{} {}", u.length.to(v, 4), u.length.name));
+    add("volume", r.volume_mm3, &|v| u.volume.show(v));
+    let tension = |v| format!("{} {}", u.force.to(v, 4), u.force.name);
+    add("tension of one strand", r.strand_tension_n, &tension);
+    add("tension of all strands", r.braid_tension_n, &tension);
+    add("stretch of the rubber at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
+    add("99 % of the rubber is stretched by less than", r.max_stretch, &|v| number(v, 3));
     if let Some(parts) = &a.uncertainty_parts_n {
         let each: Vec<String> =
-            parts.named().map(|(name, part)| format!("{name} {}", number(part, 2))).collect();
+            parts.named().map(|(name, part)| format!("{name} {}", u.force.to(part, 2))).collect();
         let of = each.join(", ");
         list.push((
             "the ± is",
-            format!("95 %, against a measured muscle: {of} N (mckibben models {})", a.model),
+            format!("95 %, against a measured muscle: {of} {} (mckibben models {})", u.force.name, a.model),
         ));
     }
     pairs(&list)

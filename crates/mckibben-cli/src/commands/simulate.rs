@@ -1,8 +1,8 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::failure::Failure;
-use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields, pressure_unit};
-use crate::output::text::{PressureUnit, number, or_dash, percent, table};
+use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
+use crate::output::text::{Units, aligned, number, percent, percents, rows_of, table};
 use crate::output::{save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
@@ -34,9 +34,6 @@ pub const EXAMPLES: &str = "Examples:
 /// `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArgs {
-    /// Muscle file (TOML)
-    #[arg(value_name = "FILE", conflicts_with = "muscle")]
-    pub file: Option<PathBuf>,
     /// Which test
     #[arg(long, value_parser = word::<Test>(), default_value = "isometric")]
     pub test: Test,
@@ -104,10 +101,10 @@ pub struct SimulateArgs {
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     check_picture(args.picture.as_deref())?;
-    let unit = pressure_unit(args.output.units, args.pressure.as_deref());
+    let unit = args.output.units.or_typed([&args.pressure, &args.force, args.muscle.diameter()]);
     let request = SimulateRequest {
         test: args.test,
-        muscle: args.muscle.fields(args.file.as_deref())?,
+        muscle: args.muscle.fields()?,
         model: Some(args.model.clone()),
         mesh: mesh_fields(args.mesh.as_deref(), args.keep, args.terminal.as_deref())?,
         pressures_mpa: points("--pressure", args.pressure.as_deref(), Dimension::Pressure, 5)?,
@@ -119,9 +116,9 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         picture: args.picture.as_ref().map(|_| PictureFields {
             show: args.show.clone(),
             cut: args.cut,
-            pressure_unit: unit,
+            units: unit.clone(),
         }),
-        figure: args.plot.plot.as_ref().map(|_| unit),
+        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
     let mut folder = args.vtu.clone().map(|path| Folder { path, series: VtuSeries::new(""), extent });
@@ -141,7 +138,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     let text = || {
         answer.warnings.iter().for_each(warn);
         let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
-        as_text(&answer, unit) + &opened.unwrap_or_default()
+        as_text(&answer, &unit) + &opened.unwrap_or_default()
     };
     show(&answer, format, "points", text, args.output.output.as_deref())?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
@@ -177,7 +174,7 @@ impl Folder {
 
 impl Shapes for Folder {
     fn begin(&mut self, muscle: &MuscleSummary) -> Result<(), Problem> {
-        self.series = VtuSeries::new(&muscle.line());
+        self.series = VtuSeries::new(&muscle.line(&Units::default()));
         std::fs::create_dir_all(&self.path).map_err(|e| {
             let message = format!("the folder {} cannot be made: {e}", self.path.display());
             Problem::new(ProblemKind::Output, message, "give the name of a new folder or of one that exists")
@@ -195,76 +192,63 @@ impl Shapes for Folder {
     }
 }
 
-fn as_text(answer: &SimulateAnswer, p: PressureUnit) -> String {
-    let unit = format!("P [{}]", p.name());
+fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
     let (strands, points) = (answer.strands, &answer.simulated);
-    let tension = if strands { "strand [N]" } else { "braid [N]" };
-    let header = [
-        &unit,
-        "ε",
-        "F [N]",
-        "V [cm³]",
-        "bulges to [mm]",
-        tension,
-        "stiffness [N/mm]",
-        "largest stretch",
-        "",
-    ];
-    let rows = points.iter().map(|q| {
-        let head = vec![number(p.value(q.pressure_mpa), 4)];
-        let tail = match &q.solution {
-            Err(_) => vec![
-                or_dash(q.contraction(), percent),
-                if q.slack { "0".into() } else { or_dash(q.force_n(), |f| number(f, 5)) },
-                "–".into(),
-                "–".into(),
-                "–".into(),
-                "–".into(),
-                "–".into(),
-                hangs(q).unwrap_or_else(|| q.status.to_string()),
-            ],
-            Ok(s) => {
-                let r = &s.response;
-                let tension = if strands { r.strand_tension_n } else { r.braid_tension_n };
-                let note = match hangs(q) {
-                    Some(slack) => slack,
-                    None if s.unstable_directions > 0 => "unstable".into(),
-                    None => String::new(),
-                };
-                vec![
-                    percent(r.contraction),
-                    if q.slack { "0".into() } else { number(r.force_n, 5) },
-                    or_dash(r.volume_mm3, |v| number(v * 1e-3, 4)),
-                    or_dash(r.bulged_diameter_mm, |v| number(v, 4)),
-                    or_dash(tension, |v| number(v, 4)),
-                    or_dash(r.stiffness_n_per_mm, |v| number(v, 4)),
-                    or_dash(r.max_stretch, |v| number(v, 3)),
-                    note,
-                ]
-            }
-        };
-        head.into_iter().chain(tail).collect()
+    let tension = |r: &Response| if strands { r.strand_tension_n } else { r.braid_tension_n };
+    let responses = || points.iter().map(|q| q.solution.as_ref().ok().map(|s| &s.response));
+    let of = |what: fn(&Response) -> Option<f64>| responses().map(move |r| r.and_then(what));
+    let contractions =
+        points.iter().zip(responses()).map(|(q, r)| r.map(|r| r.contraction).or(q.contraction()));
+    let pulls = points.iter().zip(responses()).map(|(q, r)| match r {
+        _ if q.slack => Some(0.0),
+        Some(r) => Some(r.force_n),
+        None => q.force_n(),
     });
-    let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line());
+    let notes = points.iter().map(|q| match &q.solution {
+        _ if q.slack => hangs(q),
+        Err(_) => q.status.to_string(),
+        Ok(s) if s.unstable_directions > 0 => "unstable".into(),
+        Ok(_) => String::new(),
+    });
+    let stiffness = u.stiffness();
+    let columns = [
+        (u.pressure.heading("P"), u.pressure.column(points.iter().map(|q| Some(q.pressure_mpa)), 4)),
+        ("ε".into(), percents(contractions, 4)),
+        (u.force.heading("F"), u.force.column(pulls, 5)),
+        (u.volume.heading("V"), u.volume.column(of(|r| r.volume_mm3), 4)),
+        (u.length.heading("bulges to"), u.length.column(of(|r| r.bulged_diameter_mm), 4)),
+        (
+            u.force.heading(if strands { "strand" } else { "braid" }),
+            u.force.column(responses().map(|r| r.and_then(tension)), 4),
+        ),
+        (stiffness.heading("stiffness"), stiffness.column(of(|r| r.stiffness_n_per_mm), 4)),
+        ("stretch".into(), aligned(&of(|r| r.max_stretch).collect::<Vec<_>>(), 3)),
+        (String::new(), notes.collect()),
+    ];
+    let (header, columns): (Vec<String>, Vec<Vec<String>>) = columns.into_iter().unzip();
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line(u));
     answer.notes.iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
     out.push('\n');
-    out.push_str(&table(&header, rows.collect()));
+    out.push_str(&table(&header, rows_of(columns)));
+    let what =
+        if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
+    out.push_str(&format!("\n{what}. stretch: 99 % of the rubber is stretched by less.\n"));
     if let Some(s) = points.iter().rev().find_map(|q| q.solution.as_ref().ok()) {
-        out.push_str(&last_text(s, p));
+        out.push_str(&last_text(s, u));
     }
     out
 }
 
 /// Where a slack muscle hangs.
-fn hangs(q: &Simulated) -> Option<String> {
-    let at = q.free_contraction.map_or_else(String::new, |e| format!(", hangs at {}", percent(e)));
-    q.slack.then(|| format!("slack{at}"))
+fn hangs(q: &Simulated) -> String {
+    q.free_contraction.map_or_else(|| "slack".into(), |e| format!("slack, hangs at {}", percent(e)))
 }
 
 /// What is known of one equilibrium beyond the table.
-fn last_text(s: &Solution, p: PressureUnit) -> String {
+fn last_text(s: &Solution, u: &Units) -> String {
     let r = &s.response;
-    let mut out = format!("\nAt {} and {}\n", p.show(r.pressure_mpa), percent(r.contraction));
+    let mut out = format!("\nAt {} and {}\n", u.pressure.show(r.pressure_mpa), percent(r.contraction));
     let joules = |v: f64| format!("{} J", number(1e-3 * v, 4));
     out.push_str(&format!(
         "  energy: rubber {}, strands {}, P·(V − V0) {}\n",
@@ -274,10 +258,11 @@ fn last_text(s: &Solution, p: PressureUnit) -> String {
     ));
     let at = s.max_stretch.rest_mm;
     out.push_str(&format!(
-        "  largest stretch {} at r {} mm, z {} mm from the middle (at rest)\n",
+        "  largest stretch {} at r {}, z {} {} from the middle (at rest)\n",
         number(s.max_stretch.value, 4),
-        number(at[0], 4),
-        number(at[1], 4)
+        u.length.to(at[0], 4),
+        u.length.to(at[1], 4),
+        u.length.name
     ));
     if let (Some(first), Some(last)) = (s.strands.first(), s.strands.last()) {
         out.push_str(&format!(
@@ -295,11 +280,12 @@ fn last_text(s: &Solution, p: PressureUnit) -> String {
         let gain = 0.01 * x.value * x.force_n_per_unit;
         let space = if x.unit.is_empty() { "" } else { " " };
         out.push_str(&format!(
-            "  {:<22} {:>9}{space}{:<5} {:>9} N\n",
+            "  {:<22} {:>9}{space}{:<5} {:>9} {}\n",
             x.name,
             number(x.value, 4),
             x.unit,
-            number(gain, 3)
+            u.force.to(gain, 3),
+            u.force.name
         ));
     }
     out

@@ -2,8 +2,8 @@
 
 use super::curve::CurveArgs;
 use crate::failure::Failure;
-use crate::flags::{Format, pressure_unit};
-use crate::output::text::{PressureUnit, number, percent, table};
+use crate::flags::Format;
+use crate::output::text::{Units, percents, rows_of, table};
 use crate::output::{show, warn};
 use crate::plot;
 use mckibben::curve::Test;
@@ -13,40 +13,52 @@ use mckibben_app::{StudyRequest, study};
 /// Runs the study.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = pressure_unit(args.output.units, None);
+    let unit = args.output.units.or_typed([]);
     let mut answer = study(&StudyRequest {
-        muscle: args.muscle.fields(None)?,
+        muscle: args.muscle.fields()?,
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
-        figure: args.plot.plot.as_ref().map(|_| unit),
+        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     })?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     let text = || {
         answer.warnings.iter().for_each(warn);
-        as_text(&answer.study, unit)
+        as_text(&answer.study, &unit)
     };
     show(&answer, format, "points", text, args.output.output.as_deref())?;
     Ok(0)
 }
 
-fn as_text(study: &Study, p: PressureUnit) -> String {
-    let mut out = format!("Thickness study, model {}: D0 30, L0 285 mm\n", study.model);
-    for (test, title) in [(Test::Isometric, "Pull F [N]"), (Test::Isotonic, "Contraction ε")] {
+fn as_text(study: &Study, u: &Units) -> String {
+    let mut out = format!(
+        "Thickness study, model {}: D0 {}, L0 {}\n",
+        study.model,
+        u.length.show(30.0),
+        u.length.show(285.0)
+    );
+    for test in [Test::Isometric, Test::Isotonic] {
         let panels: Vec<&StudyPanel> = study.panels.iter().filter(|q| q.test == test).collect();
-        let unit = if test == Test::Isometric { "ΔL [mm]" } else { "F [N]" };
-        out.push_str(&format!("\n{title} at {}, {} tests\n", p.show(0.25), test.name()));
+        let isometric = test == Test::Isometric;
+        let fixed = if isometric { u.length.heading("ΔL") } else { u.force.heading("F") };
+        let title = if isometric { u.force.heading("Pull F") } else { "Contraction ε".into() };
+        out.push_str(&format!("\n{title} at {}, {} tests\n", u.pressure.show(0.25), test.name()));
         let labels =
             panels.first().map_or_else(Vec::new, |q| q.curves.iter().map(|c| c.label.as_str()).collect());
-        let header: Vec<&str> = std::iter::once(unit).chain(labels).collect();
-        let rows = panels.iter().map(|panel| {
-            let last = panel.curves.iter().map(|c| match c.curve.points.last().map(|q| &q.answer) {
-                Some(Ok(a)) if test == Test::Isometric => number(a.response.force_n, 4),
-                Some(Ok(a)) => percent(a.response.contraction),
-                _ => "–".into(),
-            });
-            std::iter::once(number(panel.fixed, 4)).chain(last).collect()
+        let header: Vec<&str> = std::iter::once(fixed.as_str()).chain(labels).collect();
+        let along = panels.iter().map(|panel| Some(panel.fixed));
+        let along = if isometric { u.length.column(along, 4) } else { u.force.column(along, 4) };
+        let curves = panels.first().map_or(0, |panel| panel.curves.len());
+        let columns = (0..curves).map(|i| {
+            let last =
+                panels.iter().map(|panel| panel.curves.get(i)?.curve.points.last()?.answer.as_ref().ok());
+            if isometric {
+                u.force.column(last.map(|a| a.map(|a| a.response.force_n)), 4)
+            } else {
+                percents(last.map(|a| a.map(|a| a.response.contraction)), 4)
+            }
         });
-        out.push_str(&table(&header, rows.collect()));
+        let rows = rows_of(std::iter::once(along).chain(columns).collect());
+        out.push_str(&table(&header, rows));
     }
     out.push_str("\nThe paper's findings and what comes out here\n");
     for f in &study.findings {

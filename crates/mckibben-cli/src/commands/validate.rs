@@ -3,10 +3,10 @@
 use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::{Format, OutputFlags};
 use crate::output::show;
-use crate::output::text::{number, or_dash, table};
+use crate::output::text::{aligned, number, or_dash, table};
 use crate::progress::Bar;
 use clap::Args;
-use mckibben_app::{Case, CaseKind, SweepAnswer, SweepRequest, ValidateRequest};
+use mckibben_app::{Case, CaseKind, CaseMeasure, SweepAnswer, SweepRequest, ValidateRequest};
 
 pub const EXAMPLES: &str = "Examples:
   mckibben validate
@@ -59,31 +59,61 @@ fn sweep_text(a: &SweepAnswer) -> String {
 }
 
 fn as_text(cases: &[Case]) -> String {
-    let mut out = String::new();
-    for (kind, title) in [
-        (CaseKind::Verification, "Verification: are the equations solved right?"),
-        (CaseKind::Validation, "Validation: are they the right equations?"),
-    ] {
-        let of: Vec<&Case> = cases.iter().filter(|c| c.kind == kind).collect();
-        if of.is_empty() {
-            continue;
-        }
-        out.push_str(&format!("{title}\n\n"));
-        let lines = of.iter().map(|c| {
-            vec![
-                if c.ok { "ok" } else { "FAILS" }.to_owned(),
-                number(c.reference, 9),
-                or_dash(c.ours, |v| number(v, 9)),
-                or_dash(c.error, |v| format!("{v:.1e}")),
-                format!("{:.0e}", c.tolerance),
-                c.name.clone(),
-                c.source.clone(),
-            ]
-        });
-        let header = ["", "reference", "ours", "error", "allowed", "case", "source"];
-        out.push_str(&table(&header, lines.collect()));
-        let good = of.iter().filter(|c| c.ok).count();
-        out.push_str(&format!("\n{good} of {} hold\n\n", of.len()));
-    }
-    out
+    let of = |kind, measure| -> Vec<&Case> {
+        cases.iter().filter(|c| c.kind == kind && c.measure == measure).collect()
+    };
+    let values = of(CaseKind::Verification, CaseMeasure::Value);
+    let (rms, shares) =
+        (of(CaseKind::Validation, CaseMeasure::Rms), of(CaseKind::Validation, CaseMeasure::Share));
+    let newton =
+        |c: &Case| c.ours.map(|v| vec![Some(v)]).map_or_else(|| "–".into(), |v| aligned(&v, 3).concat());
+    let percent = |v: f64| format!("{:.2} %", 100.0 * v);
+    let value = |c: &Case| {
+        let error = or_dash(c.error, |v| format!("{v:.1e}"));
+        let ours = or_dash(c.ours, |v| number(v, 9));
+        vec![number(c.reference, 9), ours, error, format!("{:.0e}", c.tolerance)]
+    };
+    let of_blocked = |c: &Case| {
+        let error = or_dash(c.error, percent);
+        vec![newton(c), number(c.reference, 4), error, percent(c.tolerance)]
+    };
+    let covered = |c: &Case| vec![or_dash(c.ours, percent), percent(c.reference)];
+    [
+        "Verification: are the equations solved right?\n\n".to_owned(),
+        section(&values, &["reference", "ours", "error", "allowed"], &value),
+        "\nValidation: are they the right equations? Root mean square of the differences from measured pulls\n\n"
+            .into(),
+        section(&rms, &["rms [N]", "largest or blocked [N]", "rms of it", "allowed"], &of_blocked),
+        "\nValidation: does the ± hold the measured points?\n\n".into(),
+        section(&shares, &["held", "at least"], &covered),
+        summary(&values, &rms, &shares),
+    ]
+    .concat()
+}
+
+/// The cases of a kind: whether each holds, its numbers, its name and source.
+fn section(cases: &[&Case], columns: &[&str], numbers: &dyn Fn(&Case) -> Vec<String>) -> String {
+    let header: Vec<&str> = [""].iter().chain(columns).chain(&["case", "source"]).copied().collect();
+    let row = |c: &&Case| {
+        let mut row = vec![if c.ok { "ok" } else { "FAILS" }.to_owned()];
+        row.extend(numbers(c));
+        row.extend([c.name.clone(), c.source.clone()]);
+        row
+    };
+    table(&header, cases.iter().map(row).collect())
+}
+
+fn summary(values: &[&Case], rms: &[&Case], shares: &[&Case]) -> String {
+    let held = |list: &[&Case]| format!("{} of {}", list.iter().filter(|c| c.ok).count(), list.len());
+    let least = shares.iter().filter_map(|c| c.ours).reduce(f64::min);
+    let least =
+        least.map_or_else(String::new, |v| format!("; the least share of points is {:.1} %", 100.0 * v));
+    let failed = [values, rms, shares].concat().into_iter().filter(|c| !c.ok);
+    let failed: String = failed.map(|c| format!("  FAILS: {}\n", c.name)).collect();
+    format!(
+        "\nSummary\n  verification: {} cases hold\n  measured pulls: {} cases hold\n  ± of fe: {} cases hold{least}\n{failed}",
+        held(values),
+        held(rms),
+        held(shares)
+    )
 }

@@ -2,7 +2,8 @@
 
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
-pub use mckibben_app::words::{PressureUnit, braid_name, law_text, number, percent, rubber_name};
+pub use mckibben_app::units::Units;
+pub use mckibben_app::words::{aligned, braid_name, law_text, number, percent, rubber_name};
 
 /// A number or a dash.
 pub fn or_dash<T>(v: Option<T>, show: impl Fn(T) -> String) -> String {
@@ -42,7 +43,15 @@ pub fn understood(tables: &[UnderstoodTable]) -> String {
     tables.iter().map(|table| table.line() + "\n").collect()
 }
 
-/// `± 41 N`, or that nothing is known.
-pub fn plus_minus(uncertainty_n: Option<f64>) -> String {
-    uncertainty_n.map_or_else(|| "± unknown".into(), |u| format!("± {} N", number(u, 2)))
+/// A percentage a row, with their points aligned.
+pub fn percents(ratios: impl IntoIterator<Item = Option<f64>>, digits: usize) -> Vec<String> {
+    let hundredfold: Vec<Option<f64>> = ratios.into_iter().map(|v| v.map(|v| 100.0 * v)).collect();
+    let column = aligned(&hundredfold, digits).into_iter();
+    column.map(|cell| if cell == "–" { cell } else { cell + " %" }).collect()
+}
+
+/// Columns as the rows of a table.
+pub fn rows_of(columns: Vec<Vec<String>>) -> Vec<Vec<String>> {
+    let count = columns.first().map_or(0, Vec::len);
+    (0..count).map(|i| columns.iter().map(|c| c.get(i).cloned().unwrap_or_default()).collect()).collect()
 }

@@ -3,7 +3,7 @@
 use super::sets::{MeasuredSet, SETS};
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
-use crate::verification::{Kind, Row};
+use crate::verification::{Kind, Measure, Row};
 use mckibben::identify::{IdentifyError, Parameter, Request, identify_with};
 use mckibben::least_squares::Loss;
 use mckibben::measured::{DataPoint, mean_of_data};
@@ -55,6 +55,7 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
             return Err(FemError::Cancelled);
         }
         let all = all.unwrap_or_default();
+        rows.push(rms(set, &all));
         for mean in [true, false] {
             let of: Vec<&Residual> = all.iter().filter(|r| r.branch.is_mean() == mean).collect();
             if of.is_empty() && !mean {
@@ -65,8 +66,9 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
             let what = if mean { "points" } else { "points of single branches" };
             let error = ours.map(|share| (COVERAGE - share).max(0.0));
             rows.push(Row {
-                name: format!("{}: share of {} {what} within the ± of fe", set.name, of.len()),
+                name: format!("{}: {} {what} within the ± of fe", set.name, of.len()),
                 kind: Kind::Validation,
+                measure: Measure::Share,
                 source: set.source,
                 reference: COVERAGE,
                 ours,
@@ -77,6 +79,32 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
         }
     }
     Ok(rows)
+}
+
+/// The rms of what a set's identified muscle leaves of the means of the branches, beside its largest blocked force.
+fn rms(set: &MeasuredSet, all: &[Residual]) -> Row {
+    let of: Vec<&Residual> = all.iter().filter(|r| r.branch.is_mean()).collect();
+    let blocked_n = of.iter().map(|r| r.blocked_n).fold(0.0, f64::max);
+    let squares: f64 = of.iter().map(|r| (r.of_blocked * r.blocked_n).powi(2)).sum();
+    let ours = (!of.is_empty()).then(|| (squares / of.len() as f64).sqrt());
+    let error = ours.map(|rms| rms / blocked_n);
+    let free = set.muscle().map(|m| set.free.iter().map(|t| t.name(&m)).collect::<Vec<_>>());
+    Row {
+        name: format!(
+            "{}: fe, {} points, {} identified",
+            set.name,
+            of.len(),
+            free.unwrap_or_default().join(" and ")
+        ),
+        kind: Kind::Validation,
+        measure: Measure::Rms,
+        source: set.source,
+        reference: blocked_n,
+        ours,
+        error,
+        tolerance: set.rms_of_blocked,
+        ok: error.is_some_and(|e| e <= set.rms_of_blocked),
+    }
 }
 
 fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {

@@ -3,15 +3,16 @@
 //! The 20° muscle of B. Tondu, *Modelling of the McKibben artificial muscle: a review*, J. Intell. Mater. Syst. Struct. 23
 //! (2012) 225–253, Fig. 3: outer diameter 14 mm, wall about 0.49 mm, length 300 mm, rayon; the rubber is not stated, so that
 //! its modulus is fitted. Models are held against the mean of the two hysteresis branches. A row's reference is the
-//! largest measured force, its value the rms error in N, its error their ratio. Further rows say what share of the points of every
-//! measured muscle ([`sets`]) the ± of the finite elements holds ([`coverage`]).
+//! largest measured force, its value the rms error in N, its error their ratio. Further rows do the same for every measured muscle
+//! ([`sets`]) with what is not stated of it identified from its own points, beside its blocked force, and say what share of its points
+//! the ± of the finite elements holds ([`coverage`]).
 
 pub mod coverage;
 pub mod sets;
 
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
-use crate::verification::{Kind, Row};
+use crate::verification::{Kind, Measure, Row};
 use mckibben::analysis::Options;
 use mckibben::compare::compare;
 use mckibben::identify::{Parameter, Request, Target, identify};
@@ -87,8 +88,9 @@ fn row(name: &str, build: Build, parameters: &[Target], points: &[MeasuredPoint]
     });
     let error = rms.map(|rms| rms / largest);
     Row {
-        name: format!("muscle with a 20° braid, {name}: rms error (N)"),
+        name: format!("hand-made, 20°: {name}"),
         kind: Kind::Validation,
+        measure: Measure::Rms,
         source: SOURCE,
         reference: largest,
         ours: rms,

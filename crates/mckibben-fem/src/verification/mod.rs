@@ -37,6 +37,18 @@ pub enum Kind {
     Validation,
 }
 
+/// What the numbers of a row are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Measure {
+    /// A value and what it should be.
+    #[default]
+    Value,
+    /// A root mean square of forces in N, beside the largest force or the blocked force; its error is their ratio.
+    Rms,
+    /// A share of points, beside the least share.
+    Share,
+}
+
 /// A row of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
@@ -44,6 +56,8 @@ pub struct Row {
     pub name: String,
     /// Which of the two it is.
     pub kind: Kind,
+    /// What its numbers are.
+    pub measure: Measure,
     /// Where the reference comes from.
     pub source: &'static str,
     /// The reference.
@@ -64,7 +78,8 @@ impl Row {
         let ours = ours.filter(|x| x.is_finite());
         let error = ours.map(|x| (x - reference).abs() / scale);
         let ok = error.is_some_and(|e| e <= tolerance);
-        Self { name, kind: Kind::Verification, source, reference, ours, error, tolerance, ok }
+        let (kind, measure) = (Kind::Verification, Measure::Value);
+        Self { name, kind, measure, source, reference, ours, error, tolerance, ok }
     }
 }
 

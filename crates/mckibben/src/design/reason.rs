@@ -4,6 +4,7 @@ use super::limit::Limit;
 use super::spec::OperatingPoint;
 use crate::model::ModelError;
 use crate::muscle::{Muscle, MuscleError};
+use crate::units::Dimension;
 use serde::Serialize;
 
 /// The bound that a muscle breaks.
@@ -60,18 +61,20 @@ fn in_words<E: std::fmt::Display, S: serde::Serializer>(error: &E, out: S) -> Re
 }
 
 impl Reason {
-    /// The sentence, with pressures written by `pressure` ("2.5 bar").
-    pub fn describe(&self, pressure: impl Fn(f64) -> String) -> String {
+    /// The sentence, with pressures, forces and lengths written by `show` ("2.5 bar", "700 N", "30 mm").
+    pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
         match self {
             Reason::Force { point, available_n, pressure_mpa } => format!(
-                "{:.0} N at {} and {} %, {} N wanted",
-                available_n.floor(),
-                pressure(*pressure_mpa),
+                "{} at {} and {} %, {} wanted",
+                show(Dimension::Force, available_n.floor()),
+                show(Dimension::Pressure, *pressure_mpa),
                 round(100.0 * point.contraction),
-                round(point.force_n)
+                show(Dimension::Force, point.force_n)
             ),
             Reason::Bulge { diameter_mm, limit_mm } => {
-                format!("bulges to {diameter_mm:.1} mm, at most {limit_mm} mm wanted")
+                let bulged = (10.0 * diameter_mm).round() / 10.0;
+                let [bulged, limit] = [bulged, *limit_mm].map(|v| show(Dimension::Length, v));
+                format!("bulges to {bulged}, at most {limit} wanted")
             }
             Reason::Burst { margin, limit } => {
                 format!("strands break at {margin:.2} times the maximum pressure, {limit} wanted")

@@ -31,6 +31,18 @@ impl Direction {
     /// All of them.
     pub const ALL: [Direction; 3] = [Direction::Mean, Direction::Contraction, Direction::Elongation];
 
+    /// The two branches of the loop.
+    pub const BRANCHES: [Direction; 2] = [Direction::Contraction, Direction::Elongation];
+
+    /// What the muscle does on it.
+    pub fn motion(self) -> &'static str {
+        match self {
+            Direction::Mean => "mean of both branches",
+            Direction::Contraction => "shortening",
+            Direction::Elongation => "lengthening",
+        }
+    }
+
     /// The word for it.
     pub fn name(self) -> &'static str {
         match self {

@@ -20,6 +20,11 @@ impl Unit {
     pub fn inside(self, value: f64) -> f64 {
         convert(value, self.fraction)
     }
+
+    /// `num / den` that turns a value inside into this unit.
+    pub fn outside(self) -> (f64, f64) {
+        (self.fraction.1, self.fraction.0)
+    }
 }
 
 /// A plain ratio.

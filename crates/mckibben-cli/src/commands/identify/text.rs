@@ -1,19 +1,20 @@
 //! What was identified, for people.
 
-use crate::output::text::{number, table, understood};
+use crate::output::text::{Units, number, table, understood};
 use mckibben::identify::Identification;
 use mckibben_app::{IdentifyAnswer, with_error_bar};
 
 /// The whole answer.
-pub fn of(answer: &IdentifyAnswer) -> String {
+pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
     let found = &answer.found;
+    let force = |v: f64| format!("{} {}", u.force.to(v, 3), u.force.name);
     let mut out = understood(&answer.understood);
     out.push_str(&format!(
         "model {}, {} points of {}\n{}\n\n",
         answer.model,
         found.points.len(),
         answer.data,
-        answer.muscle.line()
+        answer.muscle.line(u)
     ));
     let header = ["", "value", "± 95 %", "std. error", "unit", "start", "identifiable"];
     let rows = found.parameters.iter().map(|p| {
@@ -32,24 +33,24 @@ pub fn of(answer: &IdentifyAnswer) -> String {
         out.push_str(&correlation(found));
     }
     out.push_str(&format!(
-        "\nresiduals: rms {} N ({} N at the start), largest {} N",
-        number(found.rms_n, 3),
-        number(found.rms_before_n, 3),
-        number(found.max_n, 3)
+        "\nresiduals: rms {} ({} at the start), largest {}",
+        force(found.rms_n),
+        force(found.rms_before_n),
+        force(found.max_n)
     ));
     let largest = found.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
     if largest > 0.0 {
-        out.push_str(&format!("; the largest force is {} N", number(largest, 4)));
+        out.push_str(&format!("; the largest force is {}", u.force.show(largest)));
     }
     out.push('\n');
     for s in &found.spreads {
         out.push_str(&format!(
-            "  {}: {} points, rms {} N, largest {} N, mean {} N\n",
+            "  {}: {} points, rms {}, largest {}, mean {}\n",
             s.label,
             s.points,
-            number(s.rms_n, 3),
-            number(s.max_n, 3),
-            number(s.mean_n, 2)
+            force(s.rms_n),
+            force(s.max_n),
+            force(s.mean_n)
         ));
     }
     if !answer.warnings.is_empty() {

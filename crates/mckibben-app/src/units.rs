@@ -1,0 +1,230 @@
+//! Units in which people are shown what is in mm, MPa and N inside.
+
+use crate::words::{aligned, number, within};
+use mckibben::units::{Dimension, Unit};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+/// How one kind of quantity is shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scale {
+    /// The unit's name.
+    pub name: String,
+    /// By what a value inside is multiplied.
+    factor: (f64, f64),
+    /// Significant digits.
+    digits: usize,
+}
+
+impl Scale {
+    fn of(unit: Unit, digits: usize) -> Self {
+        Self { name: unit.name.into(), factor: unit.outside(), digits }
+    }
+
+    /// This for each of another.
+    fn per(&self, other: &Self) -> Self {
+        let (a, b) = (self.factor, other.factor);
+        Self { name: format!("{}/{}", self.name, other.name), factor: (a.0 * b.1, a.1 * b.0), digits: 4 }
+    }
+
+    /// A value in this unit.
+    pub fn value(&self, inside: f64) -> f64 {
+        inside * self.factor.0 / self.factor.1
+    }
+
+    /// `2.5 bar`.
+    pub fn show(&self, inside: f64) -> String {
+        format!("{} {}", self.bare(inside), self.name)
+    }
+
+    /// `2.5`.
+    pub fn bare(&self, inside: f64) -> String {
+        number(self.value(inside), self.digits)
+    }
+
+    /// `2.5`, to so many digits.
+    pub fn to(&self, inside: f64, digits: usize) -> String {
+        number(self.value(inside), digits)
+    }
+
+    /// The same to the digits that a ± leaves.
+    pub fn within(&self, inside: f64, uncertainty: Option<f64>) -> String {
+        uncertainty.map_or_else(|| self.bare(inside), |u| within(self.value(inside), self.value(u)))
+    }
+
+    /// A column of values with their points aligned.
+    pub fn column(&self, inside: impl IntoIterator<Item = Option<f64>>, digits: usize) -> Vec<String> {
+        aligned(&inside.into_iter().map(|v| v.map(|v| self.value(v))).collect::<Vec<_>>(), digits)
+    }
+
+    /// `F [N]`.
+    pub fn heading(&self, symbol: &str) -> String {
+        format!("{symbol} [{}]", self.name)
+    }
+}
+
+/// The units of a text or figure; as text a list of names such as `bar` or `psi,lbf,in`, where what is not named is in MPa, N
+/// and mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Units {
+    /// Pressures.
+    pub pressure: Scale,
+    /// Forces.
+    pub force: Scale,
+    /// Lengths.
+    pub length: Scale,
+    /// Volumes: cm³, or in³ beside inches.
+    pub volume: Scale,
+    named: Vec<&'static str>,
+}
+
+impl Units {
+    fn new(pressure: Unit, force: Unit, length: Unit, named: Vec<&'static str>) -> Self {
+        let volume = match length.name {
+            "in" => Scale { name: "in³".into(), factor: (1.0, 25.4_f64.powi(3)), digits: 4 },
+            _ => Scale { name: "cm³".into(), factor: (1.0, 1000.0), digits: 4 },
+        };
+        Self {
+            pressure: Scale::of(pressure, 4),
+            force: Scale::of(force, 5),
+            length: Scale::of(length, 5),
+            volume,
+            named,
+        }
+    }
+
+    /// Force per length.
+    pub fn stiffness(&self) -> Scale {
+        self.force.per(&self.length)
+    }
+
+    /// Force per pressure.
+    pub fn slope(&self) -> Scale {
+        self.force.per(&self.pressure)
+    }
+
+    /// A quantity of a kind with its unit.
+    pub fn show(&self, kind: Dimension, inside: f64) -> String {
+        match kind {
+            Dimension::Pressure => self.pressure.show(inside),
+            Dimension::Force => self.force.show(inside),
+            Dimension::Length => self.length.show(inside),
+            _ => format!("{} {}", number(inside, 5), kind.unit_inside().name).trim_end().to_owned(),
+        }
+    }
+
+    /// The units behind texts that a user typed, as far as people who type them want to read them too.
+    pub fn typed<'a>(texts: impl IntoIterator<Item = &'a str>) -> Self {
+        let known = ["bar", "kPa", "MPa", "psi", "lbf", "in"];
+        let names = texts.into_iter().filter_map(|text| {
+            let unit = text.trim().rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c)).next()?;
+            let of = [Dimension::Pressure, Dimension::Force, Dimension::Length];
+            let found = of.into_iter().find_map(|kind| kind.unit(unit))?.name;
+            known.contains(&found).then_some(found)
+        });
+        let mut list: Vec<&str> = names.collect();
+        list.dedup();
+        list.join(",").parse().unwrap_or_default()
+    }
+}
+
+impl Default for Units {
+    fn default() -> Self {
+        let inside = Dimension::unit_inside;
+        Self::new(inside(Dimension::Pressure), inside(Dimension::Force), inside(Dimension::Length), vec![])
+    }
+}
+
+impl FromStr for Units {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let kinds = [Dimension::Pressure, Dimension::Force, Dimension::Length];
+        let mut units = kinds.map(Dimension::unit_inside);
+        let mut named = vec![];
+        for word in text.split(',').map(str::trim).filter(|word| !word.is_empty()) {
+            let found = (0..3).find_map(|i| Some((i, kinds[i].unit(word)?)));
+            let Some((i, unit)) = found else {
+                let names: Vec<&str> = kinds.into_iter().flat_map(Dimension::unit_names).collect();
+                let word: String = word.chars().take(40).collect();
+                return Err(format!(
+                    "\"{word}\" is no unit of pressure, force or length; one of {}, or several with commas: psi,lbf,in",
+                    names.join(", ")
+                ));
+            };
+            units[i] = unit;
+            named.push(unit.name);
+        }
+        let [pressure, force, length] = units;
+        Ok(Self::new(pressure, force, length, named))
+    }
+}
+
+impl fmt::Display for Units {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&if self.named.is_empty() { self.pressure.name.clone() } else { self.named.join(",") })
+    }
+}
+
+impl Serialize for Units {
+    fn serialize<S: Serializer>(&self, out: S) -> Result<S::Ok, S::Error> {
+        out.collect_str(self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Units {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        String::deserialize(from)?.parse().map_err(serde::de::Error::custom)
+    }
+}
+
+impl JsonSchema for Units {
+    fn schema_name() -> Cow<'static, str> {
+        "Units".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": "string",
+            "description": "Units in which people are shown quantities: names with commas between, such as `bar` or `psi,lbf,in`; what is not named is in MPa, N and mm.",
+            "examples": ["bar", "psi,lbf,in"]
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_show_their_definitions() {
+        let u: Units = "psi, lbf, in".parse().unwrap();
+        assert_eq!(u.pressure.show(0.25), "36.26 psi");
+        assert_eq!(u.force.show(4.448_221_615_260_5), "1 lbf");
+        assert_eq!(u.length.show(25.4), "1 in");
+        assert_eq!(u.volume.show(25.4_f64.powi(3)), "1 in³");
+        // 1 lbf/in is 0.175 126 8 N/mm (NIST SP 811).
+        assert_eq!(u.stiffness().show(0.175_126_8), "1 lbf/in");
+        assert_eq!(u.to_string(), "psi,lbf,in");
+        assert!("psi,stone".parse::<Units>().unwrap_err().contains("\"stone\""));
+    }
+
+    #[test]
+    fn a_typed_unit_is_the_shown_one() {
+        assert_eq!(Units::typed(["2.5bar", "15 %"]).pressure.name, "bar");
+        assert_eq!(Units::typed(["0..40:5psi", "70lbf"]).to_string(), "psi,lbf");
+        // Nobody reads muscles in mbar or cm.
+        assert_eq!(Units::typed(["2500mbar", "3cm", "0.25"]), Units::default());
+    }
+
+    #[test]
+    fn bar_stay_the_decimals_that_were_typed() {
+        let bar: Units = "bar".parse().unwrap();
+        assert_eq!(bar.pressure.value(0.15), 1.5);
+        assert_eq!(bar.stiffness().name, "N/mm");
+        assert_eq!(bar.slope().value(10.0), 1.0);
+    }
+}
