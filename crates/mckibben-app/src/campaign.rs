@@ -83,7 +83,7 @@ impl From<CampaignError> for Problem {
             CampaignError::Write { .. } | CampaignError::Encode(_) | CampaignError::Threads(_) => {
                 ProblemKind::Output
             }
-            CampaignError::ShardOfFile { .. } => ProblemKind::Usage,
+            CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
             CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Read { .. } => {
                 ProblemKind::File
             }

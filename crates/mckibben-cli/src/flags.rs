@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::files;
+use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::quantities::{quantity, ratio};
 use crate::word::word;
 use clap::{Args, ValueEnum};
@@ -18,9 +19,9 @@ use std::path::PathBuf;
 #[command(next_help_heading = "Muscle")]
 pub struct MuscleFlags {
     /// Muscle file; flags override what it says
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
     pub file: Option<PathBuf>,
-    /// The same as a flag
+    /// Muscle file, as [MUSCLE.toml]
     #[arg(long, value_name = "FILE")]
     pub muscle: Option<PathBuf>,
     /// Outer diameter of the tube at rest [30mm]
@@ -36,10 +37,10 @@ pub struct MuscleFlags {
     #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
     pub angle: Option<String>,
     /// Rubber from the library, as NAME or NAME:LAW (see `mckibben rubber list`) [paper]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = RUBBERS, hide_possible_values = true)]
     pub rubber: Option<String>,
     /// Sleeve from the library, which gives angle and strands (see `mckibben braid list`) [none]
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = SLEEVES, hide_possible_values = true)]
     pub braid: Option<String>,
     #[command(flatten)]
     pub strands: StrandFlags,
@@ -110,7 +111,7 @@ impl ColumnsFlag {
 #[command(next_help_heading = "Model")]
 pub struct ModelFlags {
     /// Force model, or the JSON of a fitted formula [fe]; `mckibben models` lists them
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     #[command(flatten)]
     pub asking: AskFlags,

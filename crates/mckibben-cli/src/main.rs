@@ -8,6 +8,7 @@ mod commands;
 mod failure;
 mod files;
 mod flags;
+mod names;
 mod output;
 mod plot;
 mod progress;
@@ -49,7 +50,10 @@ fn report(failure: &Failure, format: Format) -> ExitCode {
     if failure.is_broken_pipe() {
         return ExitCode::SUCCESS;
     }
-    let text = if format == Format::Json { failure.to_json() } else { failure.to_text() };
-    let _ = writeln!(std::io::stderr(), "{text}");
+    if format == Format::Json {
+        let _ = writeln!(std::io::stderr(), "{}", failure.to_json());
+    } else {
+        output::complain(&failure.to_text());
+    }
     ExitCode::from(failure.exit())
 }

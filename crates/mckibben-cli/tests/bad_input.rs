@@ -163,7 +163,7 @@ const FLAGS: &[Case] = &[
     ("a flag twice", "force -p 0.2 -p 0.1", 2, "usage", "multiple times"),
     ("a flag without value", "force -p", 2, "usage", "--pressure <PRESSURE>"),
     ("an unknown command", "forces", 2, "usage", "forces"),
-    ("an unknown unit to show", "force -p 0.2 --units atm", 2, "usage", "bar"),
+    ("an unknown unit to show", "force -p 0.2 --units stone", 2, "usage", "bar"),
     // Models.
     ("an unknown model", "force -p 0.2 --model ideel", 2, "model", "did you mean ideal?"),
     ("a model like no other", "compare --models ideal,x-y-z", 2, "model", "the models are ideal"),

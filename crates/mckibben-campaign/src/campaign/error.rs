@@ -86,6 +86,12 @@ pub enum CampaignError {
         /// The file.
         path: PathBuf,
     },
+    /// A name that promises another format.
+    #[error("a campaign is one file that ends in .parquet, or a folder of parts; {} would be neither", .path.display())]
+    OtherFormat {
+        /// The name.
+        path: PathBuf,
+    },
     /// A file cannot be written; what was there before is untouched.
     #[error("cannot write {}: {source}", .path.display())]
     Write {
@@ -137,6 +143,9 @@ impl CampaignError {
             Self::Conflict { .. } => "they come from different programs or machines: recompute one of them",
             Self::ShardOfFile { .. } => {
                 "give a folder, and merge the parts into a file when all shards are there"
+            }
+            Self::OtherFormat { .. } => {
+                "name it FILE.parquet, which pandas, DuckDB and others read, and write as CSV"
             }
             Self::Write { .. } | Self::Encode(_) => {
                 "what was written before is a valid store; the same command goes on from there"

@@ -2,7 +2,9 @@
 
 use super::CampaignError;
 use super::resume::belongs;
-use super::store::{Folder, Opened, Provenance, Table, Which, part_name, seal_of, sync, unfinished, whole};
+use super::store::{
+    Folder, Opened, Provenance, Table, Which, is_file_name, part_name, seal_of, sync, unfinished, whole,
+};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -130,6 +132,9 @@ pub(super) fn gather(
 /// # Errors
 /// [`CampaignError`] where parts are missing, damaged, of different plans, or differ.
 pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Merged, CampaignError> {
+    if !is_file_name(out) {
+        return Err(CampaignError::OtherFormat { path: out.into() });
+    }
     let (provenance, found, doubles) = gather(folders)?;
     let places = found.into_iter().map(|(n, path)| (n, Place::File(path))).collect();
     write_whole(&provenance, places, out)?;

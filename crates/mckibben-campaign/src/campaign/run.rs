@@ -3,7 +3,7 @@
 use super::merge::{Place, write_whole};
 use super::plan::Plan;
 use super::resume::{finished, there};
-use super::store::{Folder, Provenance, Table, is_file_name, part, part_name};
+use super::store::{Folder, Provenance, Table, check_name, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
 use mckibben::progress::Progress;
 use rayon::prelude::*;
@@ -117,6 +117,7 @@ pub fn run(
     options: &RunOptions,
     progress: &dyn Progress,
 ) -> Result<Outcome, CampaignError> {
+    check_name(out)?;
     let provenance = Provenance::of(plan);
     let one_file = is_file_name(out);
     if one_file && options.shard.is_some() {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, OutputFlags};
+use crate::names::SLEEVES;
 use crate::output::show as print;
 use crate::output::text::{number, or_dash, pairs, percent, table};
 use crate::quantities::quantity;
@@ -29,6 +30,7 @@ pub struct BraidListArgs {
 #[derive(Debug, Args)]
 pub struct BraidShowArgs {
     /// Name
+    #[arg(value_parser = SLEEVES, hide_possible_values = true)]
     pub name: String,
     /// Only on a tube of this outer diameter
     #[arg(short = 'D', long, value_name = "DIAMETER", allow_hyphen_values = true)]

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::files;
 use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag};
+use crate::names::MODELS;
 use crate::output::text::{Units, percent, percents, rows_of, table, understood};
 use crate::output::{show, warn};
 use crate::plot;
@@ -24,10 +25,10 @@ pub const EXAMPLES: &str = "Examples:
 #[derive(Debug, Args)]
 pub struct CompareArgs {
     /// Models, by name [fe,paper,thick-wall,ideal]
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = MODELS, hide_possible_values = true)]
     pub models: Vec<String>,
     /// One model, as --models
-    #[arg(long, value_name = "NAME", conflicts_with = "models")]
+    #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units
     #[arg(long, value_name = "FILE.csv", help_heading = "Data")]

@@ -5,8 +5,9 @@ mod text;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
 use crate::flags::{Format, PlotFlag, StrandFlags, UnitsFlag};
+use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::Units;
-use crate::output::{save, show, warn};
+use crate::output::{colour, save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
@@ -88,9 +89,9 @@ pub struct DesignArgs {
     #[arg(long, value_parser = word::<ObjectiveWord>(), default_value = "diameter", help_heading = "Specification")]
     pub objective: ObjectiveWord,
     /// Muscle file for what is not searched; flags override it
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle")]
+    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
     pub file: Option<PathBuf>,
-    /// The same as a flag
+    /// Muscle file, as [MUSCLE.toml]
     #[arg(long, value_name = "FILE", help_heading = "Search space")]
     pub muscle: Option<PathBuf>,
     /// Outer diameters at rest: a value, list, range or stepped range [5..80]
@@ -124,10 +125,10 @@ pub struct DesignArgs {
     )]
     pub strand_length_per_turn: Option<String>,
     /// Sleeves and braids that one can buy, by name (mckibben braid list); the diameter then sets angle and stiffness
-    #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], help_heading = "Search space")]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with_all = ["angle", "strand_length_per_turn"], value_parser = SLEEVES, hide_possible_values = true, help_heading = "Search space")]
     pub braid: Vec<String>,
     /// Rubbers, by name [paper]
-    #[arg(long, value_name = "LIST", value_delimiter = ',', help_heading = "Search space")]
+    #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = RUBBERS, hide_possible_values = true, help_heading = "Search space")]
     pub rubber: Vec<String>,
     #[command(flatten, next_help_heading = "Search space")]
     pub strands: StrandFlags,
@@ -145,7 +146,7 @@ pub struct DesignArgs {
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
     pub tolerance: Option<String>,
     /// Force model [fe; it is searched with universal where its range allows]
-    #[arg(long, value_name = "NAME", help_heading = "Model")]
+    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
     pub model: Option<String>,
     /// Mesh of `fe` or `fe3d`, as for the other commands [chosen]
     #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
@@ -197,12 +198,6 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     show(&answer, format, "candidates", text, None)?;
     plot::save(figure.clone(), args.plot.plot.as_deref())?;
     Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
-}
-
-/// Colour on a terminal that did not ask for none.
-fn colour() -> bool {
-    use std::io::IsTerminal;
-    std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none()
 }
 
 fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Failure> {

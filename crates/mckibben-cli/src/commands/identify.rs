@@ -5,6 +5,7 @@ mod text;
 use crate::failure::Failure;
 use crate::files;
 use crate::flags::{ColumnsFlag, Format, MuscleFlags, PlotFlag, UnitsFlag};
+use crate::names::MODELS;
 use crate::output::text::Units;
 use crate::output::{save, show};
 use crate::plot;
@@ -105,7 +106,7 @@ pub struct IdentifyArgs {
     #[arg(long, conflicts_with = "loss", help_heading = "Parameters")]
     pub robust: bool,
     /// Force model [fe]
-    #[arg(long, value_name = "NAME", help_heading = "Model")]
+    #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
     pub model: Option<String>,
     /// Mesh of `fe`, as for the other commands [chosen]
     #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]

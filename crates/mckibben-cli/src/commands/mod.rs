@@ -52,7 +52,7 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
             // Into memory first: clap_complete panics where it cannot write.
             let mut script = vec![];
             clap_complete::generate(shell, &mut Cli::command(), "mckibben", &mut script);
-            emit(&String::from_utf8_lossy(&script), None)?;
+            emit(&script, None)?;
             Ok(0)
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, OutputFlags};
+use crate::names::MODELS;
 use crate::output::show;
 use clap::Args;
 use mckibben_app::{ModelsAnswer, ModelsRequest, models};
@@ -14,7 +15,7 @@ pub const EXAMPLES: &str = "Examples:
 #[derive(Debug, Args)]
 pub struct ModelsArgs {
     /// One model: where it comes from, and how its ± is known
-    #[arg(value_name = "NAME")]
+    #[arg(value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     #[command(flatten)]
     pub output: OutputFlags,

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, OutputFlags};
+use crate::names::RUBBERS;
 use crate::output::text::{law_text, number, or_dash, pairs, percent, table};
 use crate::output::{show as print, warn};
 use clap::Args;
@@ -21,6 +22,7 @@ pub struct RubberListArgs {
 #[derive(Debug, Args)]
 pub struct RubberShowArgs {
     /// Name, or NAME:LAW
+    #[arg(value_parser = RUBBERS, hide_possible_values = true)]
     pub name: String,
     #[command(flatten)]
     pub output: OutputFlags,

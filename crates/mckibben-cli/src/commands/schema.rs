@@ -27,7 +27,7 @@ pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
             .iter()
             .map(|c| Ok((c.name.to_owned(), schema(c.name)?)))
             .collect::<Result<_, Failure>>()?;
-        return emit(&format!("{:#}\n", serde_json::Value::Object(all)), None).map(|()| 0);
+        return emit(format!("{:#}\n", serde_json::Value::Object(all)), None).map(|()| 0);
     };
     for command in COMMANDS.iter() {
         emit(&text(command.name)?, Some(&folder.join(format!("{}.json", command.name))))?;

@@ -1,10 +1,12 @@
 //! Results as text, JSON and CSV, and where they go.
 
 mod csv;
+mod parquet;
+mod rows;
 pub mod text;
 mod write;
 
-pub use write::{emit, save, warn};
+pub use write::{colour, complain, emit, save, warn};
 
 use crate::failure::Failure;
 use crate::flags::Format;
@@ -20,7 +22,16 @@ pub fn json<T: Serialize>(answer: &T) -> Result<Value, Failure> {
         .map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make JSON: {e}"), ""))
 }
 
-/// Prints an answer in the form that was asked for: as text for people, as JSON, or as CSV with a row for each element of
+/// The forms in which an answer is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Form {
+    Text,
+    Json,
+    Csv,
+    Parquet,
+}
+
+/// Prints an answer in the form that was asked for: as text for people, as JSON, or as a table with a row for each element of
 /// the list named `rows` (for the answer itself where the name is empty).
 pub fn show<T: Serialize>(
     answer: &T,
@@ -29,34 +40,46 @@ pub fn show<T: Serialize>(
     text: impl FnOnce() -> String,
     path: Option<&Path>,
 ) -> Result<(), Failure> {
-    let format = format_of(path, format)?;
-    let out = match format {
-        Format::Text => {
+    let list = || -> Result<Vec<Value>, Failure> {
+        let mut value = json(answer)?;
+        Ok(match value.get_mut(rows).map(Value::take) {
+            Some(Value::Array(list)) => list,
+            _ if rows.is_empty() => vec![value],
+            _ => vec![],
+        })
+    };
+    let out = match form(path, format)? {
+        Form::Text => {
             to_mind().into_iter().for_each(warn);
-            text()
+            text().into_bytes()
         }
-        Format::Json => format!("{:#}\n", json(answer)?),
-        Format::Csv => match json(answer)? {
-            value if rows.is_empty() => csv::rows(&[value])?,
-            value => csv::rows(value[rows].as_array().map_or(&[][..], |list| list))?,
-        },
+        Form::Json => format!("{:#}\n", json(answer)?).into_bytes(),
+        Form::Csv => csv::rows(&list()?)?,
+        Form::Parquet => parquet::rows(&list()?)?,
     };
     emit(&out, path)
 }
 
-/// The format of a file by its ending; without one, or for standard output, that of `--format`.
-fn format_of(path: Option<&Path>, format: Format) -> Result<Format, Failure> {
-    let Some(ending) = path.and_then(Path::extension) else { return Ok(format) };
+/// The form of a file by its ending; without one, or for standard output, that of `--format`.
+fn form(path: Option<&Path>, format: Format) -> Result<Form, Failure> {
+    let asked = match format {
+        Format::Text => Form::Text,
+        Format::Json => Form::Json,
+        Format::Csv => Form::Csv,
+    };
+    let Some(ending) = path.and_then(Path::extension) else { return Ok(asked) };
     let by_ending = match ending.to_string_lossy().to_ascii_lowercase().as_str() {
-        "txt" | "md" => Format::Text,
-        "json" => Format::Json,
-        "csv" => Format::Csv,
+        "txt" | "md" => Form::Text,
+        "json" => Form::Json,
+        "csv" => Form::Csv,
+        "parquet" => Form::Parquet,
         other => {
             let message = format!("--output: nothing is written that ends in .{other}");
-            return Err(Failure::input(ProblemKind::Output, message, "the endings are .txt, .json and .csv"));
+            let hint = "the endings are .txt, .json, .csv and .parquet";
+            return Err(Failure::input(ProblemKind::Output, message, hint));
         }
     };
-    if format == Format::Text || format == by_ending {
+    if format == Format::Text || asked == by_ending {
         return Ok(by_ending);
     }
     let message = "--output and --format name two formats";

@@ -26,6 +26,22 @@ pub(crate) fn is_file_name(path: &Path) -> bool {
     path.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) && !path.is_dir()
 }
 
+/// Endings of tables that this is none of.
+const OTHER_FORMATS: [&str; 12] =
+    ["csv", "tsv", "txt", "md", "json", "xls", "xlsx", "ods", "arrow", "feather", "h5", "mat"];
+
+/// Refuses a name that promises another format than is written.
+///
+/// # Errors
+/// [`CampaignError::OtherFormat`].
+pub(crate) fn check_name(path: &Path) -> Result<(), CampaignError> {
+    let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
+    if ending.is_some_and(|e| OTHER_FORMATS.contains(&e.as_str())) && !path.is_dir() {
+        return Err(CampaignError::OtherFormat { path: path.into() });
+    }
+    Ok(())
+}
+
 /// A folder of parts.
 #[derive(Debug)]
 pub(crate) struct Folder {

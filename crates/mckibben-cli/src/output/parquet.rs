@@ -1,0 +1,110 @@
+//! Rows as Parquet.
+
+use super::rows::{columns, text};
+use crate::failure::Failure;
+use mckibben_app::ProblemKind;
+use parquet::basic::{Compression, ZstdLevel};
+use parquet::column::writer::ColumnWriter;
+use parquet::errors::{ParquetError, Result};
+use parquet::file::properties::WriterProperties;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::parser::parse_message_type;
+use serde_json::Value;
+use std::sync::Arc;
+
+/// What the values of a column are; those that are not there are null.
+#[derive(Debug)]
+enum Column {
+    Number(Vec<Option<f64>>),
+    Flag(Vec<Option<bool>>),
+    Text(Vec<Option<String>>),
+}
+
+impl Column {
+    fn of(list: &[Value], key: &str) -> Self {
+        let cells = || list.iter().map(|row| row.get(key).filter(|v| !v.is_null()));
+        if cells().flatten().all(Value::is_number) {
+            Self::Number(cells().map(|v| v.and_then(Value::as_f64)).collect())
+        } else if cells().flatten().all(Value::is_boolean) {
+            Self::Flag(cells().map(|v| v.and_then(Value::as_bool)).collect())
+        } else {
+            Self::Text(cells().map(text).collect())
+        }
+    }
+
+    /// Its line of a Parquet schema.
+    fn schema(&self, name: &str) -> String {
+        match self {
+            Self::Number(_) => format!("optional double {name};"),
+            Self::Flag(_) => format!("optional boolean {name};"),
+            Self::Text(_) => format!("optional binary {name} (STRING);"),
+        }
+    }
+
+    fn write(&self, to: &mut ColumnWriter<'_>) -> Result<()> {
+        match (self, to) {
+            (Self::Number(v), ColumnWriter::DoubleColumnWriter(w)) => {
+                w.write_batch(&known(v), Some(&there(v)), None)?
+            }
+            (Self::Flag(v), ColumnWriter::BoolColumnWriter(w)) => {
+                w.write_batch(&known(v), Some(&there(v)), None)?
+            }
+            (Self::Text(v), ColumnWriter::ByteArrayColumnWriter(w)) => {
+                let bytes: Vec<_> = v.iter().flatten().map(|text| text.as_str().into()).collect();
+                w.write_batch(&bytes, Some(&there(v)), None)?
+            }
+            _ => return Err(ParquetError::General("a column of another kind".into())),
+        };
+        Ok(())
+    }
+}
+
+fn known<T: Copy>(values: &[Option<T>]) -> Vec<T> {
+    values.iter().copied().flatten().collect()
+}
+
+fn there<T>(values: &[Option<T>]) -> Vec<i16> {
+    values.iter().map(|v| i16::from(v.is_some())).collect()
+}
+
+/// The objects of a JSON list as the bytes of a Parquet file.
+pub fn rows(list: &[Value]) -> std::result::Result<Vec<u8>, Failure> {
+    encoded(list).map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make Parquet: {e}"), ""))
+}
+
+fn encoded(list: &[Value]) -> Result<Vec<u8>> {
+    let names = columns(list);
+    let columns: Vec<Column> = names.iter().map(|name| Column::of(list, name)).collect();
+    let lines: Vec<String> = columns.iter().zip(&names).map(|(c, name)| c.schema(name)).collect();
+    let schema = parse_message_type(&format!("message table {{\n{}\n}}", lines.join("\n")))?;
+    let properties = WriterProperties::builder()
+        .set_created_by(format!("mckibben {}", env!("CARGO_PKG_VERSION")))
+        .set_compression(Compression::ZSTD(ZstdLevel::try_new(3)?));
+    let mut out = SerializedFileWriter::new(vec![], Arc::new(schema), Arc::new(properties.build()))?;
+    let mut group = out.next_row_group()?;
+    for column in &columns {
+        let Some(mut writer) = group.next_column()? else { break };
+        column.write(writer.untyped())?;
+        writer.close()?;
+    }
+    group.close()?;
+    out.into_inner()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+    use serde_json::json;
+
+    #[test]
+    fn what_is_written_is_read_again() {
+        let list = [json!({"force_n": 1.5, "slack": false, "status": "ok"}), json!({"status": "failed"})];
+        let reader = SerializedFileReader::new(bytes::Bytes::from(rows(&list).unwrap())).unwrap();
+        let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
+        let cells = |i: usize| rows[i].get_column_iter().map(|c| c.1.clone()).collect::<Vec<_>>();
+        assert_eq!(cells(0), [Field::Double(1.5), Field::Bool(false), Field::Str("ok".into())]);
+        assert_eq!(cells(1), [Field::Null, Field::Null, Field::Str("failed".into())]);
+    }
+}
