@@ -284,7 +284,13 @@ fn place_one<'a>(
     let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
     let ended = ended.filter_map(|(i, s)| {
         let line = axes.frame().line(&s.points).pop()?;
-        Some(Ended { text: s.end_label.trim().to_owned(), colour: s.colour.unwrap_or(i), series: i, line })
+        let number = s.colour.unwrap_or(i);
+        let explained = |(k, other): (usize, &crate::Series)| {
+            !other.label.trim().is_empty() && other.colour.unwrap_or(k) == number
+        };
+        let meant = s.neutral || panel.series.iter().enumerate().any(explained);
+        let colour = (!meant).then_some(number);
+        Some(Ended { text: s.end_label.trim().to_owned(), colour, series: i, line })
     });
     labels.extend(line_labels::of_lines(ended.collect(), metrics, &mut room));
     let text = metrics.fit(&panel.title, PANEL_TITLE, cell.w);

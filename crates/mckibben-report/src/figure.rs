@@ -98,8 +98,12 @@ pub struct Series {
     /// Colour number; `None` takes the position of the series in its panel. Series with
     /// the same number share a colour (and a marker shape).
     pub colour: Option<usize>,
-    /// Short text written at the end of the line, such as `0.25 MPa`; may be empty.
+    /// Short text written at the end of the line, such as `0.25 MPa`; may be empty. It has the colour of the line, unless the legend
+    /// gives that colour a meaning of its own.
     pub end_label: String,
+    /// Drawn in the colour of the text: its colour means nothing.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub neutral: bool,
 }
 
 /// How a series is drawn.
@@ -244,6 +248,12 @@ impl Series {
     /// Sets the colour number.
     pub fn colour(mut self, number: usize) -> Self {
         self.colour = Some(number);
+        self
+    }
+
+    /// Draws it in the colour of the text.
+    pub fn neutral(mut self) -> Self {
+        self.neutral = true;
         self
     }
 

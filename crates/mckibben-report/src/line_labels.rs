@@ -9,7 +9,8 @@ use crate::room::Room;
 /// A line with its text.
 pub(crate) struct Ended {
     pub text: String,
-    pub colour: usize,
+    /// Colour number; that of the text where it has none.
+    pub colour: Option<usize>,
     /// Number of the series in its panel.
     pub series: usize,
     pub line: Vec<Spot>,
@@ -61,7 +62,7 @@ fn beside_plot(mut lines: Vec<Ended>, plot: &Rect) -> Vec<Label> {
     let place = |(line, y): (&Ended, f64)| {
         let from = (plot.right() + 1.0, end(line));
         let leader = ((from.1 - y).abs() > 3.0).then_some((from, (text_x - 1.0, y)));
-        Label { at: (text_x, y), turn: None, text: line.text.clone(), colour: Some(line.colour), leader }
+        Label { at: (text_x, y), turn: None, text: line.text.clone(), colour: line.colour, leader }
     };
     lines.iter().zip(heights).map(place).collect()
 }
@@ -163,7 +164,7 @@ fn set_into(line: &Ended, part: f64, metrics: &Metrics, room: &Room) -> Option<P
         at: middle,
         turn: Some((dy.atan2(dx).to_degrees(), w)),
         text: line.text.clone(),
-        colour: Some(line.colour),
+        colour: line.colour,
         leader: None,
     };
     Some(Place { cost: worst + 8.0 * part + 60.0 * sag, label, boxes })
@@ -192,7 +193,7 @@ fn along(line: Ended, metrics: &Metrics, room: &mut Room) -> Option<Label> {
     let (_, at) = best?;
     let at = inside(at, w, &within);
     room.add_box(around(at, w));
-    Some(Label { at, turn: None, text: line.text, colour: Some(line.colour), leader: None })
+    Some(Label { at, turn: None, text: line.text, colour: line.colour, leader: None })
 }
 
 fn lengths(line: &[Spot]) -> impl Iterator<Item = f64> {

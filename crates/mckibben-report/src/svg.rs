@@ -120,7 +120,11 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
         let markers =
             if palette::has_markers(series.style) { frame.markers(&series.points) } else { Vec::new() };
         anything |= !(lines.is_empty() && markers.is_empty());
-        draw_series(out, &lines, &markers, series.style, pen.brush(number));
+        let mut brush = pen.brush(number);
+        if series.neutral {
+            brush.hex = INK.into();
+        }
+        draw_series(out, &lines, &markers, series.style, brush);
     }
     anything |= draw_marks(out, placed);
     if !anything {
@@ -219,10 +223,13 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
         segment(&mut path, a, b);
         let _ = writeln!(out, "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>");
     }
-    // a white halo keeps the text readable where it has to stand over a line
-    let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\"";
+    // A white outline below keeps the text readable where it has to stand over a line.
+    let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\"";
     match label.turn {
-        None => text(out, label.at, labels::SIZE, &colour, "start", halo, &label.text),
+        None => {
+            text(out, label.at, labels::SIZE, "#ffffff", "start", halo, &label.text);
+            text(out, label.at, labels::SIZE, &colour, "start", "", &label.text);
+        }
         Some((degrees, width)) => {
             let (x, y) = (n(label.at.0), n(label.at.1));
             let _ = writeln!(
@@ -233,8 +240,9 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
                 n(width + 5.0),
                 n(degrees)
             );
-            let extra = format!("{halo} transform=\"rotate({} {x} {y})\"", n(degrees));
-            text(out, label.at, labels::SIZE, &colour, "middle", &extra, &label.text);
+            let turn = format!(" transform=\"rotate({} {x} {y})\"", n(degrees));
+            text(out, label.at, labels::SIZE, "#ffffff", "middle", &(halo.to_owned() + &turn), &label.text);
+            text(out, label.at, labels::SIZE, &colour, "middle", &turn, &label.text);
         }
     }
 }

@@ -56,6 +56,11 @@ impl Sheet<'_> {
         }
     }
 
+    /// How a series looks.
+    pub fn look_of(&self, series: &Series, index: usize) -> Look {
+        if series.neutral { PLAIN } else { self.look(number_of(series, index)) }
+    }
+
     /// The reason why there is no chart.
     fn failed(&self, error: &FigureError) -> Buffer {
         let lines = wrap(&error.to_string(), self.width);
@@ -112,7 +117,7 @@ impl Sheet<'_> {
         for (i, series) in panel.series.iter().enumerate().filter(|(_, s)| palette::has_markers(s.style)) {
             let number = number_of(series, i);
             for spot in frame.markers(&series.points) {
-                put_at(&mut buffer, area, spot, marker(number), self.look(number));
+                put_at(&mut buffer, area, spot, marker(number), self.look_of(series, i));
             }
         }
         for (mark, sign) in panel.marks.iter().zip(&signs) {
@@ -173,7 +178,7 @@ impl Sheet<'_> {
             let lines = frame.line(&series.points);
             let spots: BTreeSet<_> = lines.iter().flat_map(|line| dots(line, dash)).map(dot).collect();
             let upward: Vec<_> = spots.iter().map(|(x, y)| (f64::from(*x), top - f64::from(*y))).collect();
-            all.push((upward, self.look(number_of(series, i)).fg.unwrap_or(Color::Reset)));
+            all.push((upward, self.look_of(series, i).fg.unwrap_or(Color::Reset)));
         }
         Canvas::default()
             .marker(Marker::Braille)

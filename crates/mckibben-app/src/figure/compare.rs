@@ -27,7 +27,7 @@ pub fn compare(
             let label = if i == 0 { model.name() } else { "" };
             let style = [Style::Line, Style::Dashed, Style::Dotted, Style::DashDot][number % 4];
             let mut series = Series::new(label, line(curve, Test::Isobaric, u)).colour(number).style(style);
-            if number + 1 == count && measured.is_empty() {
+            if number == 0 {
                 series = series.end_label(u.pressure.show(curve.fixed));
             }
             panel = panel.series(series);
@@ -38,7 +38,5 @@ pub fn compare(
             measured.iter().map(|m| (m.contraction, u.force.value(m.force_n))).collect();
         panel = panel.series(Series::scatter("measured", points).colour(count));
     }
-    let list: Vec<String> = pressures.iter().map(|&v| u.pressure.show(v)).collect();
-    let about = format!("Isobaric at {}. {about}", list.join(", "));
-    Figure::new("Models compared").caption(caption(about)).panel(panel)
+    Figure::new("Isobaric curves of models").caption(caption(about)).panel(panel)
 }

@@ -36,8 +36,35 @@ fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * (1e-3 + b.abs())
 }
 
-fn word(branch: Direction) -> &'static str {
-    if branch.is_mean() { "points" } else { branch.motion() }
+/// What is fixed along the curves of a figure, and so what its colours mean.
+struct Levels {
+    isobaric: bool,
+    fixed: Vec<f64>,
+}
+
+impl Levels {
+    fn of(found: &Identification) -> Self {
+        let at = || found.points.iter().map(|f| f.point.at);
+        let pressures = levels(at().map(|p| p.pressure_mpa));
+        let contractions = levels(at().map(|p| p.contraction));
+        let isobaric = pressures.len() <= contractions.len();
+        Self { isobaric, fixed: thinned(if isobaric { &pressures } else { &contractions }) }
+    }
+
+    fn key(&self, f: &Fitted) -> f64 {
+        if self.isobaric { f.point.at.pressure_mpa } else { f.point.at.contraction }
+    }
+
+    /// The level that is nearest to a point.
+    fn nearest(&self, f: &Fitted) -> usize {
+        let off = |n: usize| (self.fixed[n] - self.key(f)).abs();
+        (0..self.fixed.len()).min_by(|&a, &b| off(a).total_cmp(&off(b))).unwrap_or(0)
+    }
+
+    fn label(&self, n: usize, u: &Units) -> String {
+        let value = self.fixed[n];
+        if self.isobaric { u.pressure.show(value) } else { format!("ε {}", percent(value)) }
+    }
 }
 
 /// The model over the points of the first muscle, and the residuals of all over contraction and pressure.
@@ -54,19 +81,19 @@ pub(crate) fn identified(
             u.force.to(found.rms_n, 3),
             u.force.name
         )))
-        .palette(Palette::Sequential)
-        .columns(2);
+        .palette(Palette::Sequential);
     let sections = sections(found);
+    let levels = Levels::of(found);
     for section in sections.iter().take(if sections.len() > 1 { 2 } else { 1 }) {
-        figure = figure.panel(fit(found, build, section, u, sections.len() > 1));
+        figure = figure.panel(fit(found, build, section, &levels, u, sections.len() > 1));
     }
     let left = |x: fn(&Fitted) -> f64, axis: Axis, scale: f64| {
         let mut panel = Panel::new(axis, Axis::new(u.force.heading("model less data")).from_zero());
-        for (n, branch) in Direction::ALL.into_iter().enumerate() {
-            let mine = found.points.iter().filter(|f| f.point.at.branch == branch);
+        for n in 0..levels.fixed.len() {
+            let mine = found.points.iter().filter(|f| levels.nearest(f) == n);
             let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), u.force.value(f.residual_n))).collect();
             if !points.is_empty() {
-                panel = panel.series(Series::scatter(word(branch), points).colour(n));
+                panel = panel.series(Series::scatter(levels.label(n, u), points).colour(n));
             }
         }
         panel
@@ -98,17 +125,19 @@ fn sections(found: &Identification) -> Vec<Section> {
     list.into_iter().map(|s| s.0).collect()
 }
 
-fn fit(found: &Identification, build: &Build<'_>, section: &Section, u: &Units, named: bool) -> Panel {
+fn fit(
+    found: &Identification,
+    build: &Build<'_>,
+    section: &Section,
+    levels: &Levels,
+    u: &Units,
+    named: bool,
+) -> Panel {
     let mine: Vec<&Fitted> = found.points.iter().filter(|f| f.point.section == *section).collect();
-    let pressures = levels(mine.iter().map(|f| f.point.at.pressure_mpa));
-    let contractions = levels(mine.iter().map(|f| f.point.at.contraction));
-    let isobaric = pressures.len() <= contractions.len();
-    let (x_axis, fixed) = if isobaric {
-        (Axis::new("contraction ratio ε [–]").from_zero(), thinned(&pressures))
-    } else {
-        (Axis::new(u.pressure.heading("pressure P")).from_zero(), thinned(&contractions))
-    };
-    let mut panel = Panel::new(x_axis, pull(u));
+    let isobaric = levels.isobaric;
+    let x_axis =
+        if isobaric { "contraction ratio ε [–]".into() } else { u.pressure.heading("pressure P") };
+    let mut panel = Panel::new(Axis::new(x_axis).from_zero(), pull(u));
     let muscle = found.candidate.of_section(section);
     if named && let Ok(m) = &muscle {
         panel = panel.title(format!(
@@ -118,11 +147,9 @@ fn fit(found: &Identification, build: &Build<'_>, section: &Section, u: &Units, 
         ));
     }
     let model = muscle.ok().and_then(|m| build(&m).ok());
-    for (n, &value) in fixed.iter().enumerate() {
-        let key = |f: &&&Fitted| {
-            same(if isobaric { f.point.at.pressure_mpa } else { f.point.at.contraction }, value)
-        };
-        let label = if isobaric { u.pressure.show(value) } else { format!("ε {}", percent(value)) };
+    for (n, &value) in levels.fixed.iter().enumerate() {
+        let key = |f: &&&Fitted| same(levels.key(f), value);
+        let label = levels.label(n, u);
         let on: Vec<&&Fitted> = mine.iter().filter(key).collect();
         let dots = on.iter().map(|f| {
             let at = &f.point.at;
@@ -161,5 +188,6 @@ fn pulled(
     (p, e): (f64, f64),
     branch: Direction,
 ) -> Option<f64> {
-    force_on(m, w, p, e + found.candidate.contraction_offset, branch).ok()
+    // A muscle does not push.
+    force_on(m, w, p, e + found.candidate.contraction_offset, branch).ok().filter(|force| *force >= 0.0)
 }

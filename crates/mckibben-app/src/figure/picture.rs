@@ -52,11 +52,16 @@ pub fn picture(
     })
 }
 
-/// `stress_hoop_mpa` → `stress hoop [MPa]`.
+/// `stress_hoop_mpa` → `hoop stress [MPa]`, `max_stretch` → `largest stretch`.
 fn readable(name: &str) -> String {
     let (words, unit) = match name.strip_suffix("_mpa") {
         Some(words) => (words, " [MPa]"),
         None => (name, ""),
+    };
+    let words = match (words.split_once('_'), words) {
+        (Some(("max", what)), _) => format!("largest {what}"),
+        (Some(("stress", direction)), _) => format!("{direction} stress"),
+        _ => words.to_owned(),
     };
     format!("{}{unit}", words.replace('_', " "))
 }

@@ -15,12 +15,13 @@ const SHAPES: usize = 6;
 
 /// Four panels: the curve, the shape of half the muscle, strand tension and strand angle along it.
 pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) -> Figure {
-    let mut figure = Figure::new(format!("{} test, finite elements", capital(test.name()))).columns(2);
+    let mut figure = Figure::new(format!("{} test, finite elements", capital(test.name())));
     figure = figure.palette(Palette::Sequential);
     let (x, y) = axes(test, u);
     let mut curve = Panel::new(x, y);
     let mut fixed: Vec<f64> = points.iter().map(|q| key(test, q)).collect();
     fixed.dedup();
+    let mut longest = 0;
     for (i, &value) in fixed.iter().enumerate() {
         let line: Vec<(f64, f64)> =
             points.iter().filter(|q| key(test, q) == value).map(|q| coordinates(test, q, u)).collect();
@@ -29,12 +30,14 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
             Test::Isotonic => u.force.show(value),
             Test::Isobaric => u.pressure.show(value),
         };
-        curve = curve.series(Series::line("", line).colour(i).end_label(label));
+        longest = longest.max(line.iter().filter(|(x, y)| x.is_finite() && y.is_finite()).count());
+        curve = curve.series(Series::line("", line).colour(i).neutral().end_label(label));
     }
-    let solved: Vec<&Solution> = points.iter().filter_map(|q| q.solution.as_ref().ok()).collect();
+    let solved: Vec<(&Simulated, &Solution)> =
+        points.iter().filter_map(|q| Some((q, q.solution.as_ref().ok()?))).collect();
     let step = solved.len().div_ceil(SHAPES).max(1);
     // The last always belongs to them.
-    let shown: Vec<&Solution> = solved.iter().rev().step_by(step).rev().copied().collect();
+    let shown: Vec<(&Simulated, &Solution)> = solved.iter().rev().step_by(step).rev().copied().collect();
     let name = |s: &Solution| {
         format!("{}, {}", u.pressure.show(s.response.pressure_mpa), percent(s.response.contraction))
     };
@@ -50,7 +53,8 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
     );
     let mut angle =
         Panel::new(Axis::new(u.length.heading("z at rest")).from_zero(), Axis::new("strand angle θ [°]"));
-    for (i, s) in shown.iter().enumerate() {
+    for (i, (q, s)) in shown.iter().enumerate() {
+        curve = curve.series(Series::scatter("", vec![coordinates(test, q, u)]).colour(i));
         let outer: Vec<(f64, f64)> = s.profile.iter().map(|x| at(x.outer_mm)).collect();
         let inner: Vec<(f64, f64)> = s.profile.iter().map(|x| at(x.inner_mm)).collect();
         shape =
@@ -62,7 +66,10 @@ pub fn simulate(m: &MuscleSummary, test: Test, points: &[Simulated], u: &Units) 
             tension.series(Series::line(name(s), along(&|x| per_width.value(x.tension_n_per_mm))).colour(i));
         angle = angle.series(Series::line(name(s), along(&|x| x.angle_deg)).colour(i));
     }
-    figure = figure.panel(curve.title("curve"));
+    // A curve of one point is none.
+    if longest > 1 {
+        figure = figure.panel(curve.title("curve"));
+    }
     figure = figure.panel(shape.title("outer and inner surface"));
     figure = figure.panel(tension.title("strand tension"));
     figure = figure.panel(angle.title("strand angle"));
