@@ -8,7 +8,9 @@ use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
+use crate::warnings::largest_stretch;
 use crate::words::number;
+use mckibben::answer::Options;
 use mckibben::identify::{
     Fitted, Identification, Identified, IdentifyError, Parameter, ParameterError, Request, Spread, Target,
     identify_default, identify_with,
@@ -21,6 +23,7 @@ use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
+use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -227,6 +230,9 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     } else {
         identify_with(&asked, build, progress)?
     };
+    // Constants that were found hold for the stretches of the points; those that were kept for those of their data.
+    let kept = found.muscle.tube().rubber == muscle.tube().rubber;
+    let beyond = if kept { beyond_data(&found, &model) } else { None };
     let summary = MuscleSummary::from(&found.muscle);
     let figure = request.figure.as_ref().map(|unit| {
         let about = format!("{}. {}", summary.line(unit), in_one_line(&found.parameters));
@@ -248,7 +254,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         slack_points: found.slack.len(),
         muscle: summary,
         points: found.points.iter().map(IdentifiedPoint::from).collect(),
-        warnings: self::warnings(request, &found),
+        warnings: self::warnings(request, &found, beyond),
         figure,
         found,
     })
@@ -435,8 +441,17 @@ impl From<IdentifyError> for Problem {
     }
 }
 
+/// Where the points stretch the rubber beyond the data of its constants.
+fn beyond_data(found: &Identification, model: &Model) -> Option<Warning> {
+    let model = model.build(&found.muscle).ok()?;
+    let asked: Vec<(f64, f64)> =
+        found.points.iter().map(|f| (f.point.at.pressure_mpa, f.point.at.contraction)).collect();
+    let stretch = largest_stretch(&*model, &mut Workspace::new(), &asked, Options::default())?;
+    Warning::of_stretch(&found.muscle.tube().rubber, stretch)
+}
+
 /// What the identification says, and first that it was that of the prototype where no muscle was given.
-fn warnings(request: &IdentifyRequest, found: &Identification) -> Vec<String> {
+fn warnings(request: &IdentifyRequest, found: &Identification, beyond: Option<Warning>) -> Vec<String> {
     let own = MuscleFields::default() != request.muscle;
     let prototype = (!own).then(|| {
         let m = MuscleSummary::from(&Muscle::prototype());
@@ -445,5 +460,6 @@ fn warnings(request: &IdentifyRequest, found: &Identification) -> Vec<String> {
             m.line(&Units::default())
         )
     });
-    prototype.into_iter().chain(found.notes.iter().cloned()).collect()
+    let beyond = beyond.map(|warning| warning.to_string());
+    prototype.into_iter().chain(found.notes.iter().cloned()).chain(beyond).collect()
 }

@@ -133,7 +133,8 @@ fn as_text(m: &Muscle, u: &Units) -> String {
         ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
     ];
     let sheet = m.build_sheet();
-    let clamp = mm(m.terminals().insertion_mm);
+    let assumed = if m.terminals().insertion_mm.is_none() { ", assumed" } else { "" };
+    let clamp = mm(m.terminals().insertion_mm()) + assumed;
     let build = [
         ("tube to cut", format!("{} ({clamp} on each plug)", mm(sheet.tube_cut_mm))),
         ("braid to cut", format!("{} at {}°", mm(sheet.braid_cut_mm), number(m.braid().angle_deg, 4))),

@@ -10,7 +10,7 @@ use crate::solver::continuation::Continuation;
 use mckibben::model::{
     Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, Workspace,
 };
-use mckibben::muscle::{Muscle, Terminals};
+use mckibben::muscle::Muscle;
 
 /// Three-dimensional finite elements (`--model fe3d`): one eighth in bricks of any law, strands between their nodes along
 /// both diagonals, terminals as rigid planes or as plugs ([`super::Plug`]), pressure as −P·V.
@@ -134,8 +134,7 @@ impl ForceModel for ThreeDimensional {
         }
         if let Some(plug) = mesh.plug() {
             let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
-            let assumed = insertion == Terminals::default().insertion_mm;
-            let assumed = if assumed {
+            let assumed = if self.divided.insertion_assumed {
                 " (what is assumed where nobody states it; a pull falls by some 5 % for it)"
             } else {
                 ""

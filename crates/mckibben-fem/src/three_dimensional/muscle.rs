@@ -29,6 +29,8 @@ pub struct MuscleMesh {
     pub mesh: Arc<BrickMesh>,
     /// The unknowns and what they are made of.
     pub discretisation: Arc<Discretisation>,
+    /// Whether nobody stated how far its plug reaches into the tube.
+    pub insertion_assumed: bool,
     axisymmetric: Option<Axisymmetric>,
     /// Width that one strand of the mesh stands for, in mm.
     width: f64,
@@ -43,7 +45,9 @@ impl MuscleMesh {
         let tube = muscle.tube();
         let angle = muscle.braid().angle_rad();
         // How far the plug reaches into the tube is the muscle's to say.
-        let insertion = muscle.terminals().insertion_mm;
+        let insertion = muscle.terminals().insertion_mm();
+        let stated = |p: &Plug| p.insertion_mm.is_some() || muscle.terminals().insertion_mm.is_some();
+        let insertion_assumed = spec.plug.as_ref().is_some_and(|p| !stated(p));
         let plug = spec.plug.map(|p| Plug { insertion_mm: p.insertion_mm.or(Some(insertion)), ..p });
         let spec = &BrickSpec { plug, ..*spec };
         let half = 0.5 * tube.length_mm;
@@ -53,6 +57,7 @@ impl MuscleMesh {
             width: PI * muscle.outer_diameter_mm() * angle.cos() / (4 * (mesh.grid()[1] - 1)) as f64,
             discretisation: Arc::new(Discretisation::new(Problem::of(muscle, &mesh))?),
             mesh: Arc::new(mesh),
+            insertion_assumed,
         })
     }
 

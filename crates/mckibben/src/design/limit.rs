@@ -88,6 +88,16 @@ impl Probe {
 
 /// Holds a muscle against a specification.
 pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<Probe, ModelError> {
+    probe_with(spec, build, muscle, true)
+}
+
+/// [`probe`]; without a score, which costs inverses, where it is not asked for.
+pub(super) fn probe_with(
+    spec: &Spec,
+    build: &Build<'_>,
+    muscle: &Muscle,
+    scored: bool,
+) -> Result<Probe, ModelError> {
     let model = build(muscle)?;
     let model = model.as_ref();
     let workspace = &mut Workspace::new();
@@ -105,10 +115,10 @@ pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<P
     let stretch = limits.stretch.or(muscle.tube().rubber.fitted_to_stretch.filter(|_| limits.fitted_stretch));
     let shaped = limits.bulged_diameter_mm.is_some() || stretch.is_some();
     let by_pressure =
-        matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
+        scored && matches!(spec.objective, Objective::Pressure | Objective::Air | Objective::BulgedDiameter);
     let (mut highest, mut air, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
     let strong = checks.iter().all(|c| c.excess() <= 0.0);
-    if shaped || by_pressure || strong && spec.objective == Objective::Diameter {
+    if shaped || by_pressure || scored && strong && spec.objective == Objective::Diameter {
         for (i, point) in spec.points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
             let p = if checks[i].excess() > 0.0 {
@@ -128,7 +138,7 @@ pub(super) fn probe(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Result<P
                 checks.push(Check { limit: Limit::MaxStretch, point: None, value, bound });
             }
             bulge = bulge.max(full.bulged_diameter_mm.unwrap_or(0.0));
-            if spec.objective == Objective::Air {
+            if scored && spec.objective == Objective::Air {
                 air = air.max(
                     air_of(model, workspace, &thick_wall, p, point.contraction).0.unwrap_or(f64::INFINITY),
                 );

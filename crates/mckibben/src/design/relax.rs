@@ -1,6 +1,6 @@
 //! Where nothing fits: which limit to relax, and by how much.
 
-use super::limit::{Limit, fits, probe};
+use super::limit::{Limit, probe};
 use super::spec::{Build, Limits, OperatingPoint, Spec};
 use crate::analysis::{Options, contraction_at, force_on, pressure_at};
 use crate::model::{ForceModel, ThickWall, Workspace};
@@ -53,8 +53,33 @@ pub enum Relaxation {
     },
 }
 
-/// What would make `muscle` fit, one limit at a time. Each is tried: only what really makes it fit is returned.
-pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Vec<Relaxation> {
+/// By which share a muscle that stands on a bound may miss it: the root that put it there is not known better.
+const ON_BOUND: f64 = 1e-6;
+
+fn fits(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> bool {
+    probe(spec, build, muscle).is_ok_and(|p| p.checks.iter().all(|c| c.excess() <= ON_BOUND))
+}
+
+/// What would make one of `muscles` fit, one limit at a time, of each kind the one that the first of them needs.
+pub(super) fn relaxations<'a>(
+    spec: &Spec,
+    build: &Build<'_>,
+    muscles: impl IntoIterator<Item = &'a Muscle>,
+) -> Vec<Relaxation> {
+    let mut out: Vec<Relaxation> = vec![];
+    for (i, muscle) in muscles.into_iter().enumerate() {
+        for relaxation in of_muscle(spec, build, muscle, i == 0) {
+            let kind = std::mem::discriminant(&relaxation);
+            if out.iter().all(|known| std::mem::discriminant(known) != kind) {
+                out.push(relaxation);
+            }
+        }
+    }
+    out
+}
+
+/// What would make a muscle fit. Each is tried: only what really makes it fit is returned. Wider tubes are looked for where `widen`.
+fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Vec<Relaxation> {
     let Ok(model) = build(muscle) else { return vec![] };
     let model = model.as_ref();
     let workspace = &mut Workspace::new();
@@ -80,7 +105,9 @@ pub(super) fn relaxations(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Ve
             })
             .map(Relaxation::Contraction),
         );
-        out.extend(wider(spec, build, muscle));
+        if widen {
+            out.extend(wider(spec, build, muscle));
+        }
     }
     let Ok(probe) = probe(spec, build, muscle) else { return out };
     // The largest of each kind, and no more than the last bit beyond it.

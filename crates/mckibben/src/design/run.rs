@@ -103,7 +103,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     let closest = misses.first().filter(|_| candidates.is_empty()).map(|(muscle, reason)| Closest {
         rejected: Rejected::of(muscle, reason.clone()),
         muscle: muscle.clone(),
-        relaxations: relaxations(spec, decides, muscle),
+        relaxations: relaxations(spec, decides, misses.iter().map(|m| &m.0)),
     });
     let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
     Ok(Outcome { candidates, rejected, looked_at: (harvest.looked_at, harvest.fitted), closest })

@@ -4,7 +4,7 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use super::limit::probe;
+use super::limit::{probe, probe_with};
 use super::line::{self, Found, Merit, Place, Sample, golden};
 use super::reason::Reason;
 use super::spec::{BraidChoice, Build, Objective, Spec};
@@ -134,7 +134,7 @@ impl Search<'_> {
     }
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
-    pub(super) fn sample(&self, pick: Pick, build: &Build<'_>, harvest: &mut Harvest) -> Sample {
+    fn sample(&self, pick: Pick, build: &Build<'_>, harvest: &mut Harvest, scored: bool) -> Sample {
         harvest.looked_at += 1;
         let none = Sample { x: pick.d0, excess: vec![], score: f64::INFINITY };
         let muscle = match self.muscle(pick) {
@@ -144,7 +144,7 @@ impl Search<'_> {
                 return none;
             }
         };
-        let Ok(probe) = probe(self.spec, build, &muscle) else { return none };
+        let Ok(probe) = probe_with(self.spec, build, &muscle, scored) else { return none };
         let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
         let sample = Sample { x: pick.d0, excess, score: probe.score };
         harvest.fitted += usize::from(sample.fits());
@@ -162,7 +162,7 @@ impl Search<'_> {
         match &self.spec.outer_diameter_mm {
             Values::List(list) => {
                 for &d0 in list.iter().take_while(|_| !self.progress.cancelled()) {
-                    let sample = self.sample(pick(d0), self.build, &mut harvest);
+                    let sample = self.sample(pick(d0), self.build, &mut harvest, true);
                     if sample.fits() {
                         Harvest::keep(&mut harvest.fits, sample.score, pick(d0), self.most);
                     } else {
@@ -199,12 +199,13 @@ impl Search<'_> {
         // A tube without a bore is no muscle: at least a tenth of the diameter.
         let low = low.max(2.0 * pick.s / (1.0 - LEAST_BORE));
         let thinnest = matches!(self.spec.objective, Objective::Diameter | Objective::Length);
-        let mut at = |d0: f64| self.sample(Pick { d0, ..pick }, build, harvest);
+        let mut limits = |d0: f64| self.sample(Pick { d0, ..pick }, build, harvest, false);
         if low > high {
             // No diameter is above twice the wall: say so with the widest.
-            return (None, Some(at(high)));
+            return (None, Some(limits(high)));
         }
-        let Found { fitting, best } = line::along(low, high, thinnest, &mut at);
+        let Found { fitting, best } = line::along(low, high, thinnest, limits);
+        let mut at = |d0: f64| self.sample(Pick { d0, ..pick }, build, harvest, true);
         let mut fit: Option<Sample> = None;
         for (from, to) in fitting {
             let found = if thinnest { self.buildable(from, to, &mut at) } else { None };

@@ -88,7 +88,7 @@ impl Muscle {
 
     /// What a workshop needs.
     pub fn build_sheet(&self) -> BuildSheet {
-        let cut = self.length_mm() + 2.0 * self.terminals().insertion_mm;
+        let cut = self.length_mm() + 2.0 * self.terminals().insertion_mm();
         let (ro, ri) = (self.tube().outer_radius_mm(), self.tube().inner_radius_mm());
         BuildSheet {
             tube_cut_mm: cut,

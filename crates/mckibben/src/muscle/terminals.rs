@@ -35,25 +35,27 @@ impl EndFactor {
 }
 
 /// What is known of the terminals.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Terminals {
-    /// Length of tube and braid clamped on each plug, in mm; only lengthens the cut.
-    pub insertion_mm: f64,
+    /// Length of tube and braid clamped on each plug, in mm, where it is stated.
+    pub insertion_mm: Option<f64>,
     /// Empirical end factor, where one was measured or fitted.
     pub end_factor: Option<EndFactor>,
     /// kc of the conical-ends model (Tondu 2012 \[tondu2012\] eq. 25): tips of length kc·L0·ε.
     pub cone_factor: Option<f64>,
 }
 
-impl Default for Terminals {
-    fn default() -> Self {
-        Self { insertion_mm: 20.0, end_factor: None, cone_factor: None }
-    }
-}
-
 impl Terminals {
+    /// What is assumed where no insertion is stated, in mm.
+    pub const ASSUMED_INSERTION_MM: f64 = 20.0;
+
+    /// Length of tube and braid clamped on each plug, in mm; only lengthens the cut.
+    pub fn insertion_mm(&self) -> f64 {
+        self.insertion_mm.unwrap_or(Self::ASSUMED_INSERTION_MM)
+    }
+
     pub(super) fn check(&self) -> Result<(), MuscleError> {
-        not_negative("terminals.insertion", self.insertion_mm, "mm")?;
+        not_negative("terminals.insertion", self.insertion_mm(), "mm")?;
         match self.end_factor {
             Some(EndFactor::Constant(k)) => positive("terminals.end_factor", k, "")?,
             Some(EndFactor::OfPressure { a, b }) => {

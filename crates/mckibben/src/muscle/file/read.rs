@@ -127,7 +127,7 @@ fn terminals(root: &Section<'_>) -> Result<Terminals, FileError> {
     }
     let insertion_mm = section.quantity("insertion", Dimension::Length)?;
     Ok(Terminals {
-        insertion_mm: insertion_mm.unwrap_or(Terminals::default().insertion_mm),
+        insertion_mm,
         end_factor: end_factor(&ends, "model.tondu-lopez.end_factor")?
             .or(end_factor(&section, "terminals.end_factor")?),
         cone_factor: cones.number("cone_factor")?.or(section.number("cone_factor")?),

@@ -79,7 +79,7 @@ prop_compose! {
         length_mm in number(5.0, 900.0),
         rubber in rubber(),
         braid in braid(),
-        insertion_mm in number(0.0, 90.0),
+        insertion_mm in prop::option::of(number(0.0, 90.0)),
         end_factor in prop::option::of(prop_oneof![
             number(0.5, 2.0).prop_map(EndFactor::Constant),
             (-0.4..2.0, 0.5..2.0).prop_map(|(a, b)| EndFactor::OfPressure { a, b }),
@@ -178,7 +178,7 @@ fn every_key_is_understood() {
     let measured = MeasuredStrand { strand_length_mm: 340.0, turns: 1.6 };
     assert_eq!(muscle.braid().measured, Some(measured));
     let terminals = Terminals {
-        insertion_mm: 20.0,
+        insertion_mm: Some(20.0),
         end_factor: Some(EndFactor::OfPressure { a: 0.2, b: 1.0 }),
         cone_factor: Some(0.0),
     };

@@ -21,9 +21,10 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.key("length", &quantity(tube.length_mm, "mm"), "between the terminals");
     out.rubber(&tube.rubber, muscle.reach());
     out.braid(muscle.braid(), tube.outer_diameter_mm);
-    out.table("terminals");
-    let insertion = quantity(muscle.terminals().insertion_mm, "mm");
-    out.key("insertion", &insertion, "tube and braid clamped on each plug");
+    if let Some(insertion_mm) = muscle.terminals().insertion_mm {
+        out.table("terminals");
+        out.key("insertion", &quantity(insertion_mm, "mm"), "tube and braid clamped on each plug");
+    }
     if let Some(friction) = muscle.friction() {
         out.table("friction");
         out.key(
