@@ -373,7 +373,13 @@ const FLAGS: &[Case] = &[
     // Output.
     ("result into a missing folder", "models -o DIR/none/x.json", 2, "output", "none does not exist"),
     ("result onto a folder", "models -o DIR", 2, "output", "is a directory"),
-    ("table in a file of another kind", "curve isobaric -o DIR/lut.mat", 2, "output", ".txt, .json and .csv"),
+    (
+        "table in a file of another kind",
+        "curve isobaric -o DIR/lut.mat",
+        2,
+        "output",
+        ".txt, .json, .csv and .parquet",
+    ),
     (
         "winner into a missing folder",
         "design -F 300 -e 10% -p 2.5bar -o DIR/none/w.toml",

@@ -224,7 +224,7 @@ fn draw_label(out: &mut String, label: &Label, pen: &Pen<'_>) {
         let _ = writeln!(out, "<path d=\"{path}\" stroke=\"{colour}\" stroke-width=\"0.7\" fill=\"none\"/>");
     }
     // A white outline below keeps the text readable where it has to stand over a line.
-    let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\"";
+    let halo = " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" aria-hidden=\"true\"";
     match label.turn {
         None => {
             text(out, label.at, labels::SIZE, "#ffffff", "start", halo, &label.text);

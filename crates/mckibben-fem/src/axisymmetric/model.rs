@@ -14,8 +14,8 @@ use mckibben::model::{
 use mckibben::muscle::Muscle;
 use std::sync::Arc;
 
-/// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one over its pull. The largest that were
-/// found against 3 x 48 elements.
+/// Error of the default mesh over the blocked force, of a muscle that pulls; of a stretched one over its pull. Both hold more than 95 % of
+/// random muscles, as `docs/finite-elements.md` counts them.
 const MESH_ERROR: f64 = 0.0009;
 const MESH_ERROR_STRETCHED: f64 = 0.003;
 

@@ -22,6 +22,7 @@ fn texts(group: &usvg::Group, found: &mut Vec<(String, usvg::Rect, bool)>) {
     for node in group.children() {
         match node {
             usvg::Node::Group(inner) => texts(inner, found),
+            usvg::Node::Text(text) if outline(text) => {}
             usvg::Node::Text(text) => {
                 let words: String = text.chunks().iter().map(|c| c.text().to_owned()).collect();
                 let upright = text.abs_transform().kx == 0.0 && text.abs_transform().ky == 0.0;
@@ -30,6 +31,13 @@ fn texts(group: &usvg::Group, found: &mut Vec<(String, usvg::Rect, bool)>) {
             _ => {}
         }
     }
+}
+
+/// Whether a text is the white outline below another one.
+fn outline(text: &usvg::Text) -> bool {
+    let white = |paint: &usvg::Paint| matches!(paint, usvg::Paint::Color(c) if *c == usvg::Color::white());
+    let spans = text.chunks().iter().flat_map(|chunk| chunk.spans());
+    spans.map(|span| span.fill()).all(|fill| fill.is_some_and(|fill| white(fill.paint())))
 }
 
 fn one(series: Vec<Series>) -> Figure {

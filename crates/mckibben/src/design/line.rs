@@ -11,10 +11,8 @@ const RATIO: f64 = 1.18;
 const TOLERANCE: f64 = 1e-7;
 /// A limit that all samples miss by more than this is not looked for between them.
 const NEARLY: f64 = 0.3;
-/// Steps towards a dip.
+/// Steps towards a dip, or the best score.
 const STEPS: usize = 12;
-/// Steps towards the best score: a score is flat where it is best.
-const STEPS_TO_BEST: usize = 7;
 /// Steps towards the least violation, which as a rule lies where one limit begins to be missed: there the others are known as well as
 /// that place.
 const STEPS_TO_LEAST: usize = 30;
@@ -200,7 +198,7 @@ pub(super) fn best_of(low: f64, high: f64, at: &mut impl FnMut(f64) -> Sample) -
     let better = |a: &usize, b: &usize| merit(&samples[*a]).partial_cmp(&merit(&samples[*b]));
     let i = (0..samples.len()).min_by(|a, b| better(a, b).unwrap_or(std::cmp::Ordering::Equal))?;
     let (left, right) = (samples[i.saturating_sub(1)].x, samples[(i + 1).min(samples.len() - 1)].x);
-    let best = golden(left, samples[i].clone(), right, STEPS_TO_BEST, merit, at);
+    let best = golden(left, samples[i].clone(), right, STEPS, merit, at);
     best.fits().then_some(best)
 }
 

@@ -207,9 +207,6 @@ rubber = "paper"                 # or [tube.material] with a law and its constan
 [braid]
 angle = "28 deg"                 # strands to the muscle's axis, at rest
 stiffness = "paper"              # k of one strand family: "321 N/mm", "inextensible", or "paper"
-
-[terminals]
-insertion = "20 mm"              # tube and braid clamped on each plug
 "#,
         env!("CARGO_PKG_VERSION")
     );
