@@ -171,9 +171,9 @@ pub(super) enum Searching {
 
 /// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees. Its box is narrower; it only ranks what `fe` then decides of and
 /// corrects by up to a quarter of the diameter. On random muscles 95 % of its pulls are within 1.4 % of the blocked force of those of `fe`
-/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42° (mckibben-fem's example
+/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 12.6 % where it is 1.5 to 2, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42° (mckibben-fem's example
 /// `universal_beyond`).
-const LEAST_SLENDERNESS: f64 = 2.0;
+const LEAST_SLENDERNESS: f64 = 1.5;
 const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
 
 /// Whether a muscle is searched with `universal`.

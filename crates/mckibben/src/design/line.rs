@@ -12,7 +12,7 @@ const TOLERANCE: f64 = 1e-7;
 /// A limit that all samples miss by more than this is not looked for between them.
 const NEARLY: f64 = 0.3;
 /// Steps towards a dip, or the best score.
-const STEPS: usize = 12;
+pub(super) const STEPS: usize = 12;
 /// Steps towards the least violation, which as a rule lies where one limit begins to be missed: there the others are known as well as
 /// that place.
 const STEPS_TO_LEAST: usize = 30;
@@ -189,8 +189,13 @@ fn least_violation(samples: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Op
     Some(golden(left, best, right, STEPS_TO_LEAST, |s| Merit(s.violation(), 0.0), at))
 }
 
-/// The best muscle of an interval that fits, by its score.
-pub(super) fn best_of(low: f64, high: f64, at: &mut impl FnMut(f64) -> Sample) -> Option<Sample> {
+/// The best muscle of an interval that fits, by its score, after so many golden sections.
+pub(super) fn best_of(
+    low: f64,
+    high: f64,
+    steps: usize,
+    at: &mut impl FnMut(f64) -> Sample,
+) -> Option<Sample> {
     let merit = |s: &Sample| Merit::new(s.violation(), s.score);
     let inside = |share: f64| low + share * (high - low);
     // The ends themselves may miss by rounding.
@@ -198,7 +203,7 @@ pub(super) fn best_of(low: f64, high: f64, at: &mut impl FnMut(f64) -> Sample) -
     let better = |a: &usize, b: &usize| merit(&samples[*a]).partial_cmp(&merit(&samples[*b]));
     let i = (0..samples.len()).min_by(|a, b| better(a, b).unwrap_or(std::cmp::Ordering::Equal))?;
     let (left, right) = (samples[i.saturating_sub(1)].x, samples[(i + 1).min(samples.len() - 1)].x);
-    let best = golden(left, samples[i].clone(), right, STEPS, merit, at);
+    let best = golden(left, samples[i].clone(), right, steps, merit, at);
     best.fits().then_some(best)
 }
 
@@ -294,7 +299,7 @@ mod tests {
     #[test]
     fn the_best_of_an_interval_is_its_minimum() {
         let mut at = |x: f64| Sample { x, excess: vec![-1.0], score: (x - 6.3).powi(2) };
-        let best = best_of(1.0, 10.0, &mut at).unwrap();
+        let best = best_of(1.0, 10.0, STEPS, &mut at).unwrap();
         assert!((best.x - 6.3).abs() < 0.02, "{best:?}");
     }
 }

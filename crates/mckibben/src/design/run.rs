@@ -2,6 +2,7 @@
 
 use super::candidate::{Candidate, candidate};
 use super::limit::{Probe, probe};
+use super::line::STEPS;
 use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
 use super::search::{Harvest, Pick, Search};
@@ -48,6 +49,8 @@ pub struct Closest {
 
 /// Muscles that miss by at most this by the model of the search are asked of the other one, too.
 const NEARLY: f64 = 0.02;
+/// Golden sections on a line whose best muscle another model looks for again.
+const ROUGHLY: usize = 4;
 /// Shares by which the two models' diameters may differ, tried one after the other.
 const WIDTHS: [f64; 3] = [0.01, 0.05, 0.25];
 
@@ -72,7 +75,8 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     let extrapolate = spec.extrapolate || models.settle.is_some();
     let searched = Spec { extrapolate, ..spec.clone() };
     let build = models.search;
-    let search = Search { spec: &searched, build, rubbers, progress, done: AtomicUsize::new(0), most };
+    let steps = if models.settle.is_some() { ROUGHLY } else { STEPS };
+    let search = Search { spec: &searched, build, rubbers, progress, done: AtomicUsize::new(0), most, steps };
     let mut harvest = search.run();
     if harvest.fits.is_empty()
         && harvest.misses.is_empty()
@@ -142,7 +146,7 @@ fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick>
     let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
     for width in WIDTHS {
         let (from, to) = ((pick.d0 * (1.0 - width)).max(*low), (pick.d0 * (1.0 + width)).min(*high));
-        let (fit, _) = search.stretch(pick, (from, to), build, &mut Harvest::default());
+        let (fit, _) = search.stretch(pick, (from, to), build, STEPS, &mut Harvest::default());
         let Some(fit) = fit else { continue };
         // At an edge that is not a bound of the search the best one lies beyond.
         let edge = (fit.x - from < 1e-3 * fit.x && from > *low) || (to - fit.x < 1e-3 * fit.x && to < *high);

@@ -17,9 +17,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
 const LEAST_BORE: f64 = 0.1;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
-const WALLS: (usize, usize) = (10, 8);
+const WALLS: (usize, usize) = (8, 6);
 const ANGLES: (usize, usize) = (8, 6);
-const LENGTHS: (usize, usize) = (4, 6);
+const LENGTHS: (usize, usize) = (4, 4);
 
 /// A choice of rubber, braid and length; D0 and s are left.
 #[derive(Debug, Clone, Copy)]
@@ -62,6 +62,8 @@ pub(super) struct Search<'a> {
     pub(super) done: AtomicUsize,
     /// How many muscles to keep of each kind.
     pub(super) most: usize,
+    /// Golden sections towards the best score of a line.
+    pub(super) steps: usize,
 }
 
 /// What some of the muscles gave: the best that fit, and those that missed by least.
@@ -171,7 +173,8 @@ impl Search<'_> {
                 }
             }
             Values::Interval(low, high) => {
-                let (fit, miss) = self.stretch(pick(*high), (*low, *high), self.build, &mut harvest);
+                let (fit, miss) =
+                    self.stretch(pick(*high), (*low, *high), self.build, self.steps, &mut harvest);
                 harvest.fits.extend(fit.map(|sample| (sample.score, pick(sample.x))));
                 if let Some(miss) = miss {
                     self.keep_miss(&miss, pick(miss.x), &mut harvest);
@@ -194,6 +197,7 @@ impl Search<'_> {
         pick: Pick,
         (low, high): (f64, f64),
         build: &Build<'_>,
+        steps: usize,
         harvest: &mut Harvest,
     ) -> (Option<Sample>, Option<Sample>) {
         // A tube without a bore is no muscle: at least a tenth of the diameter.
@@ -210,7 +214,7 @@ impl Search<'_> {
         for (from, to) in fitting {
             let found = if thinnest { self.buildable(from, to, &mut at) } else { None };
             let found = found.or_else(|| {
-                let best = line::best_of(from, to, &mut at)?;
+                let best = line::best_of(from, to, steps, &mut at)?;
                 Some(self.rounded(best, from, to, &mut at))
             });
             if let Some(found) = found
