@@ -70,10 +70,12 @@ impl Width {
     pub fn here() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
-            if std::arch::is_x86_feature_detected!("avx512f") {
+            use std::arch::is_x86_feature_detected as has;
+            // Just what the kernels of `three_dimensional::assembly` are compiled for.
+            if has!("avx512f") && has!("avx512vl") && has!("avx512dq") && has!("fma") {
                 return Self::Eight;
             }
-            if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+            if has!("avx2") && has!("fma") {
                 return Self::Four;
             }
         }

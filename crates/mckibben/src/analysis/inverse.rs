@@ -9,6 +9,7 @@
 
 use super::ask::{Options, force_on, friction, response_on};
 use super::error::AnalysisError;
+use super::golden::{Place, golden};
 use super::root::{RootError, find_root};
 use crate::model::{ForceModel, ModelError, Workspace, rising_root};
 use crate::muscle::Direction;
@@ -75,6 +76,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     }
     // Upwards in growing steps to the first pressure that pulls enough.
     let mut low = (lowest, first);
+    let mut before: Option<(f64, f64)> = None;
     let mut best = first.map(|f| (lowest, f));
     let mut step = (0.02 * highest.min(1.0)).max(1e-6);
     while low.0 < highest {
@@ -89,9 +91,22 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
                 return sought.between(model, workspace, low, (high, f));
             }
             Ok(f) => {
+                // Soft strands let the pull fall again: its maximum may lie between three points.
+                if let (Some(before), Some(middle)) = (before, low.1)
+                    && middle > before.1.max(f)
+                {
+                    let top = maximum(before.0, (low.0, middle), high, &mut at);
+                    if top.1 >= 0.0 {
+                        let from = if top.0 > low.0 { (low.0, middle) } else { before };
+                        let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
+                        return sought.between(model, workspace, from, top);
+                    }
+                    best = Some(best.filter(|b| b.1 >= top.1).unwrap_or(top));
+                }
                 if best.is_none_or(|b| f > b.1) {
                     best = Some((high, f));
                 }
+                before = low.1.map(|value| (low.0, value));
                 low = (high, Some(f));
                 step *= 1.5;
             }
@@ -112,6 +127,28 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             none(p, f + force_n)
         }
     })
+}
+
+/// (pressure, F − wanted) where the pull is largest between two pressures that enclose it, from a point between them.
+fn maximum(
+    left: f64,
+    between: (f64, f64),
+    right: f64,
+    at: &mut impl FnMut(f64) -> Result<f64, ModelError>,
+) -> (f64, f64) {
+    const STEPS: usize = 30;
+    let mut tried = |p: f64| Pull(p, at(p).unwrap_or(f64::NEG_INFINITY));
+    let top = golden(left, Pull(between.0, between.1), right, STEPS, |pull| -pull.1, &mut tried);
+    (top.0, top.1)
+}
+
+/// Pressure and F − wanted.
+struct Pull(f64, f64);
+
+impl Place for Pull {
+    fn place(&self) -> f64 {
+        self.0
+    }
 }
 
 /// (pressure, F − wanted) below zero, between a pressure without an equilibrium and one at which the muscle pulls more than is

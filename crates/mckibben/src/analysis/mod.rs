@@ -4,6 +4,7 @@ mod air;
 mod ask;
 mod characteristics;
 mod error;
+mod golden;
 mod inverse;
 mod root;
 
@@ -13,6 +14,7 @@ pub use characteristics::{
     blocked_force_n, burst_pressure_mpa, free_contraction, start_pressure_mpa, work_per_stroke_j,
 };
 pub use error::AnalysisError;
+pub(crate) use golden::{Place, golden};
 pub(crate) use inverse::pressure_up_to;
 pub use inverse::{contraction_at, pressure_at};
 pub(crate) use root::find_root;

@@ -3,7 +3,7 @@
 //! Each limit by itself varies slowly along the line, so that a few samples find all of its roots; their intersection may be much
 //! narrower than the step from sample to sample. Between neighbouring roots nothing changes: one muscle in the middle tells.
 
-use crate::analysis::find_root;
+use crate::analysis::{Place, find_root, golden};
 
 /// Ratio of neighbouring samples.
 const RATIO: f64 = 1.18;
@@ -205,46 +205,6 @@ pub(super) fn best_of(
     let (left, right) = (samples[i.saturating_sub(1)].x, samples[(i + 1).min(samples.len() - 1)].x);
     let best = golden(left, samples[i].clone(), right, steps, merit, at);
     best.fits().then_some(best)
-}
-
-/// Golden section between `left` and `right`, from a sample between them.
-pub(super) fn golden<S: Place, M: PartialOrd>(
-    left: f64,
-    start: S,
-    right: f64,
-    steps: usize,
-    merit: impl Fn(&S) -> M,
-    at: &mut impl FnMut(f64) -> S,
-) -> S {
-    const SHARE: f64 = 0.381_966_011_250_105;
-    let (mut a, mut best, mut c) = (left, start, right);
-    for _ in 0..steps {
-        let b = best.place();
-        let x = if c - b > b - a { b + SHARE * (c - b) } else { b - SHARE * (b - a) };
-        if x == b {
-            break;
-        }
-        let tried = at(x);
-        if merit(&tried) < merit(&best) {
-            if x > b {
-                a = b
-            } else {
-                c = b
-            }
-            best = tried;
-        } else if x > b {
-            c = x;
-        } else {
-            a = x;
-        }
-    }
-    best
-}
-
-/// Something at a place of an axis.
-pub(super) trait Place {
-    /// The place.
-    fn place(&self) -> f64;
 }
 
 impl Place for Sample {

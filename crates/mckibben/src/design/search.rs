@@ -5,9 +5,10 @@
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
 use super::limit::{probe, probe_with};
-use super::line::{self, Found, Merit, Place, Sample, golden};
+use super::line::{self, Found, Merit, Sample};
 use super::reason::Reason;
 use super::spec::{BraidChoice, Build, Objective, Spec};
+use crate::analysis::{Place, golden};
 use crate::muscle::{Braid, Muscle, MuscleError, Rubber, Tube};
 use crate::progress::Progress;
 use crate::units::Values;
