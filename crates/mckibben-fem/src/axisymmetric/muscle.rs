@@ -2,6 +2,7 @@
 //! rubber and braid.
 
 use super::body::Body;
+use super::discretisation::BraidSpec;
 use super::guess;
 use crate::FemError;
 use crate::solver::body::{self, Control, Settings, State, Totals};
@@ -11,6 +12,8 @@ use mckibben::model::{ForceModel, Ideal, Workspace};
 /// Factorisations a question may cost where the infinitely long muscle does not pull or its strands stretch too far, and elsewhere.
 const BUDGET: usize = 50;
 const BUDGET_PULLING: usize = 600;
+/// Strand strain up to which there must be an answer.
+const STRAIN: f64 = 0.05;
 
 impl body::Body for Body {
     const SETTINGS: Settings = Settings {
@@ -118,12 +121,16 @@ impl body::Body for Body {
     }
 
     fn budget(&self, pressure: f64, contraction: f64) -> usize {
-        // A muscle that is not shortened always pulls; soft strands take many small steps.
-        let pulls = contraction <= 0.0
-            || self.endless.as_ref().is_some_and(|endless| {
-                endless.force_n(&mut Workspace::new(), pressure, contraction).is_ok_and(|force| force > 0.0)
-            });
-        if pulls { BUDGET_PULLING } else { BUDGET }
+        let answer = self.endless.as_ref().map(|e| e.response(&mut Workspace::new(), pressure, contraction));
+        let Some(Ok(endless)) = answer else { return BUDGET };
+        let d = &self.discretisation;
+        let strain = match (d.problem.braid, endless.braid_tension_n) {
+            (Some(BraidSpec { stiffness: Some(k), angle_rad, .. }), Some(tension)) => {
+                tension / (4.0 * std::f64::consts::PI * d.radius * angle_rad.cos() * k)
+            }
+            _ => 0.0,
+        };
+        if endless.force_n > 0.0 && strain < STRAIN { BUDGET_PULLING } else { BUDGET }
     }
 }
 

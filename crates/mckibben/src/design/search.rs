@@ -18,7 +18,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
 const LEAST_BORE: f64 = 0.1;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
-const WALLS: (usize, usize) = (8, 6);
+const WALLS: (usize, usize) = (10, 6);
 const ANGLES: (usize, usize) = (8, 6);
 const LENGTHS: (usize, usize) = (4, 4);
 
