@@ -20,15 +20,11 @@ pub fn number(v: f64, digits: usize) -> String {
 
 /// A number with as many decimals as its ± leaves: the last place is at most a hundredth of it.
 pub fn within(v: f64, uncertainty: f64) -> String {
-    fixed(v, decimals_within(uncertainty))
-}
-
-/// Decimals of a number that is known so far.
-pub fn decimals_within(uncertainty: f64) -> usize {
-    if !(uncertainty > 0.0 && uncertainty.is_finite()) {
-        return 4;
-    }
-    (2.0 - uncertainty.log10().floor()).clamp(0.0, 8.0) as usize
+    const NO_UNCERTAINTY: usize = 4;
+    let known = uncertainty > 0.0 && uncertainty.is_finite();
+    let decimals =
+        if known { (2.0 - uncertainty.log10().floor()).clamp(0.0, 8.0) as usize } else { NO_UNCERTAINTY };
+    fixed(v, decimals)
 }
 
 /// A number with so many decimals.

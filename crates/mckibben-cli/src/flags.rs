@@ -143,11 +143,6 @@ pub struct AskFlags {
 }
 
 impl MuscleFlags {
-    /// The outer diameter as it was typed.
-    pub fn diameter(&self) -> &Option<String> {
-        &self.outer_diameter
-    }
-
     /// The muscle's fields.
     pub fn fields(&self) -> Result<MuscleFields, Failure> {
         let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);

@@ -284,10 +284,9 @@ fn place_one<'a>(
     let ended = panel.series.iter().enumerate().filter(|(_, s)| !s.end_label.trim().is_empty());
     let ended = ended.filter_map(|(i, s)| {
         let line = axes.frame().line(&s.points).pop()?;
-        let number = s.colour.unwrap_or(i);
-        let explained = |(k, other): (usize, &crate::Series)| {
-            !other.label.trim().is_empty() && other.colour.unwrap_or(k) == number
-        };
+        let number = s.number(i);
+        let explained =
+            |(k, other): (usize, &crate::Series)| !other.label.trim().is_empty() && other.number(k) == number;
         let meant = s.neutral || panel.series.iter().enumerate().any(explained);
         let colour = (!meant).then_some(number);
         Some(Ended { text: s.end_label.trim().to_owned(), colour, series: i, line })

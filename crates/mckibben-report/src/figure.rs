@@ -239,6 +239,11 @@ impl Series {
         Self::new(label, points).style(Style::Points)
     }
 
+    /// Its colour number, at a position in its panel.
+    pub(crate) fn number(&self, index: usize) -> usize {
+        self.colour.unwrap_or(index)
+    }
+
     /// Sets how the series is drawn.
     pub fn style(mut self, style: Style) -> Self {
         self.style = style;

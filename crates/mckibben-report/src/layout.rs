@@ -43,8 +43,7 @@ pub(crate) struct Placed<'a> {
 
 /// Number of different colours of a figure.
 pub(crate) fn colour_count(figure: &Figure) -> usize {
-    let numbers =
-        figure.panels.iter().flat_map(|p| p.series.iter().enumerate().map(|(i, s)| s.colour.unwrap_or(i)));
+    let numbers = figure.panels.iter().flat_map(|p| p.series.iter().enumerate().map(|(i, s)| s.number(i)));
     numbers.max().map_or(1, |last| last.saturating_add(1))
 }
 

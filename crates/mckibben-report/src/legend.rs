@@ -36,8 +36,7 @@ pub(crate) struct Legend {
 pub(crate) fn entries(panel: &Panel) -> Vec<Entry> {
     let mut all = Vec::new();
     for (i, series) in panel.series.iter().enumerate() {
-        let entry =
-            Entry { label: series.label.clone(), style: series.style, colour: series.colour.unwrap_or(i) };
+        let entry = Entry { label: series.label.clone(), style: series.style, colour: series.number(i) };
         if !entry.label.trim().is_empty() && !all.contains(&entry) {
             all.push(entry);
         }

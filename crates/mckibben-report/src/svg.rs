@@ -115,15 +115,12 @@ fn draw_panel(out: &mut String, placed: &Placed<'_>, pen: &Pen<'_>) {
     let frame = placed.axes.frame();
     let mut anything = false;
     for (i, series) in placed.panel.series.iter().enumerate() {
-        let number = series.colour.unwrap_or(i);
         let lines = if series.style == Style::Points { Vec::new() } else { frame.line(&series.points) };
         let markers =
             if palette::has_markers(series.style) { frame.markers(&series.points) } else { Vec::new() };
         anything |= !(lines.is_empty() && markers.is_empty());
-        let mut brush = pen.brush(number);
-        if series.neutral {
-            brush.hex = INK.into();
-        }
+        let brush = pen.brush(series.number(i));
+        let brush = if series.neutral { Brush { hex: INK.into(), ..brush } } else { brush };
         draw_series(out, &lines, &markers, series.style, brush);
     }
     anything |= draw_marks(out, placed);

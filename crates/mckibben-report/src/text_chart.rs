@@ -33,11 +33,6 @@ pub(crate) struct Sheet<'a> {
     colours: usize,
 }
 
-/// The colour number of a series.
-pub(crate) fn number_of(series: &Series, index: usize) -> usize {
-    series.colour.unwrap_or(index)
-}
-
 /// Writes a text as far as the buffer reaches.
 pub(crate) fn put(buffer: &mut Buffer, x: usize, y: usize, text: &str, look: Look) {
     let area = buffer.area;
@@ -58,7 +53,7 @@ impl Sheet<'_> {
 
     /// How a series looks.
     pub fn look_of(&self, series: &Series, index: usize) -> Look {
-        if series.neutral { PLAIN } else { self.look(number_of(series, index)) }
+        if series.neutral { PLAIN } else { self.look(series.number(index)) }
     }
 
     /// The reason why there is no chart.
@@ -115,7 +110,7 @@ impl Sheet<'_> {
             self.letters(&mut buffer, area, &frame, &keys, &of_series);
         }
         for (i, series) in panel.series.iter().enumerate().filter(|(_, s)| palette::has_markers(s.style)) {
-            let number = number_of(series, i);
+            let number = series.number(i);
             for spot in frame.markers(&series.points) {
                 put_at(&mut buffer, area, spot, marker(number), self.look_of(series, i));
             }

@@ -3,7 +3,7 @@
 use ratatui_core::buffer::Buffer;
 
 use crate::text::{columns_of, wrap};
-use crate::text_chart::{PLAIN, Sheet, number_of, put};
+use crate::text_chart::{PLAIN, Sheet, put};
 use crate::{Style, palette, ticks};
 
 /// Most rows of the legend, and of the operating points.
@@ -27,7 +27,7 @@ impl Sheet<'_> {
         let mut keys: Vec<Key> = Vec::new();
         let mut of_series = Vec::new();
         for (i, series) in self.panel.series.iter().enumerate() {
-            let colour = number_of(series, i);
+            let colour = series.number(i);
             let label = series.label.trim();
             let name = if label.is_empty() { series.end_label.trim() } else { label };
             let alike = |k: &Key| k.colour == colour && k.style == series.style;

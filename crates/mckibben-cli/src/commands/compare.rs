@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag};
 use crate::names::MODELS;
-use crate::output::text::{Units, percent, percents, rows_of, table, understood};
+use crate::output::text::{Units, columns, percent, percents, understood};
 use crate::output::{show, warn};
 use crate::plot;
 use crate::progress::Bar;
@@ -57,7 +57,7 @@ pub struct CompareArgs {
 /// Runs the command.
 pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = args.output.units.or_typed([&args.pressure, args.muscle.diameter()]);
+    let unit = args.output.units.or_typed([&args.pressure, &args.muscle.outer_diameter]);
     let models: Vec<String> = match &args.model {
         Some(one) => vec![one.clone()],
         None => args.models.clone(),
@@ -122,17 +122,15 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
     let error = |of: fn(&ComparedModel) -> Option<f64>| {
         answered.iter().map(move |m| of(m).map(|v| if v.abs() < 1e-9 * largest { 0.0 } else { v }))
     };
-    let columns = vec![
-        answered.iter().map(|m| m.model.clone()).collect(),
-        u.force.column(error(|m| m.rms_n), 3),
-        percents(error(|m| m.rms_n).map(|v| v.map(|v| v / largest)), 3),
-        u.force.column(error(|m| m.max_n), 3),
-        u.force.column(error(|m| m.mean_n), 3),
-        answered.iter().map(|m| m.points.to_string()).collect(),
-    ];
-    let [rms, most, mean] = ["rms", "largest", "mean"].map(|word| u.force.heading(word));
-    let header = ["model", &rms, "of the largest pull", &most, &mean, "points"];
-    out.push_str(&table(&header, rows_of(columns)));
+    let share = error(|m| m.rms_n).map(|v| v.map(|v| v / largest));
+    out.push_str(&columns([
+        ("model".into(), answered.iter().map(|m| m.model.clone()).collect()),
+        (u.force.heading("rms"), u.force.column(error(|m| m.rms_n), 3)),
+        ("of the largest pull".into(), percents(share, 3)),
+        (u.force.heading("largest"), u.force.column(error(|m| m.max_n), 3)),
+        (u.force.heading("mean"), u.force.column(error(|m| m.mean_n), 3)),
+        ("points".into(), answered.iter().map(|m| m.points.to_string()).collect()),
+    ]));
     out.push_str("\nmean: above zero where the model promises too much\n");
     for m in answer.models.iter().filter(|m| m.rms_n.is_none()) {
         out.push_str(&format!("{}: not compared: {}\n", m.model, m.cause.as_deref().unwrap_or_default()));

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
-use crate::output::text::{Units, percent, percents, rows_of, table};
+use crate::output::text::{Units, columns, percent, percents};
 use crate::output::{show, warn};
 use crate::plot;
 use crate::quantities::{contractions, forces, pressures};
@@ -63,7 +63,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     // Without a study, which is another command to the program, the test must be there.
     let test = args.test.unwrap_or(Test::Isometric);
-    let typed = [&args.pressure, &args.force, args.muscle.diameter()];
+    let typed = [&args.pressure, &args.force, &args.muscle.outer_diameter];
     let unit = args.output.units.or_typed(typed);
     let mut answer = mckibben_app::curve(&CurveRequest {
         test,
@@ -131,15 +131,13 @@ fn as_table(answer: &CurveAnswer, u: &Units) -> String {
         };
         of + &branch
     };
-    let header: Vec<String> = std::iter::once(along).chain(list.iter().enumerate().map(fixed)).collect();
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let first = list.first().map_or(&[][..], |c| &c.points[..]);
     let first = match test {
         Test::Isobaric => percents(first.iter().map(|q| q.contraction), 4),
         _ => u.pressure.column(first.iter().map(|q| Some(q.pressure_mpa)), 4),
     };
-    let columns = list.iter().map(|c| column(test, c, u));
-    table(&header, rows_of(std::iter::once(first).chain(columns).collect()))
+    let curves = list.iter().enumerate().map(|(i, c)| (fixed((i, c)), column(test, c, u)));
+    columns(std::iter::once((along, first)).chain(curves))
 }
 
 /// A curve's answers, to the digits that the least ± of them leaves.

@@ -142,7 +142,7 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
 }
 
 fn units(args: &IdentifyArgs) -> Units {
-    args.units.or_typed([&args.pressure, args.muscle.diameter()])
+    args.units.or_typed([&args.pressure, &args.muscle.outer_diameter])
 }
 
 fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {

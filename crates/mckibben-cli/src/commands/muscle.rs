@@ -41,7 +41,7 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
     }
     let text = || {
         answer.warnings.iter().for_each(warn);
-        let u = args.output.units.or_typed([&args.pressure, args.muscle.diameter()]);
+        let u = args.output.units.or_typed([&args.pressure, &args.muscle.outer_diameter]);
         let does = answer.characteristics.as_ref().map(|c| characteristics(c, &u));
         as_text(&answer.muscle, &u) + &does.unwrap_or_default()
     };

@@ -80,7 +80,7 @@ pub fn force(args: &ForceArgs, format: Format) -> Result<u8, Failure> {
         contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
         both: args.both,
     })?;
-    print(&answer, Asked::Force, format, &args.output, [&args.pressure, &None, args.muscle.diameter()])
+    print(&answer, Asked::Force, format, &args.output, [&args.pressure, &None, &args.muscle.outer_diameter])
 }
 
 /// P(F, ε).
@@ -93,7 +93,7 @@ pub fn pressure(args: &PressureArgs, format: Format) -> Result<u8, Failure> {
         contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
         both: args.both,
     })?;
-    print(&answer, Asked::Pressure, format, &args.output, [&None, &args.force, args.muscle.diameter()])
+    print(&answer, Asked::Pressure, format, &args.output, [&None, &args.force, &args.muscle.outer_diameter])
 }
 
 /// ε(F, P).
@@ -111,7 +111,7 @@ pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure
         Asked::Contraction,
         format,
         &args.output,
-        [&args.pressure, &args.force, args.muscle.diameter()],
+        [&args.pressure, &args.force, &args.muscle.outer_diameter],
     )
 }
 

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
-use crate::output::text::{Units, aligned, number, percent, percents, rows_of, table};
+use crate::output::text::{Units, aligned, columns, number, percent, percents};
 use crate::output::{save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
@@ -101,7 +101,7 @@ pub struct SimulateArgs {
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     check_picture(args.picture.as_deref())?;
-    let unit = args.output.units.or_typed([&args.pressure, &args.force, args.muscle.diameter()]);
+    let unit = args.output.units.or_typed([&args.pressure, &args.force, &args.muscle.outer_diameter]);
     let request = SimulateRequest {
         test: args.test,
         muscle: args.muscle.fields()?,
@@ -211,7 +211,7 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
         Ok(_) => String::new(),
     });
     let stiffness = u.stiffness();
-    let columns = [
+    let list = [
         (u.pressure.heading("P"), u.pressure.column(points.iter().map(|q| Some(q.pressure_mpa)), 4)),
         ("ε".into(), percents(contractions, 4)),
         (u.force.heading("F"), u.force.column(pulls, 5)),
@@ -225,12 +225,10 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
         ("stretch".into(), aligned(&of(|r| r.max_stretch).collect::<Vec<_>>(), 3)),
         (String::new(), notes.collect()),
     ];
-    let (header, columns): (Vec<String>, Vec<Vec<String>>) = columns.into_iter().unzip();
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line(u));
     answer.notes.iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
     out.push('\n');
-    out.push_str(&table(&header, rows_of(columns)));
+    out.push_str(&columns(list));
     let what =
         if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
     out.push_str(&format!("\n{what}. stretch: 99 % of the rubber is stretched by less.\n"));

@@ -3,7 +3,7 @@
 use super::curve::CurveArgs;
 use crate::failure::Failure;
 use crate::flags::Format;
-use crate::output::text::{Units, percents, rows_of, table};
+use crate::output::text::{Units, columns, percents};
 use crate::output::{show, warn};
 use crate::plot;
 use mckibben::curve::Test;
@@ -42,23 +42,20 @@ fn as_text(study: &Study, u: &Units) -> String {
         let fixed = if isometric { u.length.heading("ΔL") } else { u.force.heading("F") };
         let title = if isometric { u.force.heading("Pull F") } else { "Contraction ε".into() };
         out.push_str(&format!("\n{title} at {}, {} tests\n", u.pressure.show(0.25), test.name()));
-        let labels =
-            panels.first().map_or_else(Vec::new, |q| q.curves.iter().map(|c| c.label.as_str()).collect());
-        let header: Vec<&str> = std::iter::once(fixed.as_str()).chain(labels).collect();
         let along = panels.iter().map(|panel| Some(panel.fixed));
         let along = if isometric { u.length.column(along, 4) } else { u.force.column(along, 4) };
-        let curves = panels.first().map_or(0, |panel| panel.curves.len());
-        let columns = (0..curves).map(|i| {
+        let curves = panels.first().map_or(&[][..], |panel| &panel.curves[..]);
+        let curves = curves.iter().enumerate().map(|(i, curve)| {
             let last =
                 panels.iter().map(|panel| panel.curves.get(i)?.curve.points.last()?.answer.as_ref().ok());
-            if isometric {
+            let column = if isometric {
                 u.force.column(last.map(|a| a.map(|a| a.response.force_n)), 4)
             } else {
                 percents(last.map(|a| a.map(|a| a.response.contraction)), 4)
-            }
+            };
+            (curve.label.clone(), column)
         });
-        let rows = rows_of(std::iter::once(along).chain(columns).collect());
-        out.push_str(&table(&header, rows));
+        out.push_str(&columns(std::iter::once((fixed, along)).chain(curves)));
     }
     out.push_str("\nThe paper's findings and what comes out here\n");
     for f in &study.findings {

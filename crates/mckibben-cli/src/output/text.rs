@@ -50,8 +50,11 @@ pub fn percents(ratios: impl IntoIterator<Item = Option<f64>>, digits: usize) ->
     column.map(|cell| if cell == "–" { cell } else { cell + " %" }).collect()
 }
 
-/// Columns as the rows of a table.
-pub fn rows_of(columns: Vec<Vec<String>>) -> Vec<Vec<String>> {
+/// A table of columns, each with its heading.
+pub fn columns(list: impl IntoIterator<Item = (String, Vec<String>)>) -> String {
+    let (header, columns): (Vec<String>, Vec<Vec<String>>) = list.into_iter().unzip();
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let count = columns.first().map_or(0, Vec::len);
-    (0..count).map(|i| columns.iter().map(|c| c.get(i).cloned().unwrap_or_default()).collect()).collect()
+    let row = |i: usize| columns.iter().map(|c| c.get(i).cloned().unwrap_or_default()).collect();
+    table(&header, (0..count).map(row).collect())
 }

@@ -39,3 +39,9 @@ pub(crate) trait Place {
     /// The place.
     fn place(&self) -> f64;
 }
+
+impl<T> Place for (f64, T) {
+    fn place(&self) -> f64 {
+        self.0
+    }
+}

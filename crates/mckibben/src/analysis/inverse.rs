@@ -9,7 +9,7 @@
 
 use super::ask::{Options, force_on, friction, response_on};
 use super::error::AnalysisError;
-use super::golden::{Place, golden};
+use super::golden::golden;
 use super::root::{RootError, find_root};
 use crate::model::{ForceModel, ModelError, Workspace, rising_root};
 use crate::muscle::Direction;
@@ -137,18 +137,8 @@ fn maximum(
     at: &mut impl FnMut(f64) -> Result<f64, ModelError>,
 ) -> (f64, f64) {
     const STEPS: usize = 30;
-    let mut tried = |p: f64| Pull(p, at(p).unwrap_or(f64::NEG_INFINITY));
-    let top = golden(left, Pull(between.0, between.1), right, STEPS, |pull| -pull.1, &mut tried);
-    (top.0, top.1)
-}
-
-/// Pressure and F − wanted.
-struct Pull(f64, f64);
-
-impl Place for Pull {
-    fn place(&self) -> f64 {
-        self.0
-    }
+    let mut tried = |p: f64| (p, at(p).unwrap_or(f64::NEG_INFINITY));
+    golden(left, between, right, STEPS, |pull| -pull.1, &mut tried)
 }
 
 /// (pressure, F − wanted) below zero, between a pressure without an equilibrium and one at which the muscle pulls more than is

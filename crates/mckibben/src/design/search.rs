@@ -8,7 +8,7 @@ use super::limit::{probe, probe_with};
 use super::line::{self, Found, Merit, Sample};
 use super::reason::Reason;
 use super::spec::{BraidChoice, Build, Objective, Spec};
-use crate::analysis::{Place, golden};
+use crate::analysis::golden;
 use crate::muscle::{Braid, Muscle, MuscleError, Rubber, Tube};
 use crate::progress::Progress;
 use crate::units::Values;
@@ -106,14 +106,7 @@ impl Harvest {
 }
 
 /// A place of an axis with what it gave.
-#[derive(Clone)]
-struct Tried(f64, Harvest);
-
-impl Place for Tried {
-    fn place(&self) -> f64 {
-        self.0
-    }
-}
+type Tried = (f64, Harvest);
 
 impl Search<'_> {
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
@@ -268,7 +261,7 @@ impl Search<'_> {
             Values::List(list) => list.clone(),
             Values::Interval(low, high) => nice_steps(*low, *high, samples),
         };
-        let tried: Vec<Tried> = places.par_iter().map(|&x| Tried(x, f(x))).collect();
+        let tried: Vec<Tried> = places.par_iter().map(|&x| (x, f(x))).collect();
         let merit = |t: &Tried| t.1.merit();
         let mut extra = None;
         if let Values::Interval(low, high) = values
@@ -276,7 +269,7 @@ impl Search<'_> {
         {
             let (left, right) = (places[i.saturating_sub(1)], places[(i + 1).min(places.len() - 1)]);
             let start = tried[i].clone();
-            let best = golden(left, start, right, sections, merit, &mut |x| Tried(x, f(x)));
+            let best = golden(left, start, right, sections, merit, &mut |x| (x, f(x)));
             let round = (best.0 * 100.0).round() / 100.0;
             let known = |x: f64| places.iter().any(|w| (w - x).abs() < 1e-9);
             if !known(best.0) {

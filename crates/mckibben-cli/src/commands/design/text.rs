@@ -1,8 +1,6 @@
 //! A design for people.
 
-use crate::output::text::{
-    Units, aligned, braid_name, number, percent, percents, rows_of, rubber_name, table,
-};
+use crate::output::text::{Units, aligned, braid_name, columns, number, percent, percents, rubber_name};
 use mckibben::design::{Candidate, Closest, Limit, OperatingPoint, Outcome, Rejected, Relaxation};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben_app::{DesignAnswer, SpreadAnswer};
@@ -106,19 +104,19 @@ fn candidates(outcome: &Outcome, u: &Units) -> String {
     let maybe = |of: &dyn Fn(&Candidate) -> Option<f64>| list.iter().map(of).collect::<Vec<_>>();
     let thousandths = |v: f64| (1000.0 * v).floor() / 1000.0;
     let per_length = u.stiffness();
-    let mut columns = vec![
+    let mut found = vec![
         (String::new(), (1..=list.len()).map(|i| format!("{i}.")).collect()),
         (u.length.heading("D0"), u.length.column(known(&|c| c.muscle.outer_diameter_mm()), 4)),
         (u.length.heading("s"), u.length.column(known(&|c| c.muscle.wall_mm()), 3)),
         ("θ0 [°]".into(), aligned(&known(&|c| c.muscle.braid().angle_deg), 4)),
     ];
     if several_lengths {
-        columns.push((u.length.heading("L0"), u.length.column(known(&|c| c.muscle.length_mm()), 4)));
+        found.push((u.length.heading("L0"), u.length.column(known(&|c| c.muscle.length_mm()), 4)));
     }
     if several_braids {
-        columns.push((per_length.heading("k"), per_length.column(maybe(&stiffness), 3)));
+        found.push((per_length.heading("k"), per_length.column(maybe(&stiffness), 3)));
     }
-    columns.extend([
+    found.extend([
         (u.pressure.heading("needs"), needs.collect()),
         ("to spare".into(), percents(known(&|c| thousandths(c.margin)), 3)),
         (u.force.heading("F blocked"), u.force.column(known(&|c| c.blocked_force_n), 4)),
@@ -130,14 +128,12 @@ fn candidates(outcome: &Outcome, u: &Units) -> String {
         (u.force.heading("±"), u.force.column(maybe(&|c| c.largest(|q| q.uncertainty_n)), 2)),
     ]);
     if burst {
-        columns.push((u.pressure.heading("bursts"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
+        found.push((u.pressure.heading("bursts"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
     }
     if several_rubbers {
-        columns.push(("rubber".into(), list.iter().map(|c| rubber_name(&c.muscle)).collect()));
+        found.push(("rubber".into(), list.iter().map(|c| rubber_name(&c.muscle)).collect()));
     }
-    let (header, columns): (Vec<String>, Vec<Vec<String>>) = columns.into_iter().unzip();
-    let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let mut out = table(&header, rows_of(columns));
+    let mut out = columns(found);
     let braid =
         if strands { "strand: tension of one strand" } else { "braid: tension of all strands together" };
     let k = if several_braids { "k: stiffness of one strand family. " } else { "" };
