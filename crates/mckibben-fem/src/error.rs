@@ -2,6 +2,7 @@
 
 use crate::solver::newton::Stopped;
 use mckibben::model::ModelError;
+use mckibben::status::Status;
 use thiserror::Error;
 
 /// The last equilibrium that was found on the way to one that was not.
@@ -54,11 +55,10 @@ pub enum FemError {
         contraction: f64,
     },
     /// The path to the answer ended before it.
-    #[error(
-        "no equilibrium found at {pressure_mpa} MPa and contraction {contraction}: {reason}; the last one stands at {} MPa, contraction {} (smallest J {:.4})",
-        .last.pressure_mpa, .last.contraction, .last.smallest_j
-    )]
+    #[error("{}", ended(*.status, *.pressure_mpa, *.contraction, .reason, .last, *.other_n))]
     Path {
+        /// How: not converged, collapsed, or on another branch.
+        status: Status,
         /// Pressure asked for, in MPa.
         pressure_mpa: f64,
         /// Contraction asked for.
@@ -69,6 +69,8 @@ pub enum FemError {
         iterations: usize,
         /// The last equilibrium.
         last: LastConverged,
+        /// Pull in N of an equilibrium on another branch.
+        other_n: Option<f64>,
     },
     /// No pressure or contraction gives the force.
     #[error("no equilibrium with a pull of {force_n} N was found: {reason}")]
@@ -95,6 +97,25 @@ pub enum FemError {
     Cancelled,
 }
 
+fn ended(
+    status: Status,
+    pressure: f64,
+    contraction: f64,
+    reason: &Stopped,
+    last: &LastConverged,
+    other_n: Option<f64>,
+) -> String {
+    let begins = match (status, other_n) {
+        (Status::Collapsed, _) => "the tube has collapsed, or no equilibrium was found,".into(),
+        (_, Some(force)) => format!("only an equilibrium of another branch was found ({force:.1} N)"),
+        _ => "no equilibrium found".to_owned(),
+    };
+    format!(
+        "{begins} at {pressure} MPa and contraction {contraction}: {reason}; on the way from the taut muscle the last one stands at {:.4} MPa and contraction {:.4} (smallest J {:.3})",
+        last.pressure_mpa, last.contraction, last.smallest_j
+    )
+}
+
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {
     let (percent, nearest) = (100.0 * contraction.abs(), (10.0 * nearest).round() / 10.0);
     if force > nearest {
@@ -115,15 +136,7 @@ impl From<FemError> for ModelError {
             FemError::Question { contraction, .. } => {
                 Self::Geometry { contraction, lowest: -1.0, highest: 1.0 }
             }
-            FemError::Path { pressure_mpa, contraction, iterations, reason, last } => Self::Stopped {
-                pressure_mpa,
-                contraction,
-                iterations,
-                reason: reason.to_string(),
-                last_pressure_mpa: last.pressure_mpa,
-                last_contraction: last.contraction,
-                smallest_volume_ratio: last.smallest_j,
-            },
+            FemError::Path { status, .. } => Self::Stopped { status, reason: error.to_string() },
             FemError::Mesh { .. } | FemError::Element { .. } | FemError::TooLarge { .. } => {
                 Self::Elements { reason: error.to_string() }
             }

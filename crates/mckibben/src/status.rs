@@ -1,7 +1,5 @@
 //! How a point of a test or campaign ended, in one word.
 
-use crate::analysis::AnalysisError;
-use crate::model::ModelError;
 use serde::de::IntoDeserializer;
 use serde::de::value::{Error, StrDeserializer};
 use serde::{Deserialize, Serialize};
@@ -24,6 +22,9 @@ pub enum Status {
     NotConverged,
     /// No equilibrium where the infinitely long muscle would push: the tube has collapsed.
     Collapsed,
+    /// The branch of equilibria that begins at the taut muscle ends before this point; there is one on another branch, such as that of a
+    /// folded tube.
+    OtherBranch,
     /// The measures make no muscle, or no mesh.
     NoMuscle,
 }
@@ -50,18 +51,6 @@ impl FromStr for Status {
     }
 }
 
-impl From<&AnalysisError> for Status {
-    fn from(error: &AnalysisError) -> Self {
-        match error {
-            AnalysisError::Model(ModelError::OutOfRange { .. }) => Self::OutOfRange,
-            AnalysisError::Model(ModelError::NotConverged { .. } | ModelError::Stopped { .. }) => {
-                Self::NotConverged
-            }
-            _ => Self::NoAnswer,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -69,8 +58,10 @@ mod tests {
     #[test]
     fn words_come_back() {
         use Status::*;
-        let words = [Ok, OutOfRange, NoAnswer, NotConverged, Collapsed, NoMuscle].map(|s| s.to_string());
-        assert_eq!(words, ["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "no_muscle"]);
+        let all = [Ok, OutOfRange, NoAnswer, NotConverged, Collapsed, OtherBranch, NoMuscle];
+        let words = all.map(|s| s.to_string());
+        let said = ["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"];
+        assert_eq!(words, said);
         assert!(words.iter().all(|w| w.parse::<Status>().unwrap().to_string() == *w));
         assert!("slack".parse::<Status>().unwrap_err().to_string().contains("unknown variant `slack`"));
     }

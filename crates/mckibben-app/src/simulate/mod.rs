@@ -15,7 +15,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::warnings;
 use mckibben::answer::Options;
 use mckibben::curve::Test;
-use mckibben::model::{ForceModel, Response, ThickWall, Workspace};
+use mckibben::model::{ModelError, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::status::Status;
@@ -272,18 +272,9 @@ fn judged(
     let status = match &solution {
         Ok(_) => Status::Ok,
         Err(_) if slack => Status::Ok,
-        // Without an equilibrium where the infinitely long muscle would push, the tube has collapsed.
-        Err(_) => match contraction {
-            Some(e) if endless_pushes(model.muscle(), pressure_mpa, e) => Status::Collapsed,
-            _ => Status::NotConverged,
-        },
+        Err(error) => Status::from(&ModelError::from(error.clone())),
     };
     Simulated { pressure_mpa, held, solution, slack, free_contraction, status }
-}
-
-fn endless_pushes(muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> bool {
-    let endless = ThickWall::new(muscle);
-    endless.force_n(&mut Workspace::new(), pressure_mpa, contraction).map_or(true, |force| force <= 0.0)
 }
 
 /// Where every point fails: the first reason.

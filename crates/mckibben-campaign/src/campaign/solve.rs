@@ -3,8 +3,7 @@
 use super::CampaignError;
 use super::plan::{Inputs, Plan, constants, rounded};
 use crate::Row;
-use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
 use mckibben::status::Status;
 use mckibben_fem::FemError;
@@ -35,8 +34,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
     let inputs = plan.inputs(number);
     let testing = plan.testing();
     let model = inputs.muscle(plan.base()).map_err(|e| e.to_string()).and_then(|muscle| {
-        let model = testing.elements.build(&muscle).map_err(|e| e.to_string())?;
-        Ok((model, muscle))
+        testing.elements.build(&muscle).map_err(|e| e.to_string())
     });
     let workspace = &mut Workspace::new();
     let mut out = Vec::with_capacity(plan.points_per_muscle());
@@ -49,7 +47,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
                 cause: why.clone(),
                 ..blank(p)
             })),
-            Ok((model, muscle)) => {
+            Ok(model) => {
                 let curve = model.isometric_with_tangents(
                     workspace,
                     contraction,
@@ -62,7 +60,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
                         .pressures_mpa
                         .iter()
                         .zip(curve)
-                        .map(|(&p, point)| filled(blank(p), point, muscle)),
+                        .map(|(&p, point)| filled(blank(p), point)),
                 );
             }
         }
@@ -93,7 +91,7 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> R
     }
 }
 
-fn filled(row: Row, point: Result<TangentPoint, FemError>, muscle: &Muscle) -> Row {
+fn filled(row: Row, point: Result<TangentPoint, FemError>) -> Row {
     match point {
         Ok(TangentPoint { response: r, sensitivities, iterations, .. }) if r.force_n.is_finite() => {
             let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
@@ -118,16 +116,11 @@ fn filled(row: Row, point: Result<TangentPoint, FemError>, muscle: &Muscle) -> R
         }
         Ok(_) => Row { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
         Err(error) => {
-            let push =
-                ThickWall::new(muscle).force_n(&mut Workspace::new(), row.pressure_mpa, row.contraction);
-            let status = if push.map_or(true, |force| force <= 0.0) {
-                Status::Collapsed
-            } else {
-                Status::NotConverged
-            };
-            let iterations = match &error {
-                FemError::Path { iterations, .. } => u32::try_from(*iterations).unwrap_or(u32::MAX),
-                _ => 0,
+            let (status, iterations) = match &error {
+                FemError::Path { status, iterations, .. } => {
+                    (*status, u32::try_from(*iterations).unwrap_or(u32::MAX))
+                }
+                _ => (Status::NotConverged, 0),
             };
             Row { status, cause: error.to_string(), iterations, ..row }
         }

@@ -2,18 +2,18 @@
 //! rubber and braid.
 
 use super::body::Body;
-use super::discretisation::BraidSpec;
 use super::guess;
 use crate::FemError;
+use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{self, Control, Settings, State, Totals};
+use crate::solver::continuation::TAUT;
 use crate::solver::newton::NewtonOptions;
 use mckibben::model::{ForceModel, Ideal, Workspace};
 
-/// Factorisations a question may cost where the infinitely long muscle does not pull or its strands stretch too far, and elsewhere.
-const BUDGET: usize = 50;
-const BUDGET_PULLING: usize = 600;
-/// Strand strain up to which there must be an answer.
-const STRAIN: f64 = 0.05;
+/// Above this multiple of μ s/Ro the pressure at which a muscle is expected to pull is that of one whose strands stretch first.
+const PULLS_BELOW: f64 = 10.0;
+/// Multiple of μ s/Ro at which strands are taut.
+const RINGS: f64 = 3.0;
 
 impl body::Body for Body {
     const SETTINGS: Settings = Settings {
@@ -24,6 +24,7 @@ impl body::Body for Body {
         first_step: 1.0,
         first_step_down: 0.3,
         smallest_step: 1.0 / 512.0,
+        budget: 1500,
         take_unstable: false,
     };
     const COPIES: f64 = 2.0;
@@ -94,6 +95,15 @@ impl body::Body for Body {
         (slope > 0.0).then(|| (-push / slope).max(0.0))
     }
 
+    /// Somewhat above the one at which it begins to pull. Where it never does, the tube is pressed outwards by what an elastic ring takes,
+    /// μ s/Ro, several times.
+    fn taut_pressure(&self, contraction: f64) -> f64 {
+        let d = &self.discretisation;
+        let ring = d.shear * (d.radius - d.mesh.node(0, 0)[0]) / d.radius;
+        let pulling = body::Body::pulling_pressure(self, contraction).filter(|p| *p < PULLS_BELOW * ring);
+        pulling.map_or(RINGS * ring, |p| TAUT * p)
+    }
+
     /// Between the contraction −0.05 and above the ideal maximum, by bisection of the infinitely long muscle's pull.
     fn guess_contraction(&mut self, force: f64, pressure: f64) -> Result<f64, FemError> {
         let Some(endless) = &self.endless else { return Ok(0.0) };
@@ -120,17 +130,24 @@ impl body::Body for Body {
         Ok(1.4 * start + body::Body::smallest_pressure(self))
     }
 
-    fn budget(&self, pressure: f64, contraction: f64) -> usize {
-        let answer = self.endless.as_ref().map(|e| e.response(&mut Workspace::new(), pressure, contraction));
-        let Some(Ok(endless)) = answer else { return BUDGET };
-        let d = &self.discretisation;
-        let strain = match (d.problem.braid, endless.braid_tension_n) {
-            (Some(BraidSpec { stiffness: Some(k), angle_rad, .. }), Some(tension)) => {
-                tension / (4.0 * std::f64::consts::PI * d.radius * angle_rad.cos() * k)
+    fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64> {
+        self.endless.as_ref()?.force_n(&mut Workspace::new(), pressure, contraction).ok()
+    }
+
+    fn radius(&self) -> f64 {
+        self.discretisation.radius
+    }
+
+    fn taut(&self) -> bool {
+        let (state, l) = (&self.state, self.discretisation.layout);
+        let taut = |q: &f64| *q > 0.0;
+        let unpressurised = state.pressure == 0.0 && state.terminal >= 0.0;
+        unpressurised
+            || if l.multipliers {
+                (0..l.along).all(|slab| state.u[l.tension(slab)..][..STRAND_POINTS].iter().all(taut))
+            } else {
+                state.q.iter().all(taut)
             }
-            _ => 0.0,
-        };
-        if endless.force_n > 0.0 && strain < STRAIN { BUDGET_PULLING } else { BUDGET }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::newton::{NewtonOptions, NewtonSystem};
 use crate::error::FemError;
+use std::f64::consts::PI;
 
 /// The state of a body: unknowns, variables that are carried along, and the loads under which it stands.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -135,6 +136,8 @@ pub struct Settings {
     pub first_step_down: f64,
     /// Smallest share of a leg that is tried.
     pub smallest_step: f64,
+    /// Factorisations that a question may cost.
+    pub budget: usize,
     /// Whether an equilibrium from a first guess is taken though it is not stable: a wall of bricks buckles between strands that go
     /// slack. [`super::continuation::Continuation::unstable`] lists such equilibria.
     pub take_unstable: bool,
@@ -190,6 +193,9 @@ pub trait Body: NewtonSystem {
         None
     }
 
+    /// A pressure in MPa at which all strands may be expected to be in tension at a contraction.
+    fn taut_pressure(&self, contraction: f64) -> f64;
+
     /// The contraction at which a pull in N is expected at a pressure in MPa.
     ///
     /// # Errors
@@ -204,8 +210,23 @@ pub trait Body: NewtonSystem {
     /// [`FemError`] where no pressure gives that pull.
     fn guess_pressure(&mut self, force: f64, contraction: f64) -> Result<f64, FemError>;
 
-    /// Factorisations a question may cost.
-    fn budget(&self, pressure: f64, contraction: f64) -> usize;
+    /// The pull in N that is expected at a pressure in MPa and a contraction.
+    fn expected_pull(&self, _pressure: f64, _contraction: f64) -> Option<f64> {
+        None
+    }
+
+    /// Whether every strand is in tension, or the muscle neither pressurised nor shortened.
+    fn taut(&self) -> bool;
+
+    /// Radius in mm of the cross-section on which the pressure acts.
+    fn radius(&self) -> f64;
+
+    /// Whether the present equilibrium, if it is stable, is the only one: taut, and not pushing with more than a tenth of P π Ro².
+    fn certain(&self) -> bool {
+        const PUSH: f64 = 0.1;
+        let pressure = self.state().pressure.max(self.smallest_pressure());
+        self.taut() && self.totals().pull >= -PUSH * PI * self.radius().powi(2) * pressure
+    }
 
     /// Forgets what first guesses were made of.
     fn forget(&mut self) {}

@@ -2,16 +2,32 @@
 //!
 //! Steps are as large as Newton's method allows: a step that fails is halved, one that succeeds is followed by one twice as
 //! large; from the second step on the last two states extrapolate the next. Along a curve a polynomial through the last four does.
+//!
+//! Which equilibrium is the answer. A stable one with all strands in tension is the only one of its kind: it is taken wherever it was found
+//! ([`Body::certain`]). Where strands are slack a tube has several, folded ones among them. The answer then is the one that continues the
+//! taut muscle: at the contraction of the question, from the pressure that tightens all strands, the pressure is let down to that of the
+//! question; where no pressure tightens them, the muscle is shortened from rest length at the pressure of the question. On the way every
+//! step ends close to where the steps before predict it, and the last in a stable equilibrium. So an answer depends on its question alone,
+//! and where that branch ends there is none.
 
 use super::body::{Body, Control, State};
+use super::descent::Descent;
 use super::newton::{self, Effort, NewtonOptions, Stopped};
 use super::trail::{Along, Trail};
 use crate::error::{FemError, LastConverged};
+use mckibben::status::Status;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
-const TAUT: f64 = 1.3;
-/// Factorisations of a point of a curve that its neighbours did not predict.
-pub(super) const BUDGET_ON_CURVE: usize = 250;
+pub(crate) const TAUT: f64 = 1.3;
+/// How often the pressure is raised, and by what factor, where the strands are not taut yet.
+const TIGHTENINGS: usize = 8;
+const TIGHTENING: f64 = 1.3;
+/// A step is continuous if Newton's method moves no node further than this share of the radius from where the steps before predict it.
+const CONTINUOUS: f64 = 0.05;
+/// Smallest share of a leg that is tried where steps must be continuous.
+const SMALLEST_CONTINUOUS: f64 = 1e-5;
+/// Factorisations on the way to the end of what a muscle can carry.
+pub(super) const BUDGET_TO_THE_END: usize = 250;
 /// Equilibria that are not stable and are noted.
 const NOTED: usize = 16;
 /// Contractions lie between ± this.
@@ -39,6 +55,15 @@ pub struct Interrupted {
     pub last: LastConverged,
 }
 
+/// What first guesses led to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Guessed {
+    Answer,
+    /// An equilibrium with slack strands, and its pull in N: which branch it is on must be found out.
+    Uncertain(f64),
+    Nothing,
+}
+
 /// A body that is led from equilibrium to equilibrium, and the equilibria it passed.
 #[derive(Debug, Clone)]
 pub struct Continuation<B: Body> {
@@ -60,6 +85,7 @@ pub struct Continuation<B: Body> {
     /// Steps of the present walk from rest.
     steps: Option<usize>,
     unstable: Vec<Unstable>,
+    descent: Descent,
 }
 
 impl<B: Body> Continuation<B> {
@@ -79,6 +105,7 @@ impl<B: Body> Continuation<B> {
             before: rest,
             steps: None,
             unstable: vec![],
+            descent: Descent::default(),
         }
     }
 
@@ -99,6 +126,7 @@ impl<B: Body> Continuation<B> {
         self.oldest = 0;
         self.trail.clear();
         self.unstable.clear();
+        self.descent = Descent::default();
         self.body.forget();
     }
 
@@ -173,8 +201,7 @@ impl<B: Body> Continuation<B> {
 
     /// Finds the equilibrium at a pressure in MPa and a contraction.
     ///
-    /// First from the nearest one kept, then from the first guesses, then the long way: pressurised at rest length to where the
-    /// strands are taut, contracted, and let down; at last straight from rest.
+    /// First from the nearest one kept, then from the first guesses; where these leave open which equilibrium it is, from the taut muscle.
     ///
     /// # Errors
     /// [`FemError`].
@@ -187,11 +214,22 @@ impl<B: Body> Continuation<B> {
             return Ok(());
         }
         self.within(pressure, contraction, |c| {
-            if c.guessed(pressure, terminal) {
+            // Along a descent that was begun its next stations are near.
+            if c.descent.terminal == Some(terminal) && c.from_taut(pressure, terminal).is_ok() {
                 return Ok(());
             }
-            c.long_way(pressure, terminal, true)
-                .or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
+            let other_n = match c.guessed(pressure, terminal) {
+                Guessed::Answer => return Ok(()),
+                Guessed::Uncertain(pull) => Some(pull),
+                Guessed::Nothing => None,
+            };
+            let found = if B::SETTINGS.take_unstable {
+                let found = c.long_way(pressure, terminal, true);
+                found.or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
+            } else {
+                c.from_taut(pressure, terminal)
+            };
+            found.map_err(|end| (end, other_n))
         })
     }
 
@@ -202,7 +240,9 @@ impl<B: Body> Continuation<B> {
     pub fn walk_from_rest(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
-        self.within(pressure, contraction, |c| c.long_way(pressure, terminal, false))
+        self.within(pressure, contraction, |c| {
+            c.long_way(pressure, terminal, false).map_err(|end| (end, None))
+        })
     }
 
     fn question(&self, pressure_mpa: f64, contraction: f64) -> Result<(), FemError> {
@@ -219,19 +259,22 @@ impl<B: Body> Continuation<B> {
         &mut self,
         pressure_mpa: f64,
         contraction: f64,
-        seek: impl FnOnce(&mut Self) -> Result<(), Interrupted>,
+        seek: impl FnOnce(&mut Self) -> Result<(), (Interrupted, Option<f64>)>,
     ) -> Result<(), FemError> {
         let before = self.effort.iterations;
-        self.allow(Some(self.body.budget(pressure_mpa, contraction)));
+        self.allow(Some(B::SETTINGS.budget));
         let found = seek(self);
         self.allow(None);
         self.steps = None;
-        found.map_err(|Interrupted { reason, last }| FemError::Path {
-            pressure_mpa,
-            contraction,
-            reason,
-            iterations: self.effort.iterations - before,
-            last,
+        found.map_err(|(Interrupted { reason, last }, other_n)| {
+            let pulls = self.body.expected_pull(pressure_mpa, contraction).is_some_and(|force| force > 0.0);
+            let status = match other_n {
+                Some(_) => Status::OtherBranch,
+                None if pulls => Status::NotConverged,
+                None => Status::Collapsed,
+            };
+            let iterations = self.effort.iterations - before;
+            FemError::Path { status, pressure_mpa, contraction, reason, iterations, last, other_n }
         })?;
         self.keep();
         Ok(())
@@ -252,21 +295,132 @@ impl<B: Body> Continuation<B> {
         let Some((_, state)) = nearest else { return false };
         self.body.state_mut().copy_from(state);
         self.body.state_mut().pressure = pressure;
-        self.solve(Control::Length(terminal)).is_ok() && self.stable()
+        self.solve(Control::Length(terminal)).is_ok() && self.stable() && self.body.certain()
     }
 
     /// One step from the first guesses to the answer.
-    fn guessed(&mut self, pressure: f64, terminal: f64) -> bool {
+    fn guessed(&mut self, pressure: f64, terminal: f64) -> Guessed {
         let mut attempt = 0;
         while let Some(applies) = self.body.guess(attempt, pressure, terminal) {
             attempt += 1;
             let found = applies && self.solve(Control::Length(terminal)).is_ok();
-            if found && (B::SETTINGS.take_unstable || self.stable()) {
+            if found && (B::SETTINGS.take_unstable || self.stable() && self.body.certain()) {
                 self.note();
-                return true;
+                return Guessed::Answer;
+            }
+            if found && self.stable() {
+                return Guessed::Uncertain(self.pull());
             }
         }
-        false
+        Guessed::Nothing
+    }
+
+    /// From the taut muscle, continuously.
+    fn from_taut(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+        if self.descent.terminal != Some(terminal) {
+            self.begin_descent(terminal);
+        }
+        if self.descent.top().is_none_or(|top| top < pressure) {
+            if self.tighten(pressure, terminal).is_ok() && self.body.certain() {
+                return Ok(());
+            }
+            self.tighten(pressure, 0.0)?;
+            return self.follow(pressure, terminal);
+        }
+        while self.descent.lowest() > pressure && self.descent.end.is_none() {
+            if let Err(end) = self.descend(terminal) {
+                if matches!(end.reason, Stopped::Budget { .. }) {
+                    return Err(end);
+                }
+                self.descent.end = Some(end);
+            }
+        }
+        let from = self.descent.stations.iter().rposition(|s| s.pressure >= pressure);
+        match (from, self.descent.end) {
+            (Some(from), end) if end.is_none_or(|_| self.descent.lowest() <= pressure) => {
+                self.body.state_mut().copy_from(&self.descent.stations[from]);
+                self.follow(pressure, terminal)?;
+                self.lowered().map_err(|reason| self.interrupted(reason))
+            }
+            (_, Some(end)) => Err(end),
+            _ => Err(self.interrupted(Stopped::Branch)),
+        }
+    }
+
+    /// Finds the pressure that tightens all strands at a displacement of the terminal in mm: where a descent begins.
+    fn begin_descent(&mut self, terminal: f64) {
+        self.descent.begin(terminal);
+        let lowest = self.body.taut_pressure(-terminal / self.body.half_length());
+        let pressures = || std::iter::successors(Some(lowest), |p| Some(TIGHTENING * p)).take(TIGHTENINGS);
+        let found = pressures().any(|taut| self.tight_guess(taut, terminal))
+            || pressures().step_by(2).any(|taut| self.tighten(taut, terminal).is_ok());
+        if found {
+            self.descent.push(self.body.state(), self.body.totals().pull);
+        }
+    }
+
+    /// The next station of a descent, by the largest step that is continuous. Its stations depend on the length alone.
+    fn descend(&mut self, terminal: f64) -> Result<(), Interrupted> {
+        let smallest = SMALLEST_CONTINUOUS * self.descent.top().unwrap_or(0.0);
+        let (from, mut step) = (self.descent.lowest(), self.descent.step());
+        loop {
+            let next = (from - step).max(0.0);
+            self.descent.predict(next, self.body.state_mut());
+            match self
+                .solve(Control::Length(terminal))
+                .and_then(|()| self.continued())
+                .and_then(|()| self.lowered())
+            {
+                Ok(()) => {
+                    self.descent.push(self.body.state(), self.body.totals().pull);
+                    return Ok(());
+                }
+                Err(reason) => {
+                    step = 0.5 * (from - next);
+                    if step < smallest || matches!(reason, Stopped::Budget { .. }) {
+                        if let Some(last) = self.descent.stations.last() {
+                            self.body.state_mut().copy_from(last);
+                        }
+                        return Err(self.interrupted(reason));
+                    }
+                }
+            }
+        }
+    }
+
+    /// That the path ends at the present equilibrium.
+    fn interrupted(&mut self, reason: Stopped) -> Interrupted {
+        self.base.copy_from(self.body.state());
+        Interrupted { reason, last: self.last() }
+    }
+
+    /// An equilibrium with all strands in tension, from a guess.
+    fn tight_guess(&mut self, pressure: f64, terminal: f64) -> bool {
+        self.body.guess_taut(pressure, terminal)
+            && self.solve(Control::Length(terminal)).is_ok()
+            && self.stable()
+            && self.body.taut()
+    }
+
+    /// An equilibrium with all strands in tension: from a guess, else from rest.
+    fn tighten(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+        if self.tight_guess(pressure, terminal) {
+            return Ok(());
+        }
+        self.reset();
+        self.steps = Some(0);
+        self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
+        self.walk(pressure, terminal, B::SETTINGS.first_step)?;
+        if self.stable() && self.body.taut() {
+            return Ok(());
+        }
+        Err(self.interrupted(Stopped::Unstable))
+    }
+
+    /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
+    fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+        self.go(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, true)?;
+        if self.stable() { Ok(()) } else { Err(self.interrupted(Stopped::Unstable)) }
     }
 
     fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
@@ -312,6 +466,19 @@ impl<B: Body> Continuation<B> {
     /// # Errors
     /// [`Interrupted`]; the body then is back at the last equilibrium.
     pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Interrupted> {
+        self.go(pressure, terminal, first, B::SETTINGS.smallest_step, false)
+    }
+
+    /// The same in steps of at least the share `smallest` of the way, where it is wanted each to a stable equilibrium near to what the
+    /// steps before predict.
+    fn go(
+        &mut self,
+        pressure: f64,
+        terminal: f64,
+        first: f64,
+        smallest: f64,
+        continuous: bool,
+    ) -> Result<(), Interrupted> {
         self.base.copy_from(self.body.state());
         let (p0, w0) = (self.base.pressure, self.base.terminal);
         let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.u.iter().all(|x| *x == 0.0);
@@ -325,7 +492,8 @@ impl<B: Body> Continuation<B> {
             if done == 0.0 && at_rest {
                 self.body.guess_loads();
             }
-            match self.solve(Control::Length(w)) {
+            let solved = self.solve(Control::Length(w));
+            match solved.and_then(|()| if continuous { self.continued() } else { Ok(()) }) {
                 Ok(()) => {
                     self.steps = self.steps.map(|n| n + 1);
                     self.note();
@@ -336,16 +504,31 @@ impl<B: Body> Continuation<B> {
                     self.base.copy_from(self.body.state());
                     step_before = next - done;
                     done = next;
-                    step = 2.0 * step_before;
+                    step = if continuous && self.effort.moved > 0.25 * CONTINUOUS { 1.0 } else { 2.0 }
+                        * step_before;
                 }
                 Err(reason) => {
                     step = 0.5 * (next - done);
-                    if step < B::SETTINGS.smallest_step || matches!(reason, Stopped::Budget { .. }) {
+                    if step < smallest || matches!(reason, Stopped::Budget { .. }) {
                         return Err(Interrupted { reason, last: self.last() });
                     }
                 }
             }
         }
+    }
+
+    /// Less pressure does not make a muscle pull that pushes: where it does, its tube has folded.
+    fn lowered(&self) -> Result<(), Stopped> {
+        if self.descent.pushes && self.pull() > 0.0 && !self.body.certain() {
+            Err(Stopped::Branch)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Whether the last solve ended near to where it began.
+    fn continued(&self) -> Result<(), Stopped> {
+        if self.effort.moved < CONTINUOUS { Ok(()) } else { Err(Stopped::Branch) }
     }
 
     /// Solves with the terminal at `w` from the present iterate, as step number `step` of a walk from rest.
@@ -413,15 +596,5 @@ impl<B: Body> Continuation<B> {
     /// Pressure of the last point of the path in MPa.
     pub fn pressure_of_trail(&self) -> f64 {
         self.trail.last().map_or(0.0, |s| s.pressure)
-    }
-
-    /// Walks on from the last point of the path in as many steps as it takes.
-    pub fn walk_on(&mut self, pressure: f64, terminal: f64) -> bool {
-        let Some(last) = self.trail.last() else { return false };
-        self.body.state_mut().copy_from(last);
-        self.allow(Some(BUDGET_ON_CURVE));
-        let found = self.walk(pressure, terminal, 1.0).is_ok() && self.stable();
-        self.allow(None);
-        found
     }
 }

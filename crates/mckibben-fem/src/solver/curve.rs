@@ -92,33 +92,11 @@ impl Test {
         }
     }
 
-    /// From the last points of the path to the next.
-    fn go_on<B: Body>(self, c: &mut Continuation<B>, value: f64) -> GoneOn {
+    /// From the last points of the path to the next; whether that is the answer there.
+    fn go_on<B: Body>(self, c: &mut Continuation<B>, value: f64) -> bool {
         let (place, held) = self.at(c, value);
-        let predicted = c.advance(self.along(), place, held).is_ok();
-        if predicted && c.stable_under(held) {
-            return GoneOn::Predicted;
-        }
-        if predicted && B::SETTINGS.take_unstable {
-            return GoneOn::No;
-        }
-        let pressure = match self {
-            Self::Isometric(_) => value,
-            Self::Isobaric(pressure) => pressure,
-            Self::Isotonic(_) => return GoneOn::No,
-        };
-        match held {
-            Control::Length(w) if c.walk_on(pressure, w) => GoneOn::Walked,
-            _ => GoneOn::No,
-        }
+        c.advance(self.along(), place, held).is_ok() && c.stable_under(held) && c.body.certain()
     }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum GoneOn {
-    Predicted,
-    Walked,
-    No,
 }
 
 /// Visits `values` in the order of the test: from what the last points predict where that works, else afresh.
@@ -146,9 +124,9 @@ pub(crate) fn run<B: Body, T: Clone>(
             continue;
         }
         let before = c.effort;
-        let gone = if running { test.go_on(c, values[i]) } else { GoneOn::No };
-        let point = if gone == GoneOn::No { test.afresh(c, values[i]) } else { Ok(()) };
-        if gone == GoneOn::Predicted {
+        let gone_on = running && test.go_on(c, values[i]);
+        let point = if gone_on { Ok(()) } else { test.afresh(c, values[i]) };
+        if gone_on {
             c.trail_here();
         } else {
             running = point.is_ok();

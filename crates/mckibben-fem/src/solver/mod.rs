@@ -5,6 +5,7 @@ pub mod chain;
 pub mod continuation;
 pub mod curve;
 pub mod dense;
+mod descent;
 pub mod dissection;
 pub mod newton;
 mod search;

@@ -58,6 +58,12 @@ pub enum Stopped {
         /// Last residual.
         residual: f64,
     },
+    /// No equilibrium continues the one before.
+    #[error("its branch of equilibria ends")]
+    Branch,
+    /// The equilibrium is not stable.
+    #[error("the equilibrium is not stable")]
+    Unstable,
     /// The work that a question may cost is spent.
     #[error("given up after {factorisations} factorisations")]
     Budget {
@@ -121,6 +127,8 @@ pub struct Effort {
     pub residuals: usize,
     /// Last relative residual.
     pub residual: f64,
+    /// How far the last solve went from where it began: the sum of its corrections' sizes.
+    pub moved: f64,
 }
 
 const RETREATS: usize = 6;
@@ -137,6 +145,7 @@ pub fn solve<S: NewtonSystem>(
     mut watch: impl FnMut(f64),
 ) -> Result<(), Stopped> {
     let before = effort.factorisations;
+    effort.moved = 0.0;
     effort.factorisations += 1;
     let mut norm = system.linearise()?;
     watch(norm);
@@ -150,6 +159,7 @@ pub fn solve<S: NewtonSystem>(
         }
         effort.iterations += 1;
         let size = system.correct()?;
+        effort.moved += size;
         if size.is_nan() || size >= options.large {
             return Err(Stopped::Diverged { correction: size });
         }
@@ -163,7 +173,7 @@ pub fn solve<S: NewtonSystem>(
                 if norm > options.tolerance && gain * norm <= options.tolerance {
                     effort.iterations += 1;
                     effort.residuals += 1;
-                    system.correct()?;
+                    effort.moved += system.correct()?;
                     norm = system.residual()?;
                     watch(norm);
                 }

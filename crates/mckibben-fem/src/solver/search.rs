@@ -3,7 +3,7 @@
 //! Single equilibria at given pressures and contractions lead near; from there Newton's method runs with the pull held.
 
 use super::body::{Body, Control};
-use super::continuation::{BUDGET_ON_CURVE, Continuation, Interrupted, LARGEST_CONTRACTION};
+use super::continuation::{BUDGET_TO_THE_END, Continuation, Interrupted, LARGEST_CONTRACTION};
 use super::newton::Stopped;
 use crate::error::FemError;
 
@@ -13,6 +13,8 @@ const SEARCH_STEPS: usize = 12;
 const SEARCH_CONTRACTION: f64 = 0.05;
 /// A contraction or a pressure without an equilibrium is followed by this share of it, or its reciprocal.
 const NEARER: f64 = 0.75;
+/// Two pulls are one if they differ by less than this share.
+const SAME_PULL: f64 = 1e-6;
 /// Why a search ended that came to no answer and met no reason.
 const NOT_FOUND: Stopped = Stopped::Iterations { iterations: SEARCH_STEPS, residual: f64::INFINITY };
 
@@ -34,7 +36,7 @@ impl<B: Body> Continuation<B> {
             }
             let pull = self.pull();
             match self.hold(Control::Force(force)) {
-                Ok(true) if self.contraction().abs() < LARGEST_CONTRACTION => {
+                Ok(true) if self.contraction().abs() < LARGEST_CONTRACTION && self.is_that_of(force)? => {
                     self.keep();
                     return Ok(());
                 }
@@ -73,11 +75,11 @@ impl<B: Body> Continuation<B> {
             with = Some(pressure);
             let pull = self.pull();
             match self.hold(Control::Pressure { terminal, force }) {
-                Ok(true) => {
+                Ok(true) if self.is_that_of(force)? => {
                     self.keep();
                     return Ok(());
                 }
-                Ok(false) => {}
+                Ok(_) => {}
                 Err(reason) => refused = FemError::Force { force_n: force, reason },
             }
             self.reach(pressure, contraction)?;
@@ -90,6 +92,17 @@ impl<B: Body> Continuation<B> {
         Err(refused)
     }
 
+    /// Whether the equilibrium that was found with a held pull is the answer at its own pressure and contraction.
+    fn is_that_of(&mut self, force: f64) -> Result<bool, FemError> {
+        if B::SETTINGS.take_unstable || self.body.certain() {
+            return Ok(true);
+        }
+        let (pressure, contraction) = (self.body.state().pressure, self.contraction());
+        self.reach(pressure, contraction)?;
+        Ok((self.pull() - force).abs()
+            <= SAME_PULL * force.abs().max(self.body.force_per_pressure().abs() * pressure))
+    }
+
     /// Solves and says whether the equilibrium is stable.
     fn hold(&mut self, control: Control) -> Result<bool, Stopped> {
         self.solve(control).map(|()| self.stable_under(control))
@@ -100,7 +113,7 @@ impl<B: Body> Continuation<B> {
         self.reach(pressure_mpa, 0.0).ok()?;
         let way = if force_n > self.pull() { 1.0 } else { -1.0 };
         let terminal = way * LARGEST_CONTRACTION * self.body.half_length();
-        self.allow(Some(BUDGET_ON_CURVE));
+        self.allow(Some(BUDGET_TO_THE_END));
         let end = self.walk(pressure_mpa, terminal, SEARCH_CONTRACTION);
         self.allow(None);
         let (nearest_force_n, contraction) = match end {

@@ -19,9 +19,6 @@ use mckibben::muscle::{BraidStiffness, Muscle};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Factorisations that a question may cost.
-const BUDGET: usize = 400;
-
 /// What of a muscle in bricks does not change.
 #[derive(Debug, Clone)]
 pub struct MuscleMesh {
@@ -151,6 +148,7 @@ impl body::Body for MuscleInBricks {
         first_step: 0.25,
         first_step_down: 0.25,
         smallest_step: 1.0 / 128.0,
+        budget: 400,
         take_unstable: true,
     };
     const COPIES: f64 = 8.0;
@@ -218,8 +216,21 @@ impl body::Body for MuscleInBricks {
         Ok(section.body.state.pressure)
     }
 
-    fn budget(&self, _: f64, _: f64) -> usize {
-        BUDGET
+    fn taut_pressure(&self, contraction: f64) -> f64 {
+        self.section.as_ref().map_or(0.0, |section| section.1.body.taut_pressure(contraction))
+    }
+
+    fn expected_pull(&self, pressure: f64, contraction: f64) -> Option<f64> {
+        self.section.as_ref()?.1.body.expected_pull(pressure, contraction)
+    }
+
+    fn radius(&self) -> f64 {
+        self.bricks.discretisation.radius
+    }
+
+    fn taut(&self) -> bool {
+        let state = &self.bricks.state;
+        (state.pressure == 0.0 && state.terminal >= 0.0) || state.q.iter().all(|q| *q > 0.0)
     }
 
     fn forget(&mut self) {

@@ -1,6 +1,7 @@
 //! Why a question about a model has no answer.
 
 use crate::model::ModelError;
+use crate::status::Status;
 use thiserror::Error;
 
 /// Why a question about a model has no answer.
@@ -49,4 +50,24 @@ pub enum AnalysisError {
         /// What is missing.
         quantity: &'static str,
     },
+}
+
+impl From<&ModelError> for Status {
+    fn from(error: &ModelError) -> Self {
+        match error {
+            ModelError::OutOfRange { .. } => Self::OutOfRange,
+            ModelError::NotConverged { .. } => Self::NotConverged,
+            ModelError::Stopped { status, .. } => *status,
+            _ => Self::NoAnswer,
+        }
+    }
+}
+
+impl From<&AnalysisError> for Status {
+    fn from(error: &AnalysisError) -> Self {
+        match error {
+            AnalysisError::Model(error) => error.into(),
+            _ => Self::NoAnswer,
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! Why a model has no answer.
 
 use super::RangeViolation;
+use crate::status::Status;
 use thiserror::Error;
 
 fn list(violations: &[RangeViolation], make: &[String]) -> String {
@@ -99,24 +100,12 @@ pub enum ModelError {
         residual: f64,
     },
     /// A path of equilibria ended before the one that was asked for.
-    #[error(
-        "no equilibrium found at {pressure_mpa} MPa and contraction {contraction} in {iterations} iterations: {reason}; the last one stands at {last_pressure_mpa:.4} MPa and contraction {last_contraction:.4} (smallest volume ratio {smallest_volume_ratio:.3})"
-    )]
+    #[error("{reason}")]
     Stopped {
-        /// Pressure asked for, in MPa.
-        pressure_mpa: f64,
-        /// Contraction asked for.
-        contraction: f64,
-        /// Iterations done in all.
-        iterations: usize,
-        /// Why the last step was given up.
+        /// How: not converged, collapsed, or on another branch.
+        status: Status,
+        /// The reason in words, with the last equilibrium of the path.
         reason: String,
-        /// Pressure of the last equilibrium in MPa.
-        last_pressure_mpa: f64,
-        /// Its contraction.
-        last_contraction: f64,
-        /// Its smallest volume ratio at an integration point.
-        smallest_volume_ratio: f64,
     },
     /// Finite elements that cannot be made.
     #[error("the muscle cannot be divided into elements: {reason}")]

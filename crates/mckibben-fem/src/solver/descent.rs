@@ -1,0 +1,62 @@
+//! Equilibria at one length, from the taut muscle down in pressure.
+
+use super::body::State;
+
+/// Share of the highest pressure that is tried first.
+const FIRST: f64 = 0.1;
+
+/// Stations of a descent: the first has all strands in tension, each continues the one before.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Descent {
+    /// Displacement of the terminal in mm at which it runs.
+    pub(super) terminal: Option<f64>,
+    pub(super) stations: Vec<State>,
+    /// Whether the muscle pushes at one of them.
+    pub(super) pushes: bool,
+    /// Why it goes no lower.
+    pub(super) end: Option<super::continuation::Interrupted>,
+}
+
+impl Descent {
+    /// Forgets everything; the next one runs at this displacement.
+    pub(super) fn begin(&mut self, terminal: f64) {
+        *self = Self { terminal: Some(terminal), ..Self::default() };
+    }
+
+    /// Adds a station with its pull in N.
+    pub(super) fn push(&mut self, state: &State, pull: f64) {
+        self.stations.push(state.clone());
+        self.pushes |= pull < 0.0;
+    }
+
+    /// Pressure in MPa of the taut muscle.
+    pub(super) fn top(&self) -> Option<f64> {
+        self.stations.first().map(|s| s.pressure)
+    }
+
+    /// Pressure in MPa of the last station.
+    pub(super) fn lowest(&self) -> f64 {
+        self.stations.last().map_or(f64::INFINITY, |s| s.pressure)
+    }
+
+    /// The step in MPa that is tried next: twice the last one.
+    pub(super) fn step(&self) -> f64 {
+        match &self.stations[..] {
+            [.., before, last] => 2.0 * (before.pressure - last.pressure),
+            [only] => FIRST * only.pressure,
+            [] => 0.0,
+        }
+    }
+
+    /// Fills `out` with what the last two stations predict at a pressure.
+    pub(super) fn predict(&self, pressure: f64, out: &mut State) {
+        match &self.stations[..] {
+            [.., before, last] => {
+                out.extrapolate(last, before, (last.pressure - pressure) / (before.pressure - last.pressure));
+            }
+            [only] => out.copy_from(only),
+            [] => {}
+        }
+        out.pressure = pressure;
+    }
+}
