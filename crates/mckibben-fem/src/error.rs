@@ -1,6 +1,7 @@
 //! Why there is no answer.
 
 use crate::solver::newton::Stopped;
+use mckibben::budget::Exceeded;
 use mckibben::model::ModelError;
 use mckibben::status::Status;
 use thiserror::Error;
@@ -92,9 +93,9 @@ pub enum FemError {
         /// Contraction at which it stands; below zero the muscle is stretched.
         contraction: f64,
     },
-    /// The caller wanted the work to end.
-    #[error("cancelled")]
-    Cancelled,
+    /// The budget of the request does not allow it, or the caller wanted the work to end.
+    #[error(transparent)]
+    Exceeded(#[from] Exceeded),
 }
 
 fn ended(
@@ -140,7 +141,8 @@ impl From<FemError> for ModelError {
             FemError::Mesh { .. } | FemError::Element { .. } | FemError::TooLarge { .. } => {
                 Self::Elements { reason: error.to_string() }
             }
-            FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Cancelled => {
+            FemError::Exceeded(exceeded) => Self::Exceeded(exceeded),
+            FemError::Force { .. } | FemError::OutOfReach { .. } => {
                 Self::NoEquilibrium { reason: error.to_string() }
             }
         }

@@ -38,6 +38,7 @@
 
 pub mod analysis;
 pub mod answer;
+pub mod budget;
 pub mod compare;
 pub mod curve;
 pub mod design;

@@ -1,5 +1,7 @@
 //! Progress of long work, and the wish to stop it.
 
+use crate::budget::Budget;
+
 /// What long work tells its caller, and asks him: one small trait for every front end.
 ///
 /// Work calls [`Progress::report`] now and then and ends early, with an error that says so, once
@@ -11,6 +13,11 @@ pub trait Progress: Sync {
     /// Whether the caller wants the work to end.
     fn cancelled(&self) -> bool {
         false
+    }
+
+    /// What the work may cost.
+    fn budget(&self) -> Budget {
+        Budget::default()
     }
 }
 

@@ -15,6 +15,7 @@ use super::descent::Descent;
 use super::newton::{self, Effort, NewtonOptions, Stopped};
 use super::trail::{Along, Trail};
 use crate::error::{FemError, LastConverged};
+use mckibben::budget::Budget;
 use mckibben::status::Status;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
@@ -73,6 +74,8 @@ pub struct Continuation<B: Body> {
     pub newton: NewtonOptions,
     /// Cost so far.
     pub effort: Effort,
+    /// What the request may cost.
+    pub budget: Budget,
     /// Where the present question's factorisations are counted from, and how many it may cost.
     allowed: Option<(usize, usize)>,
     kept: Vec<State>,
@@ -96,6 +99,7 @@ impl<B: Body> Continuation<B> {
             body,
             newton: B::SETTINGS.newton,
             effort: Effort::default(),
+            budget: Budget::default(),
             allowed: None,
             kept: Vec::with_capacity(B::SETTINGS.kept),
             oldest: 0,
@@ -196,7 +200,7 @@ impl<B: Body> Continuation<B> {
             options.factorisations = budget - factorisations;
         }
         self.body.hold(control);
-        newton::solve(&mut self.body, &options, &mut self.effort, |_| ())
+        newton::solve(&mut self.body, &options, &mut self.effort, |_| Ok(self.budget.factorise()?))
     }
 
     /// Finds the equilibrium at a pressure in MPa and a contraction.
@@ -267,6 +271,9 @@ impl<B: Body> Continuation<B> {
         self.allow(None);
         self.steps = None;
         found.map_err(|(Interrupted { reason, last }, other_n)| {
+            if let Stopped::Exceeded(exceeded) = reason {
+                return FemError::Exceeded(exceeded);
+            }
             let pulls = self.body.expected_pull(pressure_mpa, contraction).is_some_and(|force| force > 0.0);
             let status = match other_n {
                 Some(_) => Status::OtherBranch,
@@ -329,7 +336,7 @@ impl<B: Body> Continuation<B> {
         }
         while self.descent.lowest() > pressure && self.descent.end.is_none() {
             if let Err(end) = self.descend(terminal) {
-                if matches!(end.reason, Stopped::Budget { .. }) {
+                if end.reason.is_final() {
                     return Err(end);
                 }
                 self.descent.end = Some(end);
@@ -377,7 +384,7 @@ impl<B: Body> Continuation<B> {
                 }
                 Err(reason) => {
                     step = 0.5 * (from - next);
-                    if step < smallest || matches!(reason, Stopped::Budget { .. }) {
+                    if step < smallest || reason.is_final() {
                         if let Some(last) = self.descent.stations.last() {
                             self.body.state_mut().copy_from(last);
                         }
@@ -509,7 +516,7 @@ impl<B: Body> Continuation<B> {
                 }
                 Err(reason) => {
                     step = 0.5 * (next - done);
-                    if step < smallest || matches!(reason, Stopped::Budget { .. }) {
+                    if step < smallest || reason.is_final() {
                         return Err(Interrupted { reason, last: self.last() });
                     }
                 }

@@ -5,6 +5,7 @@ use super::body::{Body, Control};
 use super::continuation::Continuation;
 use super::trail::Along;
 use crate::error::FemError;
+use mckibben::budget::Exceeded;
 use mckibben::progress::Progress;
 
 /// A point of a curve.
@@ -112,7 +113,7 @@ pub(crate) fn run<B: Body, T: Clone>(
     if test.along() == Along::Pressure {
         order.reverse();
     }
-    let mut out: Vec<Result<T, FemError>> = vec![Err(FemError::Cancelled); values.len()];
+    let mut out: Vec<Result<T, FemError>> = vec![Err(FemError::Exceeded(Exceeded::Cancelled)); values.len()];
     let mut running = false;
     for (turn, &i) in order.iter().enumerate() {
         if progress.cancelled() {

@@ -4,6 +4,7 @@
 //! alone, and where a little is left the old tangent corrects once more. Nothing is allocated.
 
 use super::Singular;
+use mckibben::budget::Exceeded;
 use thiserror::Error;
 
 /// A system of equations at its present iterate.
@@ -70,12 +71,22 @@ pub enum Stopped {
         /// Factorisations done.
         factorisations: usize,
     },
+    /// The budget of the request is used up, or it was cancelled.
+    #[error(transparent)]
+    Exceeded(#[from] Exceeded),
     /// Corrections beyond any sense.
     #[error("the iteration ran away (correction of {correction:.3e} of the radius)")]
     Diverged {
         /// Size of the correction.
         correction: f64,
     },
+}
+
+impl Stopped {
+    /// Whether trying on makes no sense: the work that was allowed is done.
+    pub fn is_final(&self) -> bool {
+        matches!(self, Self::Budget { .. } | Self::Exceeded(_))
+    }
 }
 
 /// Settings of [`solve`].
@@ -134,7 +145,7 @@ pub struct Effort {
 const RETREATS: usize = 6;
 
 /// Runs Newton's method until the residual is below the tolerance. Adds its cost to `effort`, also where it fails.
-/// `watch` sees every residual.
+/// `watch` sees every residual and may end the iteration.
 ///
 /// # Errors
 /// [`Stopped`]; the system then holds an iterate that is no answer.
@@ -142,13 +153,13 @@ pub fn solve<S: NewtonSystem>(
     system: &mut S,
     options: &NewtonOptions,
     effort: &mut Effort,
-    mut watch: impl FnMut(f64),
+    mut watch: impl FnMut(f64) -> Result<(), Stopped>,
 ) -> Result<(), Stopped> {
     let before = effort.factorisations;
     effort.moved = 0.0;
     effort.factorisations += 1;
     let mut norm = system.linearise()?;
-    watch(norm);
+    watch(norm)?;
     for iteration in 0..=options.iterations {
         effort.residual = norm;
         if norm <= options.tolerance {
@@ -166,7 +177,7 @@ pub fn solve<S: NewtonSystem>(
         if size < options.small {
             effort.residuals += 1;
             if let Ok(next) = system.residual() {
-                watch(next);
+                watch(next)?;
                 let gain = next / norm;
                 norm = next;
                 // One more turn with the old tangent where that is likely to be the last (modified Newton method).
@@ -175,7 +186,7 @@ pub fn solve<S: NewtonSystem>(
                     effort.residuals += 1;
                     effort.moved += system.correct()?;
                     norm = system.residual()?;
-                    watch(norm);
+                    watch(norm)?;
                 }
                 if norm <= options.tolerance {
                     continue;
@@ -198,7 +209,7 @@ pub fn solve<S: NewtonSystem>(
                 Err(stop) => return Err(stop),
             }
         };
-        watch(norm);
+        watch(norm)?;
         if size < options.rounding && norm <= options.rounding_residual {
             effort.residual = norm;
             return Ok(());

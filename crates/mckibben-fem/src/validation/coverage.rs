@@ -4,6 +4,7 @@ use super::sets::{MeasuredSet, SETS};
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
 use crate::verification::{Kind, Measure, Row};
+use mckibben::budget::Exceeded;
 use mckibben::identify::{IdentifyError, Parameter, Request, identify_with};
 use mckibben::least_squares::Loss;
 use mckibben::measured::{DataPoint, mean_of_data};
@@ -46,13 +47,13 @@ pub const COVERAGE: f64 = 0.95;
 /// What share of the points of each set the ± holds, of the means of the branches and of the single branches.
 ///
 /// # Errors
-/// [`FemError::Cancelled`].
+/// [`FemError::Exceeded`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     let mut rows = vec![];
     for set in &SETS {
         let all = residuals(set, progress);
         if progress.cancelled() {
-            return Err(FemError::Cancelled);
+            return Err(FemError::Exceeded(Exceeded::Cancelled));
         }
         let all = all.unwrap_or_default();
         rows.push(rms(set, &all));

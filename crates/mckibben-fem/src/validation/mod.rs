@@ -13,6 +13,7 @@ pub mod sets;
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
 use crate::verification::{Kind, Measure, Row};
+use mckibben::budget::Exceeded;
 use mckibben::analysis::Options;
 use mckibben::compare::compare;
 use mckibben::identify::{Parameter, Request, Target, identify};
@@ -39,7 +40,7 @@ fn muscle() -> Option<Muscle> {
 /// Every comparison with a measured muscle.
 ///
 /// # Errors
-/// [`FemError::Cancelled`].
+/// [`FemError::Exceeded`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     let points = read_measured(POINTS.as_bytes()).map(|p| mean_of_branches(&p)).unwrap_or_default();
     let fe: Build = |m| match Axisymmetric::new(m) {
@@ -59,7 +60,7 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     for (done, (name, build, parameters, allowed)) in cases.into_iter().enumerate() {
         progress.report(done, cases.len());
         if progress.cancelled() {
-            return Err(FemError::Cancelled);
+            return Err(FemError::Exceeded(Exceeded::Cancelled));
         }
         rows.push(row(name, build, parameters, &points, allowed));
     }

@@ -24,6 +24,7 @@ use crate::FemError;
 use crate::axisymmetric::{Body, BraidSpec, Discretisation, Ends, Mesh, Problem};
 use crate::solver::body::Control;
 use crate::solver::continuation::Continuation;
+use mckibben::budget::Exceeded;
 use mckibben::muscle::Bulk;
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin};
@@ -102,7 +103,7 @@ const SECTION: [Case; 9] = [
 /// Every case, one after the other.
 ///
 /// # Errors
-/// [`FemError::Cancelled`].
+/// [`FemError::Exceeded`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     let all: Vec<Case> = SECTION.into_iter().chain(bricks::CASES).collect();
     run(&all, progress)
@@ -111,13 +112,13 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
 /// Some cases, one after the other.
 ///
 /// # Errors
-/// [`FemError::Cancelled`].
+/// [`FemError::Exceeded`] where the caller wanted it to end.
 pub fn run(cases: &[Case], progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     let mut rows = vec![];
     for (done, case) in cases.iter().enumerate() {
         progress.report(done, cases.len());
         if progress.cancelled() {
-            return Err(FemError::Cancelled);
+            return Err(FemError::Exceeded(Exceeded::Cancelled));
         }
         rows.extend(case());
     }

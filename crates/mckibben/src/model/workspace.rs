@@ -1,5 +1,6 @@
 //! What changes while a model answers.
 
+use crate::budget::Budget;
 use std::any::Any;
 use std::convert::Infallible;
 use std::fmt;
@@ -44,12 +45,23 @@ impl PartialEq for ModelId {
 #[derive(Default)]
 pub struct Workspace {
     content: Option<(ModelId, Box<dyn Any + Send>)>,
+    budget: Budget,
 }
 
 impl Workspace {
     /// An empty one.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// An empty one for work that may cost so much.
+    pub fn within(budget: Budget) -> Self {
+        Self { content: None, budget }
+    }
+
+    /// What the work may cost.
+    pub fn budget(&self) -> &Budget {
+        &self.budget
     }
 
     /// The content that belongs to a model, made by `make` where this workspace has none of that model.

@@ -70,7 +70,7 @@ fn tight() -> NewtonOptions {
 fn solve(body: &mut Body, w: f64) -> Option<Effort> {
     let mut effort = Effort::default();
     body.control = Control::Length(w);
-    newton::solve(body, &tight(), &mut effort, |_| ()).ok().map(|()| effort)
+    newton::solve(body, &tight(), &mut effort, |_| Ok(())).ok().map(|()| effort)
 }
 
 /// Goes to (pressure, displacement of the terminal) in so many equal steps.
