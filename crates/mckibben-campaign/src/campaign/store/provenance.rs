@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use crate::campaign::plan::Plan;
 use crate::hash;
-use parquet::file::metadata::KeyValue;
+use parquet::file::metadata::{KeyValue, ParquetMetaData};
 use serde::Serialize;
 
 /// This version of the program.
@@ -65,6 +65,12 @@ impl Provenance {
         }
     }
 
+    /// Whether the metadata of a file are those of some campaign.
+    pub(crate) fn is_of_a_campaign(metadata: &ParquetMetaData) -> bool {
+        let pairs = metadata.file_metadata().key_value_metadata();
+        pairs.is_some_and(|pairs| pairs.iter().any(|pair| pair.key.starts_with(PREFIX)))
+    }
+
     /// Number of parts.
     pub fn parts(&self) -> u64 {
         self.muscles.div_ceil(self.block.max(1))
@@ -72,13 +78,13 @@ impl Provenance {
 
     /// Number of rows.
     pub fn points(&self) -> u64 {
-        self.muscles * self.points_per_muscle
+        self.muscles.saturating_mul(self.points_per_muscle)
     }
 
     /// The muscles of a part.
     pub(crate) fn muscles_of(&self, part: u64) -> std::ops::Range<u64> {
-        let from = (part * self.block).min(self.muscles);
-        from..(from + self.block).min(self.muscles)
+        let from = part.saturating_mul(self.block).min(self.muscles);
+        from..from.saturating_add(self.block).min(self.muscles)
     }
 
     /// Rows of a file.
@@ -87,7 +93,7 @@ impl Provenance {
             Which::Whole => self.points(),
             Which::Part(part) => {
                 let muscles = self.muscles_of(part);
-                (muscles.end - muscles.start) * self.points_per_muscle
+                (muscles.end - muscles.start).saturating_mul(self.points_per_muscle)
             }
         }
     }
