@@ -5,11 +5,14 @@
 //! ([`guarded`]).
 
 use super::encode::{CODEC, GROUP};
+use super::thrift::{is_flat, page_sizes};
 use bytes::Bytes;
 use parquet::basic::{Compression, Encoding};
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::errors::{ParquetError, Result};
-use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData, ParquetMetaDataReader, RowGroupMetaData};
+use parquet::file::metadata::{
+    ColumnChunkMetaData, ParquetMetaData, ParquetMetaDataReader, RowGroupMetaData,
+};
 use parquet::file::reader::{ChunkReader, Length};
 use std::cell::Cell;
 use std::fs::File;
@@ -19,7 +22,7 @@ use std::sync::Once;
 
 /// Length of what ends a file: that of the metadata, and four magic bytes.
 const TAIL: u64 = 8;
-/// The longest metadata that are read: those of a hundred million rows.
+/// Longer metadata are not read: those of a hundred million rows.
 const METADATA: u64 = 16 << 20;
 /// The longest page. The encoder ends a page at about one megabyte, and a dictionary too.
 const PAGE: u64 = 64 << 20;
@@ -55,8 +58,8 @@ impl ChunkReader for Source {
     fn get_read(&self, start: u64) -> Result<Self::T> {
         let left = self.len().saturating_sub(start);
         let first = self.get_bytes(start, left.min(32) as usize)?;
-        let Some((uncompressed, compressed)) = sizes(&first) else {
-            return wrong("a page does not begin with its sizes");
+        let Some((uncompressed, compressed)) = page_sizes(&first) else {
+            return wrong("a page does not say how long it is");
         };
         if compressed > left || uncompressed > PAGE.min(RATIO * compressed + RATIO) {
             return wrong(format!("{compressed} bytes of a page cannot hold {uncompressed}"));
@@ -78,40 +81,26 @@ impl ChunkReader for Source {
     }
 }
 
-/// Uncompressed and compressed size in the header of a page: a Thrift struct (compact protocol) whose first three fields are
-/// the 32-bit numbers kind, uncompressed size and compressed size.
-fn sizes(header: &[u8]) -> Option<(u64, u64)> {
-    const NEXT_FIELD_I32: u8 = 0x15;
-    let mut rest = header.iter();
-    let mut field = || {
-        (*rest.next()? == NEXT_FIELD_I32).then_some(())?;
-        let (mut zigzag, mut shift) = (0_u64, 0);
-        loop {
-            let byte = *rest.next()?;
-            zigzag |= u64::from(byte & 0x7f) << shift;
-            match byte & 0x80 {
-                0 if zigzag & 1 == 0 => return Some(zigzag >> 1),
-                0 => return None, // below zero
-                _ if shift < 28 => shift += 7,
-                _ => return None,
-            }
-        }
-    };
-    field()?;
-    Some((field()?, field()?))
-}
-
 impl Source {
-    /// The metadata, which agree with themselves and with the length of the file.
-    pub(super) fn metadata(&self) -> Result<ParquetMetaData> {
+    /// The bytes of the metadata, or the last of them where they are longer than any that are read.
+    pub(super) fn footer(&self) -> Result<Bytes> {
         let length = self.len();
         let tail = self.get_bytes(length.saturating_sub(TAIL), TAIL.min(length) as usize)?;
-        let size = tail.first_chunk().map_or(u64::MAX, |size| u64::from(u32::from_le_bytes(*size)));
-        if size > METADATA || size + TAIL > length {
+        let size = tail.first_chunk().map_or(u64::MAX - TAIL, |size| u64::from(u32::from_le_bytes(*size)));
+        if size + TAIL > length {
             return wrong(format!("{size} bytes of metadata are not in it"));
         }
-        let bytes = self.get_bytes(length - TAIL - size, size as usize)?;
-        let metadata = guarded(|| ParquetMetaDataReader::decode_metadata(&bytes))?;
+        let size = size.min(METADATA);
+        self.get_bytes(length - TAIL - size, size as usize)
+    }
+
+    /// The metadata, which agree with themselves and with the length of the file.
+    pub(super) fn metadata(&self, bytes: &[u8]) -> Result<ParquetMetaData> {
+        let (length, size) = (self.len(), bytes.len() as u64);
+        if size == METADATA || !is_flat(bytes) {
+            return wrong("its metadata are not those of a list of columns");
+        }
+        let metadata = guarded(|| ParquetMetaDataReader::decode_metadata(bytes))?;
         let columns = metadata.file_metadata().schema_descr().num_columns();
         let mut rows = 0;
         for group in metadata.row_groups() {
@@ -128,6 +117,11 @@ impl Source {
             return wrong(format!("{length} bytes do not hold {rows} rows"));
         }
         Ok(metadata)
+    }
+
+    /// Whether a page stands where a campaign has its seal.
+    pub(super) fn begins_with_a_page(&self) -> bool {
+        self.get_bytes(4, 32).is_ok_and(|bytes| bytes.starts_with(&[0x15]) && page_sizes(&bytes).is_some())
     }
 
     /// A column of a group lies in front of the metadata.
@@ -245,22 +239,17 @@ mod tests {
     }
 
     #[test]
-    fn the_sizes_of_a_page_are_those_of_thrift() {
-        // Zigzag of 1, 300 and 20: kind, uncompressed and compressed size.
-        assert_eq!(sizes(&[0x15, 0x02, 0x15, 0xd8, 0x04, 0x15, 0x28, 0x2c]), Some((300, 20)));
-        for wrong in [&[0x15, 0x02, 0x15][..], &[0x25, 0x02, 0x15, 2, 0x15, 2], &[0x15, 2, 0x15, 1, 0x15, 2]] {
-            assert_eq!(sizes(wrong), None);
-        }
-        assert_eq!(sizes(&[0x15, 2, 0x15, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff]), None);
-        let page = |header: &'static [u8]| Source::Memory(Bytes::from_static(header)).get_read(0).map(drop);
-        // A gigabyte out of ten bytes.
-        assert!(page(&[0x15, 0, 0x15, 0x80, 0x80, 0x80, 0x80, 0x08, 0x15, 0x14]).is_err());
+    fn a_page_of_a_gigabyte_out_of_ten_bytes_is_refused() {
+        let header =
+            [0x15, 0, 0x15, 0x80, 0x80, 0x80, 0x80, 0x08, 0x15, 0x14, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+        let page = Source::Memory(Bytes::copy_from_slice(&header)).get_read(0).map(drop);
+        assert!(page.unwrap_err().to_string().contains("cannot hold 1073741824"));
     }
 
     #[test]
     fn bytes_that_are_not_there_are_not_made_room_for() {
         let source = Source::Memory(Bytes::from_static(b"PAR1"));
         assert!(source.get_bytes(0, usize::MAX).is_err() && source.get_bytes(u64::MAX, 2).is_err());
-        assert!(source.metadata().is_err());
+        assert!(source.footer().is_err());
     }
 }

@@ -40,14 +40,23 @@ impl Opened {
             Broken::NotParquet => CampaignError::NoCampaign { path: path.into(), why: broken.words().into() },
             _ => CampaignError::damaged(path, broken.words()),
         };
-        let length = file.metadata().map_err(io)?.len();
-        seal::check_ends(&mut file, length).map_err(io)?.map_err(broken)?;
-        let source = Source::File { file: file.try_clone().map_err(io)?, length };
-        let metadata = source.metadata().map_err(|e| failed(e, path))?;
-        if !Provenance::is_of_a_campaign(&metadata) {
+        let foreign = || {
             let why = "it is a Parquet file of something else".into();
-            return Err(CampaignError::NoCampaign { path: path.into(), why });
+            CampaignError::NoCampaign { path: path.into(), why }
+        };
+        let length = file.metadata().map_err(io)?.len();
+        let ends = seal::check_ends(&mut file, length).map_err(io)?;
+        let source = Source::File { file: file.try_clone().map_err(io)?, length };
+        if matches!(ends, Err(Broken::Cut)) && source.begins_with_a_page() {
+            return Err(foreign());
         }
+        ends.map_err(broken)?;
+        let wrong = |e| failed(e, path);
+        let footer = source.footer().map_err(wrong)?;
+        if !Provenance::is_in(&footer) {
+            return Err(foreign());
+        }
+        let metadata = source.metadata(&footer).map_err(wrong)?;
         seal::check(&mut file).map_err(io)?.map_err(broken)?;
         Self::new(source, metadata, path)
     }
@@ -55,7 +64,8 @@ impl Opened {
     /// Opens a part that has not been written yet.
     pub(crate) fn bytes(bytes: Vec<u8>, path: &Path) -> std::result::Result<Self, CampaignError> {
         let source = Source::Memory(bytes.into());
-        let metadata = source.metadata().map_err(|e| failed(e, path))?;
+        let metadata = source.footer().and_then(|footer| source.metadata(&footer));
+        let metadata = metadata.map_err(|e| failed(e, path))?;
         Self::new(source, metadata, path)
     }
 

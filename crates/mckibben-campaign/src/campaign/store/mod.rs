@@ -8,6 +8,7 @@ mod layout;
 mod provenance;
 mod seal;
 mod table;
+mod thrift;
 
 pub use provenance::Provenance;
 

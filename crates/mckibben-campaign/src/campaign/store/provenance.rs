@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use crate::campaign::plan::Plan;
 use crate::hash;
-use parquet::file::metadata::{KeyValue, ParquetMetaData};
+use parquet::file::metadata::KeyValue;
 use serde::Serialize;
 
 /// This version of the program.
@@ -65,10 +65,9 @@ impl Provenance {
         }
     }
 
-    /// Whether the metadata of a file are those of some campaign.
-    pub(crate) fn is_of_a_campaign(metadata: &ParquetMetaData) -> bool {
-        let pairs = metadata.file_metadata().key_value_metadata();
-        pairs.is_some_and(|pairs| pairs.iter().any(|pair| pair.key.starts_with(PREFIX)))
+    /// Whether metadata as they stand in a file are those of some campaign.
+    pub(crate) fn is_in(metadata: &[u8]) -> bool {
+        metadata.windows(PREFIX.len()).any(|bytes| bytes == PREFIX.as_bytes())
     }
 
     /// Number of parts.

@@ -191,19 +191,28 @@ fn replacing() -> RunOptions {
     RunOptions { overwrite: true, ..RunOptions::default() }
 }
 
-/// A Parquet file of something else.
+/// A Parquet file of something else: groups in groups, and more rows in a group than ours have.
 fn foreign_parquet() -> Vec<u8> {
-    use parquet::file::{properties::WriterProperties, writer::SerializedFileWriter};
-    let schema = parquet::schema::parser::parse_message_type("message theirs { required double x; }").unwrap();
-    let properties = WriterProperties::builder().build();
-    SerializedFileWriter::new(vec![], schema.into(), properties.into()).unwrap().into_inner().unwrap()
+    use parquet::{column::writer::ColumnWriter, file::writer::SerializedFileWriter};
+    let schema = "message theirs { required group g { required group h { required int32 x; } } }";
+    let schema = parquet::schema::parser::parse_message_type(schema).unwrap();
+    let mut out = SerializedFileWriter::new(vec![], schema.into(), Default::default()).unwrap();
+    let mut group = out.next_row_group().unwrap();
+    let mut column = group.next_column().unwrap().unwrap();
+    let ColumnWriter::Int32ColumnWriter(writer) = column.untyped() else { panic!("an int32") };
+    writer.write_batch(&[7; 100_000], None, None).unwrap();
+    column.close().unwrap();
+    group.close().unwrap();
+    out.into_inner().unwrap()
 }
 
 #[test]
 fn what_is_not_of_a_campaign_is_lost_only_where_that_is_asked_for() {
     let dir = folder();
     let expected = reference(&dir);
-    for theirs in [b"hello".to_vec(), foreign_parquet()] {
+    let whole = foreign_parquet();
+    let half_written = whole[..whole.len() / 2].to_vec();
+    for theirs in [b"hello".to_vec(), whole, half_written] {
         for (out, place) in [("store", "store/part-000003.parquet"), ("c.parquet", "c.parquet")] {
             let (out, place) = (dir.path().join(out), dir.path().join(place));
             std::fs::create_dir_all(place.parent().unwrap()).unwrap();

@@ -25,8 +25,8 @@ pub use terms::products;
 use super::error::FitError;
 use crate::hash;
 use mckibben::formula::{
-    Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
-    UniversalTerm,
+    Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange,
+    UniversalSummary, UniversalTerm,
 };
 use mckibben::model::{EndPoint, ForceModel, Universal};
 use mckibben::progress::Progress;
