@@ -112,7 +112,7 @@ impl fmt::Display for SealState {
 }
 
 /// SHA-256 of the sealed keys of a file in canonical form.
-fn hash(file: &Map<String, Value>) -> Option<String> {
+pub(super) fn hash(file: &Map<String, Value>) -> Option<String> {
     let sealed: Map<String, Value> =
         SEALED.iter().filter_map(|key| Some(((*key).to_owned(), file.get(*key)?.clone()))).collect();
     let bytes = serde_json_canonicalizer::to_vec(&sealed).ok()?;

@@ -188,7 +188,7 @@ fn edited(text: &str, from: &str, to: &str) -> Result<Formula, FormulaError> {
 fn a_changed_number_breaks_the_seal_and_spaces_order_and_names_do_not() {
     let text = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
     let p95 = "\"p95_of_blocked\": 0.02,";
-    for (from, to) in [("\"value\": ", "\"value\": 1"), (p95, "\"p95_of_blocked\": 0.01,"), ("30.0", "29.0")] {
+    for (from, to) in [("-12.079", "-12.078"), (p95, "\"p95_of_blocked\": 0.01,"), ("30.0", "29.0")] {
         let f = edited(&text, from, to).unwrap();
         assert!(matches!(f.seal, SealState::Changed { check_n: Some(_) }), "{from}: {:?}", f.seal);
         let model = FormulaModel::new(Arc::new(f), &Muscle::prototype());
@@ -220,7 +220,7 @@ fn a_file_without_a_seal_answers_and_says_so_and_gets_none_by_being_written_agai
 #[test]
 fn numbers_that_no_muscle_has_are_refused() {
     let text = formula(Body::Paper(Box::new(*Coefficients::published()))).to_json();
-    let error = edited(&text, "\"value\": ", "\"value\": 1e19").unwrap_err().to_string();
+    let error = edited(&text, "-12.079", "-12.079e19").unwrap_err().to_string();
     assert!(error.contains("its numbers make no sense: at D0 30 mm"), "{error}");
     // The terms are as they were written, and what stands at the check point is not what they give.
     let force = text.rfind("\"force_n\": ").unwrap() + 11;
@@ -230,12 +230,13 @@ fn numbers_that_no_muscle_has_are_refused() {
     assert!(error.contains("`seal.sha256`: invalid type"), "{error}");
 }
 
-/// Digest computed by Python: hashlib.sha256 of json.dumps(sealed keys, sort_keys=True, separators=(",", ":")), with numbers
-/// as ECMAScript writes them.
+/// Canonical form by hand after RFC 8785 (keys sorted, numbers as ECMAScript writes them), digest by Python's hashlib.
 #[test]
-fn the_seal_is_that_of_rfc_8785() {
-    let text = global().to_json();
-    assert!(text.contains("SHA256"), "{text}");
+fn what_is_sealed_is_hashed_in_the_form_of_rfc_8785() {
+    let file = r#"{"name": "x", "terms": [{"value": 0.0000001, "powers": {"pressure": 1}}],
+        "range": {"é": 1e21, "b": [5.0, 1e-1]}, "kind": "global", "seal": 1}"#;
+    let digest = seal::hash(&serde_json::from_str(file).unwrap()).unwrap();
+    assert_eq!(digest, "d80b61ef68b09a69e8bdbb8ae2e3aa4a72da720f97b1b5cab3674a554a0155f6");
 }
 
 #[test]
