@@ -20,6 +20,8 @@ pub struct CampaignRequest {
     pub shard: Option<String>,
     /// Threads; as many as cores where it is left out. The table does not depend on them.
     pub threads: Option<usize>,
+    /// What stands at `output` and is not of this plan is replaced.
+    pub overwrite: bool,
 }
 
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
@@ -32,7 +34,7 @@ pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Ou
     let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
     let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
     let shard = request.shard.as_deref().map(str::parse::<Shard>).transpose().map_err(wrong)?;
-    let options = RunOptions { shard, threads: request.threads };
+    let options = RunOptions { shard, threads: request.threads, overwrite: request.overwrite };
     Ok(campaign::run(&plan, out, &options, progress)?)
 }
 
@@ -60,6 +62,8 @@ pub struct CampaignMergeRequest {
     pub folders: Vec<PathBuf>,
     /// The file.
     pub output: PathBuf,
+    /// What stands at `output` and is not of the same plan is replaced.
+    pub overwrite: bool,
 }
 
 /// Joins folders of parts into one file, the same bytes as those of a single run.
@@ -67,7 +71,7 @@ pub struct CampaignMergeRequest {
 /// # Errors
 /// [`Problem`] where parts are missing, damaged, of different plans, or differ.
 pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged, Problem> {
-    Ok(campaign::merge(&request.folders, &request.output)?)
+    Ok(campaign::merge(&request.folders, &request.output, request.overwrite)?)
 }
 
 impl From<CampaignError> for Problem {
@@ -80,13 +84,17 @@ impl From<CampaignError> for Problem {
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
-            CampaignError::Write { .. } | CampaignError::Encode(_) | CampaignError::Threads(_) => {
-                ProblemKind::Output
-            }
+            CampaignError::Write { .. }
+            | CampaignError::Encode(_)
+            | CampaignError::Threads(_)
+            | CampaignError::Foreign { .. }
+            | CampaignError::Appeared { .. } => ProblemKind::Output,
             CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
-            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Read { .. } => {
+            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
                 ProblemKind::File
             }
+            #[cfg(feature = "files")]
+            CampaignError::Read { .. } => ProblemKind::File,
         };
         let hint = error.hint();
         Self::new(kind, error.to_string(), hint)

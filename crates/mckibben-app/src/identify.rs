@@ -254,7 +254,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         slack_points: found.slack.len(),
         muscle: summary,
         points: found.points.iter().map(IdentifiedPoint::from).collect(),
-        warnings: self::warnings(request, &found, beyond),
+        warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
         figure,
         found,
     })

@@ -1,6 +1,8 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
+use crate::output::clean;
 use mckibben_app::{Ending, Problem, ProblemKind};
+use mckibben_files::ReadError;
 use std::path::Path;
 
 /// A problem as a user of the command line meets it.
@@ -88,6 +90,7 @@ const FIELDS: &[&str] = &[
     "name",
     "shard",
     "output",
+    "overwrite",
 ];
 
 /// The flag of a request's field.
@@ -140,9 +143,15 @@ impl Failure {
         Self::input(ProblemKind::Usage, message.trim_start_matches("error: "), "see `mckibben --help`")
     }
 
-    /// A file that cannot be read.
-    pub fn unreadable(path: &Path, error: impl std::fmt::Display) -> Self {
-        Self::input(ProblemKind::File, format!("cannot read {}: {error}", path.display()), "")
+    /// A file that is not read, whatever it holds.
+    pub fn unread(path: &Path, error: &ReadError) -> Self {
+        let hint = match error {
+            ReadError::System(e) if e.kind() != std::io::ErrorKind::NotFound => {
+                "the system did not let it be read; that does not mean that it is damaged"
+            }
+            _ => "",
+        };
+        Self::input(ProblemKind::File, format!("{} {error}", path.display()), hint)
     }
 
     /// A result that cannot be written.
@@ -170,7 +179,7 @@ impl Failure {
 
     /// `error: …`, and the hint below it.
     pub fn to_text(&self) -> String {
-        let Problem { message, hint, .. } = &*self.problem;
+        let (message, hint) = (clean::line(&self.problem.message), clean::line(&self.problem.hint));
         if hint.is_empty() {
             format!("error: {message}")
         } else {

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::files;
+use crate::output::Target;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::quantities::{quantity, ratio};
 use crate::word::word;
@@ -263,6 +264,32 @@ pub struct OutputFlags {
     /// Write the result to a file instead of standard output
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteFlag,
+}
+
+impl OutputFlags {
+    /// Where the result goes.
+    pub fn target(&self) -> Target<'_> {
+        Target { path: self.output.as_deref(), overwrite: self.replace.overwrite }
+    }
+}
+
+/// Whether what stands there may be lost. `--force` is the pull in newtons where a command takes one, so this is its name
+/// everywhere.
+#[derive(Debug, Clone, Default, Args)]
+pub struct OverwriteFlag {
+    /// Replace whatever stands there [only a file of the same kind]
+    #[arg(long, help_heading = "Output")]
+    pub overwrite: bool,
+}
+
+/// The same, of commands in which `--force` means nothing else.
+#[derive(Debug, Clone, Default, Args)]
+pub struct OverwriteOrForceFlag {
+    /// Replace whatever stands there [only a file of the same kind]
+    #[arg(long, visible_alias = "force", help_heading = "Output")]
+    pub overwrite: bool,
 }
 
 /// A figure.

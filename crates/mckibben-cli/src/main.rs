@@ -18,6 +18,7 @@ mod word;
 use clap::Parser;
 use failure::Failure;
 use flags::Format;
+use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -29,8 +30,12 @@ fn main() -> ExitCode {
         }
         Err(error) => {
             let code = if error.use_stderr() { 2 } else { 0 };
+            let text = error.render().to_string();
             // Nothing better can be done if the terminal is gone.
-            let _ = error.print();
+            let _ = match output::clean::lines(&text) {
+                Cow::Borrowed(_) => error.print(),
+                Cow::Owned(text) => std::io::stderr().write_all(text.as_bytes()),
+            };
             return ExitCode::from(code);
         }
     };

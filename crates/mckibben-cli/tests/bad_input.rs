@@ -364,8 +364,8 @@ const FLAGS: &[Case] = &[
     ),
     ("a model and models", "compare --model ideal --models paper", 2, "usage", "cannot be used with"),
     ("an unknown branch", "compare --branch up", 2, "usage", "elongation"),
-    ("no points file", "compare --data DIR/none.csv", 2, "file", "cannot read"),
-    ("a folder of points", "compare --data DIR", 2, "file", "is not a file"),
+    ("no points file", "compare --data DIR/none.csv", 2, "file", "cannot be read"),
+    ("a folder of points", "compare --data DIR", 2, "file", "is a directory"),
     // Muscle files that are none.
     ("no muscle file", "muscle show DIR/none.toml", 2, "file", "cannot be read"),
     ("a folder of muscles", "muscle show DIR", 2, "file", "is a directory"),
@@ -532,7 +532,7 @@ fn devices_are_no_files() {
         }
         both(device, &["muscle", "show", device], 2, "file", "regular file");
         both(device, &["force", "-p", "0.2", "--muscle", device], 2, "file", "regular file");
-        both(device, &["compare", "--data", device], 2, "file", "is not a file");
+        both(device, &["compare", "--data", device], 2, "file", "regular file");
     }
 }
 

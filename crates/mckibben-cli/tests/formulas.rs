@@ -141,7 +141,7 @@ fn wrong_tables_and_formulas_are_named() {
         ("fit short.csv", "fit", ["short.csv", "outer_diameter_mm"]),
         ("fit mixed.csv", "fit", ["length_mm", "285 to 300"]),
         ("fit empty.csv", "fit", ["empty.csv", "no point"]),
-        ("fit none.csv", "file", ["none.csv", "cannot read"]),
+        ("fit none.csv", "file", ["none.csv", "cannot be read"]),
         ("fit .", "file", ["holds no campaign", "no part"]),
         ("formula show cut.json", "formula", ["cut.json", "no JSON"]),
         ("force -p 0.1 --model cut.json", "formula", ["cut.json", "no JSON"]),

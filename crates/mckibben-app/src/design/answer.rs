@@ -261,7 +261,12 @@ impl DesignAnswer {
             candidates: outcome.candidates.iter().map(CandidateAnswer::from).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
-            warnings: outcome.candidates.first().map(warnings).unwrap_or_default(),
+            warnings: model
+                .seal_warning()
+                .map(Warning::from)
+                .into_iter()
+                .chain(outcome.candidates.first().map(warnings).unwrap_or_default())
+                .collect(),
             tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
             closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
             figure,

@@ -219,13 +219,14 @@ fn no_fit(name: &str, error: FitError) -> Problem {
 impl FitRequest {
     /// A formula does not take the name of a model.
     fn check_name(&self) -> Result<(), Problem> {
-        match self.name.as_deref().filter(|n| Model::is_taken(n) || n.trim().is_empty()) {
-            None => Ok(()),
-            Some(name) => {
-                let message = format!("\"{name}\" cannot be told from a model that exists already");
-                Err(Problem::new(ProblemKind::Usage, message, "take another name").in_field("name"))
+        let why = match self.name.as_deref() {
+            Some(n) if Model::is_taken(n) || n.trim().is_empty() => {
+                format!("\"{n}\" cannot be told from a model that exists already")
             }
-        }
+            Some(n) if n.contains(char::is_control) => "a name does not hold control characters".into(),
+            _ => return Ok(()),
+        };
+        Err(Problem::new(ProblemKind::Usage, why, "take another name").in_field("name"))
     }
 
     /// Refuses what the universal methods do not know.
@@ -293,6 +294,9 @@ pub struct FormulaShowAnswer {
     /// The equation with its numbers as LaTeX (amsmath), where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub latex: Option<String>,
+    /// What the user should know of the file, where there is something.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
 }
 
 /// Shows a formula.
@@ -309,7 +313,8 @@ pub fn formula_show(request: &FormulaShowRequest) -> Result<FormulaShowAnswer, P
         Document::Section(f) => f.to_latex(),
         Document::Universal(f) => f.to_latex(),
     });
-    Ok(FormulaShowAnswer { formula, latex })
+    let warnings = formula.seal().warning(formula.name()).into_iter().collect();
+    Ok(FormulaShowAnswer { formula, latex, warnings })
 }
 
 fn built_in(name: &str) -> Result<Document, Problem> {

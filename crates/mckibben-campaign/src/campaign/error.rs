@@ -100,13 +100,36 @@ pub enum CampaignError {
         /// Why.
         source: std::io::Error,
     },
-    /// A file cannot be read.
-    #[error("cannot read {}: {source}", .path.display())]
+    /// A file is not read, whatever it holds.
+    #[cfg(feature = "store")]
+    #[error("{} {source}", .path.display())]
     Read {
         /// The file.
         path: PathBuf,
         /// Why.
-        source: std::io::Error,
+        source: mckibben_files::ReadError,
+    },
+    /// A codec that is not built in.
+    #[error("{} is compressed with {codec}, which this version of mckibben does not read", .path.display())]
+    Codec {
+        /// The file.
+        path: PathBuf,
+        /// The codec.
+        codec: String,
+    },
+    /// Something that is not of this campaign stands where a file of it would.
+    #[error("{} is no file of a campaign ({why}), and would be lost", .path.display())]
+    Foreign {
+        /// What stands there.
+        path: PathBuf,
+        /// What it is.
+        why: String,
+    },
+    /// A file that was not there when the campaign began.
+    #[error("{} has come since the campaign began, and would be lost", .path.display())]
+    Appeared {
+        /// The file.
+        path: PathBuf,
     },
     /// A table cannot be encoded.
     #[error("cannot write the table: {0}")]
@@ -128,14 +151,27 @@ impl CampaignError {
     pub fn hint(&self) -> &'static str {
         match self {
             Self::OtherPlan { .. } => {
-                "write to another place, or remove it; any change of a plan's text makes another plan"
+                "write to another place, or replace it with `overwrite`; any change of a plan's text makes another plan"
             }
             Self::OtherVersion { .. } | Self::OtherColumns { .. } => {
-                "write to another place, remove it, or go on with that version"
+                "write to another place, go on with that version, or replace it with `overwrite`"
+            }
+            Self::Foreign { .. } => "write to another place, move it away, or replace it with `overwrite`",
+            Self::Appeared { .. } => {
+                "move it away, and the same command goes on from here; `overwrite` replaces it"
+            }
+            Self::Codec { .. } => {
+                "an older version wrote it: run its plan again, or read it with that version"
+            }
+            #[cfg(feature = "store")]
+            Self::Read { source: mckibben_files::ReadError::System(error), .. }
+                if error.kind() != std::io::ErrorKind::NotFound =>
+            {
+                "the system did not let it be read; that does not mean that it is damaged"
             }
             Self::Locked { .. } => "wait for it to end, or write to another place",
             Self::Damaged { .. } => {
-                "parts of a folder are recomputed when the campaign is run again; any other file must be removed first"
+                "parts of a folder are recomputed when the campaign is run again; another file is replaced with `overwrite`"
             }
             Self::Incomplete { .. } => {
                 "run the campaign (or the missing shards) again: it computes what is missing"
@@ -162,7 +198,13 @@ impl CampaignError {
         move |source| Self::Write { path, source }
     }
 
+    /// A folder or file that the system does not read.
     pub(super) fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Self {
+        let unread = Self::unread(path);
+        move |source| unread(source.into())
+    }
+
+    pub(super) fn unread(path: &Path) -> impl FnOnce(mckibben_files::ReadError) -> Self {
         let path = path.to_path_buf();
         move |source| Self::Read { path, source }
     }

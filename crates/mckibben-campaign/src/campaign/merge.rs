@@ -1,12 +1,12 @@
 //! Parts → one file.
 
 use super::CampaignError;
-use super::resume::belongs;
-use super::store::{
-    Folder, Opened, Provenance, Table, Which, is_file_name, part_name, seal_of, sync, unfinished, whole,
-};
+use super::resume::{belongs, of_this_plan};
+use super::store::{Folder, Opened, Provenance, Table, Which, is_file_name, part_name, seal_of, whole};
+use mckibben_files::{Unfinished, sync};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Where a part is.
@@ -71,19 +71,21 @@ pub(super) fn tables<'a>(
     })
 }
 
-/// Writes all parts as one file, which appears whole or not at all.
+/// Writes all parts as one file, which appears whole or not at all; with `clobber` in the place of what stands there.
 pub(super) fn write_whole(
     provenance: &Provenance,
     places: BTreeMap<u64, Place>,
     out: &Path,
+    clobber: bool,
 ) -> Result<(), CampaignError> {
-    let fail = |e: std::io::Error| CampaignError::write(out)(e);
-    let folder = out.parent().unwrap_or(Path::new(""));
-    let (file, temporary) = unfinished(folder).map_err(fail)?.into_parts();
-    let file = whole(provenance, tables(provenance, places.into_iter()), file, out)?;
-    file.sync_all().map_err(fail)?;
-    temporary.persist(out).map_err(|e| fail(e.error))?;
-    sync(folder);
+    Unfinished::sweep(out);
+    let mut file = Unfinished::beside(out).map_err(CampaignError::write(out))?;
+    whole(provenance, tables(provenance, places.into_iter()), file.file(), out)?;
+    file.put(clobber).map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => CampaignError::Appeared { path: out.into() },
+        _ => CampaignError::write(out)(error),
+    })?;
+    sync(out.parent().unwrap_or(Path::new("")));
     Ok(())
 }
 
@@ -116,9 +118,9 @@ pub(super) fn gather(
     };
     let provenance = Opened::file(first)?.provenance;
     let parts = provenance.parts();
-    let mut missing = (0..parts).filter(|p| !found.contains_key(p)).peekable();
-    if let Some(&first) = missing.peek() {
-        let missing = missing.count() as u64;
+    // Not one after another: how many there are is only what the file says.
+    let missing = parts - found.range(..parts).count() as u64;
+    if let Some(first) = (0..parts).find(|p| !found.contains_key(p)) {
         return Err(CampaignError::Incomplete { path, missing, parts, first: part_name(first) });
     }
     if let Some((_, path)) = found.range(parts..).next() {
@@ -127,17 +129,22 @@ pub(super) fn gather(
     Ok((provenance, found, doubles))
 }
 
-/// Merges the parts in some folders into one file, the same bytes as those of a single run.
+/// Merges the parts in some folders into one file, the same bytes as those of a single run. A file of the same plan is replaced,
+/// any other only with `overwrite`.
 ///
 /// # Errors
-/// [`CampaignError`] where parts are missing, damaged, of different plans, or differ.
-pub fn merge(folders: &[PathBuf], out: &Path) -> Result<Merged, CampaignError> {
+/// [`CampaignError`] where parts are missing, damaged, of different plans, or differ, and where something else would be lost.
+pub fn merge(folders: &[PathBuf], out: &Path, overwrite: bool) -> Result<Merged, CampaignError> {
     if !is_file_name(out) {
         return Err(CampaignError::OtherFormat { path: out.into() });
     }
     let (provenance, found, doubles) = gather(folders)?;
+    let there = out.exists();
+    if there && !overwrite {
+        of_this_plan(&provenance, out)?;
+    }
     let places = found.into_iter().map(|(n, path)| (n, Place::File(path))).collect();
-    write_whole(&provenance, places, out)?;
+    write_whole(&provenance, places, out, there || overwrite)?;
     Ok(Merged {
         output: out.into(),
         muscles: provenance.muscles,

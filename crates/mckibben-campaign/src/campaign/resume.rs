@@ -10,15 +10,21 @@ use std::path::{Path, PathBuf};
 
 /// There is the file already: nothing is to be done, if it is that of this plan.
 pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome, CampaignError> {
-    let opened = Opened::file(out)?;
-    belongs(&opened.provenance, provenance, out)?;
+    let opened = of_this_plan(provenance, out)?;
     if opened.which != Which::Whole {
         return Err(CampaignError::damaged(out, "it holds only a part of the campaign"));
     }
     if parts.is_dir() {
         // A run was killed between writing the file and removing its parts.
         match Folder::for_writing(parts, None) {
-            Ok(folder) => folder.remove()?,
+            Ok(folder) => {
+                let mine = |part: &PathBuf| match Opened::file(part) {
+                    Ok(opened) => belongs(&opened.provenance, provenance, part).is_ok(),
+                    Err(error) => matches!(error, CampaignError::Damaged { .. }),
+                };
+                let all = Folder::parts(parts)?;
+                folder.remove(all.into_iter().filter(|(_, part)| mine(part)).map(|(number, _)| number))?;
+            }
             Err(CampaignError::Locked { .. }) => {}
             Err(error) => return Err(error),
         }
@@ -28,25 +34,43 @@ pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Res
     Ok(Outcome::new(provenance, out, out, counts))
 }
 
+/// A file that is there already, if it is of this plan.
+pub(super) fn of_this_plan(provenance: &Provenance, path: &Path) -> Result<Opened, CampaignError> {
+    let opened = Opened::file(path).map_err(foreign)?;
+    belongs(&opened.provenance, provenance, path)?;
+    Ok(opened)
+}
+
+/// What is no campaign is not replaced.
+fn foreign(error: CampaignError) -> CampaignError {
+    match error {
+        CampaignError::NoCampaign { path, why } => CampaignError::Foreign { path, why },
+        error => error,
+    }
+}
+
 /// The parts that are there and whole, and those that are damaged, with what is wrong with them.
 pub(super) type There = (BTreeMap<u64, Place>, Vec<Recomputed>);
 
-/// Looks through the parts in a folder, all of them with their bytes.
+/// Looks through the parts in a folder, all of them with their bytes. With `overwrite` those that are not of this plan are
+/// taken for damaged.
 pub(super) fn there(
     folder: &Folder,
     provenance: &Provenance,
     mine: &(impl Fn(&u64) -> bool + Sync),
+    overwrite: bool,
 ) -> Result<There, CampaignError> {
     let parts: Vec<(u64, PathBuf)> = Folder::parts(&folder.path)?.into_iter().collect();
     let checked: Vec<Result<Option<String>, CampaignError>> = parts
         .par_iter()
-        .map(|(number, path)| match Opened::file(path) {
+        .map(|(number, path)| match of_this_plan(provenance, path) {
             Ok(opened) => {
-                belongs(&opened.provenance, provenance, path)?;
                 let right = opened.which == Which::Part(*number);
                 Ok((!right).then(|| "it holds another part than its name says".to_owned()))
             }
-            Err(CampaignError::Damaged { why, .. } | CampaignError::NoCampaign { why, .. }) => Ok(Some(why)),
+            Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
+            Err(error @ CampaignError::Read { .. }) => Err(error),
+            Err(error) if overwrite => Ok(Some(error.to_string())),
             Err(error) => Err(error),
         })
         .collect();
@@ -55,6 +79,7 @@ pub(super) fn there(
         match checked? {
             None if mine(&number) => drop(whole.insert(number, Place::File(path))),
             None => {}
+            Some(_) if mine(&number) && overwrite && number >= provenance.parts() => folder.discard(&path)?,
             Some(cause) if mine(&number) => damaged.push(Recomputed { file: path, cause }),
             Some(_) => {}
         }

@@ -6,6 +6,7 @@ use super::resume::{finished, there};
 use super::store::{Folder, Provenance, Table, check_name, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
 use mckibben::progress::Progress;
+use mckibben_files::check_writable;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,8 @@ pub struct RunOptions {
     pub shard: Option<Shard>,
     /// Threads; as many as there are cores where nothing is said.
     pub threads: Option<usize>,
+    /// What stands there and is not of this plan is replaced.
+    pub overwrite: bool,
 }
 
 /// How far a run came.
@@ -128,11 +131,16 @@ pub fn run(
         return Err(CampaignError::NoCampaign { path: out.into(), why });
     }
     let store = if one_file { parts_of(out) } else { out.to_path_buf() };
-    if one_file && out.exists() {
-        return finished(&provenance, out, &store);
+    let replaced = one_file && out.exists();
+    if replaced {
+        check_writable(out).map_err(CampaignError::write(out))?;
+        match finished(&provenance, out, &store) {
+            Err(error) if options.overwrite && !matches!(error, CampaignError::Read { .. }) => {}
+            done => return done,
+        }
     }
     let folder = Folder::for_writing(&store, options.shard)?;
-    if one_file && out.exists() {
+    if one_file && out.exists() && !replaced {
         // Another process finished it since.
         drop(folder);
         return finished(&provenance, out, &store);
@@ -141,7 +149,7 @@ pub fn run(
     let pool = pool.map_err(|e| CampaignError::Threads(e.to_string()))?;
 
     let mine = |part: &u64| options.shard.is_none_or(|s| s.holds(*part));
-    let (mut places, recomputed) = pool.install(|| there(&folder, &provenance, &mine))?;
+    let (mut places, recomputed) = pool.install(|| there(&folder, &provenance, &mine, options.overwrite))?;
     let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
     let wanted: Vec<u64> = (0..provenance.parts()).filter(mine).collect();
     let missing: Vec<u64> = wanted.iter().copied().filter(|p| !places.contains_key(p)).collect();
@@ -201,9 +209,13 @@ pub fn run(
     ended?;
     let outcome = Outcome { recomputed, ..Outcome::new(&provenance, out, &store, counts) };
     if one_file && outcome.complete {
+        if out.exists() && !options.overwrite {
+            folder.write(&mut pending)?;
+            return Err(CampaignError::Appeared { path: out.into() });
+        }
         places.extend(pending.into_iter().map(|(n, bytes)| (n, Place::Memory(bytes))));
-        write_whole(&provenance, places, out)?;
-        folder.remove()?;
+        write_whole(&provenance, places, out, options.overwrite)?;
+        folder.remove(0..provenance.parts())?;
     } else {
         folder.write(&mut pending)?;
     }

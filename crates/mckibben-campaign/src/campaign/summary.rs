@@ -160,7 +160,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
         let why = if damaged.is_empty() { "there is no part in it".into() } else { damaged.join("; ") };
         return Err(CampaignError::NoCampaign { path: path.into(), why });
     };
-    out.missing_parts = out.provenance.parts() - there;
+    out.missing_parts = out.provenance.parts().saturating_sub(there);
     out.damaged = damaged;
     Ok(out.finished())
 }

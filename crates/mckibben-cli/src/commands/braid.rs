@@ -48,7 +48,7 @@ pub struct BraidShowArgs {
 /// All sleeves.
 pub fn list(args: &BraidListArgs, format: Format) -> Result<u8, Failure> {
     let answer = braid_list(&BraidListRequest {})?;
-    print(&answer, format, "braids", || list_text(&answer), args.output.output.as_deref())?;
+    print(&answer, format, "braids", || list_text(&answer), args.output.target())?;
     Ok(0)
 }
 
@@ -85,7 +85,7 @@ pub fn show(args: &BraidShowArgs, format: Format) -> Result<u8, Failure> {
             Dimension::Pressure,
         )?,
     })?;
-    print(&answer, format, "points", || show_text(&answer), args.output.output.as_deref())?;
+    print(&answer, format, "points", || show_text(&answer), args.output.target())?;
     Ok(0)
 }
 

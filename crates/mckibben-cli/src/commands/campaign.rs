@@ -4,9 +4,9 @@ mod show;
 
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::files;
-use crate::flags::{Format, OutputFlags};
-use crate::output::text::number;
-use crate::output::{show as print, warn};
+use crate::flags::{Format, OutputFlags, OverwriteOrForceFlag};
+use crate::output::text::{number, place};
+use crate::output::{Target, show as print, warn};
 use crate::progress::{Bar, INTERRUPTED};
 use clap::{Args, Subcommand};
 use mckibben::progress::Progress;
@@ -57,6 +57,8 @@ pub struct CampaignRunArgs {
     /// Neither progress nor summary
     #[arg(short, long)]
     pub quiet: bool,
+    #[command(flatten)]
+    pub replace: OverwriteOrForceFlag,
 }
 
 /// `campaign …`.
@@ -89,6 +91,8 @@ pub struct CampaignMergeArgs {
     /// The file
     #[arg(short, long, value_name = "FILE.parquet")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub replace: OverwriteOrForceFlag,
 }
 
 /// Runs the command.
@@ -117,6 +121,7 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         output: args.output.clone(),
         shard: args.shard.map(|shard| shard.to_string()),
         threads: args.threads.map(usize::from),
+        overwrite: args.replace.overwrite,
     };
     let outcome = mckibben_app::campaign(&request, &bar)?;
     let interrupted = bar.cancelled() && !outcome.complete;
@@ -125,7 +130,7 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         warn(format!("{} was damaged and is recomputed: {}", file.file.display(), file.cause));
     }
     if !args.quiet {
-        print(&outcome, format, "", || as_text(&outcome, from.elapsed()), None)?;
+        print(&outcome, format, "", || as_text(&outcome, from.elapsed()), Target::STDOUT)?;
     }
     let c = outcome.counts;
     Ok(if interrupted {
@@ -140,9 +145,9 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
 fn as_text(outcome: &Outcome, time: Duration) -> String {
     let p = outcome.counts;
     let seconds = time.as_secs_f64();
-    let mut text = format!("{} of {} muscles are in {}", p.muscles, p.of, outcome.store.display());
+    let mut text = format!("{} of {} muscles are in {}", p.muscles, p.of, place(&outcome.store));
     if outcome.complete {
-        text = format!("{} muscles are in {}", p.muscles, outcome.output.display());
+        text = format!("{} muscles are in {}", p.muscles, place(&outcome.output));
     }
     if p.resumed > 0 {
         text.push_str(&format!(", {} of them from before", p.resumed));
@@ -164,12 +169,16 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
 
 fn merge(args: &CampaignMergeArgs, format: Format) -> Result<u8, Failure> {
     no_csv(format)?;
-    let request = CampaignMergeRequest { folders: args.folders.clone(), output: args.output.clone() };
+    let request = CampaignMergeRequest {
+        folders: args.folders.clone(),
+        output: args.output.clone(),
+        overwrite: args.replace.overwrite,
+    };
     let merged = campaign_merge(&request)?;
     let text = || {
-        let out = merged.output.display();
+        let out = place(&merged.output);
         format!("{} points of {} muscles are in {out}\n", merged.points, merged.muscles)
     };
-    print(&merged, format, "", text, None)?;
+    print(&merged, format, "", text, Target::STDOUT)?;
     Ok(0)
 }

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag};
 use crate::names::MODELS;
-use crate::output::text::{Units, columns, percent, percents, understood};
+use crate::output::text::{Units, columns, percent, percents, place, understood};
 use crate::output::{show, warn};
 use crate::plot;
 use crate::progress::Bar;
@@ -87,7 +87,7 @@ pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
         answer.warnings.iter().for_each(warn);
         as_text(args, &answer, &unit)
     };
-    show(&answer, format, "models", text, args.output.output.as_deref())?;
+    show(&answer, format, "models", text, args.output.target())?;
     Ok(0)
 }
 
@@ -110,7 +110,7 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
             out.push_str(&format!(
                 "against {} points of {}{which}, largest {}\n\n",
                 answer.points,
-                path.display(),
+                place(path),
                 u.force.show(answer.largest_force_n)
             ));
         }

@@ -85,7 +85,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
         head + &as_table(&answer, &unit) + &doubt(&answer.curves, &unit)
     };
-    show(&answer, format, "points", text, args.output.output.as_deref())?;
+    show(&answer, format, "points", text, args.output.target())?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 

@@ -4,10 +4,10 @@ mod text;
 
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{Format, PlotFlag, StrandFlags, UnitsFlag};
+use crate::flags::{Format, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::names::{MODELS, RUBBERS, SLEEVES};
-use crate::output::text::Units;
-use crate::output::{colour, save, show, warn};
+use crate::output::text::{Units, place};
+use crate::output::{Content, Target, check, clean, colour, emit, save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
@@ -170,32 +170,35 @@ pub struct DesignArgs {
     /// Write the winner as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteFlag,
 }
 
 /// Runs the command.
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
+    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
+    check(target, Content::Muscle)?;
     let unit = args.units.or_typed([&args.max_pressure, &args.force, &args.outer_diameter]);
     let chart = format == Format::Text && !args.no_chart;
     let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
     let figure = answer.figure.take();
     let winner = answer.outcome.candidates.first().map(|c| &c.muscle);
-    if let (Some(path), Some(winner)) = (&args.output, winner) {
-        save(path, to_toml(winner).as_bytes())?;
+    if let Some(winner) = winner {
+        save(target, Content::Muscle, to_toml(winner).as_bytes())?;
     }
     let text = || {
         answer.warnings.iter().for_each(warn);
-        let mut text = text::of(&answer, &unit);
-        if let Some(figure) = figure.as_ref().filter(|_| chart) {
-            text.push_str(&format!("\n{}\n", figure.to_text(100, 24, colour())));
-        }
-        if let (Some(path), Some(_)) = (&args.output, winner) {
-            text.push_str(&format!("\nThe winner is in {}.\n", path.display()));
-        }
-        text
+        text::of(&answer, &unit)
     };
-    show(&answer, format, "candidates", text, None)?;
+    show(&answer, format, "candidates", text, Target::STDOUT)?;
+    if let Some(figure) = figure.as_ref().filter(|_| chart) {
+        emit(format!("\n{}\n", clean::chart(&figure.to_text(100, 24, colour()))), None)?;
+    }
+    if let (Some(path), Some(_), Format::Text) = (&args.output, winner, format) {
+        emit(format!("\nThe winner is in {}.\n", place(path)), None)?;
+    }
     plot::save(figure.clone(), args.plot.plot.as_deref())?;
     Ok(if answer.candidates.is_empty() { NO_ANSWER } else { 0 })
 }

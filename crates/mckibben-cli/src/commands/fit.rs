@@ -7,8 +7,8 @@ pub use text::{error_rows, errors_table, made_text, range_text, universal as uni
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, stiffness};
-use crate::output::{save, show};
+use crate::flags::{Format, OverwriteOrForceFlag, stiffness};
+use crate::output::{Content, Target, check, save, show};
 use crate::progress::Bar;
 use crate::quantities::points;
 use crate::word::word;
@@ -73,11 +73,15 @@ pub struct FitArgs {
     /// Write the formula
     #[arg(short, long, value_name = "FILE.json", help_heading = "Output")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteOrForceFlag,
 }
 
 /// Runs the command.
 pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
-    let Some(path) = &args.file else { return report::run(format, args.output.as_deref()) };
+    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
+    let Some(path) = &args.file else { return report::run(format, target) };
+    check(target, Content::Formula)?;
     let mut answer = mckibben_app::fit(&request(args, path)?, &Bar::new("steps"))?;
     if let Some(folder) = &args.tables {
         write_tables(folder, &mut answer)?;
@@ -88,10 +92,8 @@ pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
             named.figure.save(&folder.join(format!("{}.svg", named.name)))?;
         }
     }
-    if let Some(file) = &args.output {
-        save(file, answer.formula_file().as_bytes())?;
-    }
-    show(&answer, format, "terms", || text::of(&answer, args.output.as_deref()), None)?;
+    save(target, Content::Formula, answer.formula_file().as_bytes())?;
+    show(&answer, format, "terms", || text::of(&answer, args.output.as_deref()), Target::STDOUT)?;
     Ok(0)
 }
 
@@ -131,9 +133,11 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
     make(folder)?;
     let mut tables = Map::new();
     for table in std::mem::take(&mut answer.tables) {
-        save(&folder.join(format!("{}.csv", table.name)), table.to_csv().as_bytes())?;
+        let file = folder.join(format!("{}.csv", table.name));
+        save(Target::file(&file, true), Content::Other, table.to_csv().as_bytes())?;
         tables.insert(table.name.into(), table.to_value());
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
-    show(&Tables { method, tables }, Format::Json, "", String::new, Some(&folder.join("tables.json")))
+    let file = folder.join("tables.json");
+    show(&Tables { method, tables }, Format::Json, "", String::new, Target::file(&file, true))
 }

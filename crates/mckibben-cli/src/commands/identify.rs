@@ -4,10 +4,10 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, MuscleFlags, PlotFlag, UnitsFlag};
+use crate::flags::{ColumnsFlag, Format, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
 use crate::names::MODELS;
-use crate::output::text::Units;
-use crate::output::{save, show};
+use crate::output::text::{Units, place};
+use crate::output::{Content, Target, check, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, pressures, ratio, values};
@@ -120,24 +120,26 @@ pub struct IdentifyArgs {
     /// Write the muscle with what was found as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteOrForceFlag,
 }
 
 /// Runs the command.
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
+    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
+    check(target, Content::Muscle)?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    if let Some(path) = &args.output {
-        save(path, answer.muscle_file().as_bytes())?;
-    }
+    save(target, Content::Muscle, answer.muscle_file().as_bytes())?;
     let text = || {
         let mut text = text::of(&answer, &units(args));
         if let Some(path) = &args.output {
-            text.push_str(&format!("\nThe muscle is in {}.\n", path.display()));
+            text.push_str(&format!("\nThe muscle is in {}.\n", place(path)));
         }
         text
     };
-    show(&answer, format, "points", text, None)?;
+    show(&answer, format, "points", text, Target::STDOUT)?;
     Ok(0)
 }
 

@@ -24,7 +24,7 @@ pub struct ModelsArgs {
 /// Lists the models, or tells the story of one.
 pub fn run(args: &ModelsArgs, format: Format) -> Result<u8, Failure> {
     let answer = models(&ModelsRequest { model: args.model.clone() })?;
-    show(&answer, format, "models", || text(&answer), args.output.output.as_deref())?;
+    show(&answer, format, "models", || text(&answer), args.output.target())?;
     Ok(0)
 }
 

@@ -34,7 +34,7 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
         asking: args.model.asking.fields(),
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
     })?;
-    let path = args.output.output.as_deref();
+    let path = args.output.target();
     if format == Format::Csv {
         print(&flat(&json(&answer)?), format, "", String::new, path)?;
         return Ok(0);

@@ -126,7 +126,7 @@ fn print(
         answer.point.warnings.iter().for_each(warn);
         text(answer, asked, &output.units.or_typed(typed))
     };
-    show(answer, format, "", text, output.output.as_deref())?;
+    show(answer, format, "", text, output.target())?;
     Ok(0)
 }
 

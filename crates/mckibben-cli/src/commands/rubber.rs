@@ -31,7 +31,7 @@ pub struct RubberShowArgs {
 /// All rubbers.
 pub fn list(args: &RubberListArgs, format: Format) -> Result<u8, Failure> {
     let answer = rubber_list(&RubberListRequest {})?;
-    print(&answer, format, "rubbers", || list_text(&answer), args.output.output.as_deref())?;
+    print(&answer, format, "rubbers", || list_text(&answer), args.output.target())?;
     Ok(0)
 }
 
@@ -63,7 +63,7 @@ pub fn show(args: &RubberShowArgs, format: Format) -> Result<u8, Failure> {
         answer.warnings.iter().for_each(warn);
         show_text(&answer)
     };
-    print(&answer, format, "fits", text, args.output.output.as_deref())?;
+    print(&answer, format, "fits", text, args.output.target())?;
     Ok(0)
 }
 

@@ -4,8 +4,8 @@ mod text;
 
 use crate::failure::{Failure, in_flags};
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, PlotFlag};
-use crate::output::{save, show, warn};
+use crate::flags::{ColumnsFlag, Format, OverwriteOrForceFlag, PlotFlag};
+use crate::output::{Content, Target, check, save, show, warn};
 use crate::plot;
 use crate::quantities::{quantity, ratio};
 use crate::word::word_or;
@@ -84,26 +84,30 @@ pub struct RubberFitArgs {
     /// Write a muscle file with the recommended law
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteOrForceFlag,
 }
 
 /// Runs the command.
 pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
+    let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
+    check(target, Content::Muscle)?;
     let mut answer = rubber_fit(&request(args)?)?;
-    if let Some(path) = &args.output {
-        save(path, answer.muscle_file()?.as_bytes())?;
+    if target.path.is_some() {
+        save(target, Content::Muscle, answer.muscle_file()?.as_bytes())?;
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if format == Format::Csv {
         let table = BTreeMap::from([("constants", answer.constants())]);
-        show(&table, format, "constants", String::new, None)?;
+        show(&table, format, "constants", String::new, Target::STDOUT)?;
         return Ok(0);
     }
     let text = || {
         answer.warnings.iter().chain(&answer.failed).for_each(|w| warn(in_flags(w)));
         text::of(&answer, args.output.as_deref())
     };
-    show(&answer, format, "", text, None)?;
+    show(&answer, format, "", text, Target::STDOUT)?;
     Ok(0)
 }
 

@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
-use crate::output::text::{Units, aligned, columns, number, percent, percents};
-use crate::output::{save, show, warn};
+use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
+use crate::output::{Content, Target, save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -126,7 +126,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
     let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
     if let (Some(path), Some(deck)) = (&args.export_inp, answer.deck.take()) {
-        save(path, deck.as_bytes())?;
+        save(Target::file(path, args.output.replace.overwrite), Content::Other, deck.as_bytes())?;
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
@@ -137,10 +137,10 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     }
     let text = || {
         answer.warnings.iter().for_each(warn);
-        let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", path.display()));
+        let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", place(path)));
         as_text(&answer, &unit) + &opened.unwrap_or_default()
     };
-    show(&answer, format, "points", text, args.output.output.as_deref())?;
+    show(&answer, format, "points", text, args.output.target())?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 

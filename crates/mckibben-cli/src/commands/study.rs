@@ -25,7 +25,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         answer.warnings.iter().for_each(warn);
         as_text(&answer.study, &unit)
     };
-    show(&answer, format, "points", text, args.output.output.as_deref())?;
+    show(&answer, format, "points", text, args.output.target())?;
     Ok(0)
 }
 

@@ -30,7 +30,7 @@ pub struct ValidateArgs {
 
 /// Runs the command.
 pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
-    let path = args.output.output.as_deref();
+    let path = args.output.target();
     if let Some(count) = args.sweep {
         let request = SweepRequest { muscles: count as usize, seed: args.seed };
         let answer = mckibben_app::sweep(&request, &Bar::new("muscles"))?;

@@ -1,12 +1,15 @@
 //! Results as text, JSON and CSV, and where they go.
 
+pub mod clean;
 mod csv;
+mod guard;
 mod parquet;
 mod rows;
 pub mod text;
 mod write;
 
-pub use write::{colour, complain, emit, save, warn};
+pub use guard::{Content, check};
+pub use write::{Target, colour, complain, emit, save, warn};
 
 use crate::failure::Failure;
 use crate::flags::Format;
@@ -38,7 +41,7 @@ pub fn show<T: Serialize>(
     format: Format,
     rows: &str,
     text: impl FnOnce() -> String,
-    path: Option<&Path>,
+    target: Target<'_>,
 ) -> Result<(), Failure> {
     let list = || -> Result<Vec<Value>, Failure> {
         let mut value = json(answer)?;
@@ -48,16 +51,25 @@ pub fn show<T: Serialize>(
             _ => vec![],
         })
     };
-    let out = match form(path, format)? {
+    let form = form(target.path, format)?;
+    check(
+        target,
+        match form {
+            Form::Json => Content::Json,
+            Form::Parquet => Content::Parquet,
+            Form::Text | Form::Csv => Content::Other,
+        },
+    )?;
+    let out = match form {
         Form::Text => {
             to_mind().into_iter().for_each(warn);
-            text().into_bytes()
+            clean::lines(&text()).into_owned().into_bytes()
         }
         Form::Json => format!("{:#}\n", json(answer)?).into_bytes(),
         Form::Csv => csv::rows(&list()?)?,
         Form::Parquet => parquet::rows(&list()?)?,
     };
-    emit(&out, path)
+    emit(&out, target.path)
 }
 
 /// The form of a file by its ending; without one, or for standard output, that of `--format`.

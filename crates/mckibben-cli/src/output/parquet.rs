@@ -3,13 +3,15 @@
 use super::rows::{columns, text};
 use crate::failure::Failure;
 use mckibben_app::ProblemKind;
-use parquet::basic::{Compression, ZstdLevel};
+use parquet::basic::Compression;
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::parser::parse_message_type;
 use serde_json::Value;
+use std::io::{Read, Seek, SeekFrom};
+use std::path::Path;
 use std::sync::Arc;
 
 /// What the values of a column are; those that are not there are null.
@@ -72,6 +74,22 @@ pub fn rows(list: &[Value]) -> std::result::Result<Vec<u8>, Failure> {
     encoded(list).map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make Parquet: {e}"), ""))
 }
 
+/// Whether a file is one of those that [`rows`] gives: its last bytes name the program that made it, and no campaign.
+pub fn is_ours(path: &Path) -> bool {
+    /// Metadata of tables are not longer; a campaign's name it in its last bytes too.
+    const TAIL: u64 = 1 << 20;
+    let tail = || -> std::result::Result<Vec<u8>, mckibben_files::ReadError> {
+        let mut file = mckibben_files::open(path)?;
+        let length = file.metadata()?.len();
+        file.seek(SeekFrom::Start(length.saturating_sub(TAIL)))?;
+        let mut bytes = vec![];
+        file.take(TAIL).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    let has = |tail: &[u8], text: &str| tail.windows(text.len()).any(|w| w == text.as_bytes());
+    tail().is_ok_and(|tail| tail.ends_with(b"PAR1") && has(&tail, "mckibben ") && !has(&tail, "mckibben.plan"))
+}
+
 fn encoded(list: &[Value]) -> Result<Vec<u8>> {
     let names = columns(list);
     let columns: Vec<Column> = names.iter().map(|name| Column::of(list, name)).collect();
@@ -79,7 +97,7 @@ fn encoded(list: &[Value]) -> Result<Vec<u8>> {
     let schema = parse_message_type(&format!("message table {{\n{}\n}}", lines.join("\n")))?;
     let properties = WriterProperties::builder()
         .set_created_by(format!("mckibben {}", env!("CARGO_PKG_VERSION")))
-        .set_compression(Compression::ZSTD(ZstdLevel::try_new(3)?));
+        .set_compression(Compression::LZ4_RAW);
     let mut out = SerializedFileWriter::new(vec![], Arc::new(schema), Arc::new(properties.build()))?;
     let mut group = out.next_row_group()?;
     for column in &columns {

@@ -1,9 +1,16 @@
 //! Text for people: aligned, with units, rounded to what is worth reading.
 
+use super::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
+use std::path::Path;
 pub use mckibben_app::units::Units;
 pub use mckibben_app::words::{aligned, braid_name, law_text, number, percent, rubber_name};
+
+/// The name of a file.
+pub fn place(path: &Path) -> String {
+    line(&path.display().to_string()).into_owned()
+}
 
 /// A number or a dash.
 pub fn or_dash<T>(v: Option<T>, show: impl Fn(T) -> String) -> String {
@@ -21,7 +28,7 @@ pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
     let mut table = Table::new();
     table.load_preset(presets::NOTHING).set_header(header.iter().copied());
     for row in rows {
-        table.add_row(row);
+        table.add_row(row.iter().map(|cell| line(cell)));
     }
     let last = header.len().saturating_sub(1);
     for (i, column) in table.column_iter_mut().enumerate() {
@@ -35,12 +42,12 @@ pub fn table(header: &[&str], rows: Vec<Vec<String>>) -> String {
 /// Aligned `name   value` lines.
 pub fn pairs(list: &[(&str, String)]) -> String {
     let width = list.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
-    list.iter().map(|(name, value)| format!("  {name:<width$}   {value}\n")).collect()
+    list.iter().map(|(name, value)| format!("  {name:<width$}   {}\n", line(value))).collect()
 }
 
 /// What was understood of tables, a line each.
 pub fn understood(tables: &[UnderstoodTable]) -> String {
-    tables.iter().map(|table| table.line() + "\n").collect()
+    tables.iter().map(|table| line(&table.line()).into_owned() + "\n").collect()
 }
 
 /// A percentage a row, with their points aligned.

@@ -1,14 +1,35 @@
 //! Where results go: standard output, or a file that appears whole or not at all.
 
+use super::clean;
+use super::guard::{Content, check};
 use crate::failure::Failure;
 use anstyle::{AnsiColor, Style};
 use std::io::Write;
 use std::path::Path;
 
+/// Where a result goes.
+#[derive(Debug, Clone, Copy)]
+pub struct Target<'a> {
+    /// The file; else standard output.
+    pub path: Option<&'a Path>,
+    /// What stands there is replaced, whatever it is.
+    pub overwrite: bool,
+}
+
+impl<'a> Target<'a> {
+    /// Standard output.
+    pub const STDOUT: Target<'static> = Target { path: None, overwrite: false };
+
+    /// A file.
+    pub fn file(path: &'a Path, overwrite: bool) -> Self {
+        Self { path: Some(path), overwrite }
+    }
+}
+
 /// Writes to `path`, or to standard output.
 pub fn emit(bytes: impl AsRef<[u8]>, path: Option<&Path>) -> Result<(), Failure> {
     match path {
-        Some(path) => save(path, bytes.as_ref()),
+        Some(path) => put(path, bytes.as_ref()),
         None => {
             let mut out = std::io::stdout().lock();
             out.write_all(bytes.as_ref()).and_then(|()| out.flush()).map_err(|e| Failure::stdout(&e))
@@ -23,7 +44,7 @@ const HINT: Style = AnsiColor::Cyan.on_default();
 
 /// A line for the user beside the result; nothing better can be done if nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
-    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {message}");
+    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
 }
 
 /// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).
@@ -39,7 +60,13 @@ pub fn colour() -> bool {
     anstream::AutoStream::choice(&std::io::stdout()) != anstream::ColorChoice::Never
 }
 
+/// Writes a file of some content in the place of one that may be lost.
+pub fn save(target: Target<'_>, content: Content, bytes: &[u8]) -> Result<(), Failure> {
+    check(target, content)?;
+    target.path.map_or(Ok(()), |path| put(path, bytes))
+}
+
 /// Writes a file that appears whole or not at all.
-pub fn save(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+fn put(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     mckibben_files::replace(path, bytes).map_err(|e| Failure::unwritable(path, &e))
 }

@@ -1,10 +1,11 @@
 //! Why a file is no formula.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use thiserror::Error;
 
 /// Why a file is no formula, with its name.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, Error)]
 #[error("{}{problem}", .file.as_ref().map_or_else(String::new, |f| format!("{}: ", f.display())))]
 pub struct FormulaError {
     /// The file, where it is one.
@@ -14,11 +15,11 @@ pub struct FormulaError {
 }
 
 /// What is wrong with a formula's file.
-#[derive(Debug, Clone, PartialEq, Error)]
+#[derive(Debug, Clone, Error)]
 pub enum Problem {
-    /// It cannot be read.
-    #[error("cannot be read: {0}")]
-    Unreadable(String),
+    /// It is not read.
+    #[error("{0}")]
+    Unread(Arc<mckibben_files::ReadError>),
     /// It is no JSON.
     #[error("is no JSON: {0} (JSON knows no NaN; a file that ends early is truncated)")]
     Json(String),
@@ -52,6 +53,32 @@ pub enum Problem {
         /// Which term.
         term: String,
     },
+    /// Forces that no muscle has.
+    #[error(
+        "its numbers make no sense: at D0 {outer_diameter_mm} mm, s {wall_mm} mm, {pressure_mpa} MPa and contraction {contraction} they give {force_n:.3e} N"
+    )]
+    Senseless {
+        /// The force in N.
+        force_n: f64,
+        /// D0 in mm.
+        outer_diameter_mm: f64,
+        /// s in mm.
+        wall_mm: f64,
+        /// P in MPa.
+        pressure_mpa: f64,
+        /// ε
+        contraction: f64,
+    },
+    /// Terms that are as they were written, and do not give the force that was written with them.
+    #[error(
+        "its check point says {written_n} N, and this version of mckibben computes {force_n} N there: fit the formula again"
+    )]
+    CheckPoint {
+        /// What was written, in N.
+        written_n: f64,
+        /// What is computed, in N.
+        force_n: f64,
+    },
 }
 
 impl Problem {
@@ -81,10 +108,6 @@ impl Problem {
 }
 
 impl FormulaError {
-    pub(super) fn unreadable(error: &std::io::Error) -> Self {
-        Problem::Unreadable(error.to_string()).into()
-    }
-
     /// The same error, in a file of this name.
     pub fn in_file(mut self, path: &Path) -> Self {
         self.file = Some(path.to_owned());

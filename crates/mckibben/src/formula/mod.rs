@@ -9,12 +9,15 @@
 //!
 //! F in N, P in MPa, lengths in mm. A third kind, `universal`, is for muscles of every make: it holds the terms of the end deficit
 //! of [`crate::model::Universal`], over a dimensionless range ([`UniversalFormula`]). [`Document`] is any of them.
+//!
+//! A file carries a seal, so that an answer of numbers that were changed since the fit says so ([`SealState`]).
 
 mod error;
 mod errors;
 mod file;
 mod made;
 mod paper;
+mod seal;
 mod show;
 mod terms;
 mod universal;
@@ -23,6 +26,7 @@ pub use error::FormulaError;
 pub use errors::{ErrorSummary, FormulaErrors, HeldOut, RegionErrors};
 pub use made::{Made, MadeBraid, MadeRubber, NamedBraid};
 pub use paper::{Coefficients, Section};
+pub use seal::SealState;
 pub use terms::{GlobalSection, GlobalTerms, PAPER_UNITS, Scales, Term, paper_terms};
 pub use universal::{
     Deficit, Form, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary, UniversalTerm,
@@ -31,6 +35,7 @@ pub use universal::{
 use file::check::interval;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use std::sync::Arc;
 
 /// The terms of a formula.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,7 +121,12 @@ pub struct Formula {
     pub errors: FormulaErrors,
     /// Where it comes from.
     pub provenance: Provenance,
+    /// Whether it is as it was written.
+    pub seal: SealState,
 }
+
+/// The longest file of a formula in bytes.
+pub const MAX_BYTES: u64 = 4 << 20;
 
 /// What a formula's file holds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -147,9 +157,16 @@ impl Document {
 }
 
 fn from_file<T>(path: &Path, parse: impl Fn(&str) -> Result<T, FormulaError>) -> Result<T, FormulaError> {
-    let named = |e: FormulaError| e.in_file(path);
-    let text = std::fs::read_to_string(path).map_err(|e| named(FormulaError::unreadable(&e)))?;
-    parse(&text).map_err(named)
+    read_text(path).and_then(|text| parse(&text)).map_err(|e| e.in_file(path))
+}
+
+/// The text of a formula's file.
+///
+/// # Errors
+/// [`FormulaError`] without the file's name.
+pub fn read_text(path: &Path) -> Result<String, FormulaError> {
+    let bytes = mckibben_files::read(path, MAX_BYTES).map_err(|e| error::Problem::Unread(Arc::new(e)))?;
+    String::from_utf8(bytes).map_err(|e| error::Problem::Json(e.to_string()).into())
 }
 
 impl Formula {

@@ -83,7 +83,14 @@ impl ForceModel for FormulaModel {
         ])
     }
 
+    fn notes(&self, _: &Workspace) -> Vec<String> {
+        self.formula.seal.warning(&self.formula.name).into_iter().collect()
+    }
+
     fn accuracy(&self) -> Accuracy {
+        if !self.formula.seal.vouches() {
+            return Accuracy::UNKNOWN;
+        }
         Accuracy {
             share_of_blocked: Some(self.formula.errors.half_width()),
             blocked_at: BlockedAt::Pressure(self.formula.range.pressure_mpa.1),

@@ -6,7 +6,7 @@ use super::seal::{SEAL, Sealing};
 use super::table::{Column, Table};
 use crate::campaign::CampaignError;
 use crate::columns::Role;
-use parquet::basic::{Compression, ZstdLevel};
+use parquet::basic::{Compression, Encoding};
 use parquet::column::writer::ColumnWriter;
 use parquet::errors::{ParquetError, Result};
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
@@ -18,8 +18,10 @@ use std::io::{Cursor, Seek, Write};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Rows of a row group of a whole table, save the last.
+/// Rows of a row group, save the last.
 pub(super) const GROUP: usize = 1 << 16;
+/// How columns are compressed; in Rust alone, so that no compiler of C is needed.
+pub(super) const CODEC: Compression = Compression::LZ4_RAW;
 
 fn writer<W: Write + Send>(
     inner: W,
@@ -29,13 +31,18 @@ fn writer<W: Write + Send>(
     let fields = provenance.layout.fields();
     let mut properties = WriterProperties::builder()
         .set_created_by(format!("mckibben {VERSION}"))
-        .set_compression(Compression::ZSTD(ZstdLevel::try_new(3)?))
+        .set_compression(CODEC)
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_offset_index_disabled(true)
         .set_key_value_metadata(Some(provenance.write(which)));
-    // What was asked repeats few values, so that a dictionary of them is worth its bytes.
+    // What was asked repeats few values, so that a dictionary of them is worth its bytes. Answers differ; sorted into streams of
+    // first, second, … bytes they have something to compress.
     for field in fields.iter().filter(|f| f.column.role == Role::Answer) {
-        properties = properties.set_column_dictionary_enabled(ColumnPath::from(field.name.as_str()), false);
+        let path = ColumnPath::from(field.name.as_str());
+        properties = properties.set_column_dictionary_enabled(path.clone(), false);
+        if matches!(Column::new(field), Column::Double(_) | Column::Optional(_)) {
+            properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
+        }
     }
     let properties = Arc::new(properties.build());
     let mut out = SerializedFileWriter::new(Sealing::new(inner), schema(&fields)?, properties)?;
@@ -71,6 +78,9 @@ fn write_column(column: &Column, to: &mut ColumnWriter<'_>) -> Result<()> {
 }
 
 fn write_group<W: Write + Send>(out: &mut SerializedFileWriter<W>, table: &Table) -> Result<()> {
+    if table.rows == 0 {
+        return Ok(());
+    }
     let mut group: SerializedRowGroupWriter<'_, W> = out.next_row_group()?;
     for column in &table.columns {
         let Some(mut writer) = group.next_column()? else { break };
@@ -84,6 +94,26 @@ fn finish<W: Write + Send + Seek>(out: SerializedFileWriter<Sealing<W>>) -> Resu
     out.into_inner()?.seal().map_err(ParquetError::from)
 }
 
+/// Adds a table to a group; a group that is full is written, and the next begins.
+fn add<W: Write + Send>(
+    out: &mut SerializedFileWriter<W>,
+    group: &mut Table,
+    table: &Table,
+    provenance: &Provenance,
+) -> Result<()> {
+    let mut from = 0;
+    while from < table.rows {
+        let to = table.rows.min(from + GROUP - group.rows);
+        group.extend(table, from, to);
+        from = to;
+        if group.rows == GROUP {
+            write_group(out, group)?;
+            *group = Table::new(&provenance.layout);
+        }
+    }
+    Ok(())
+}
+
 /// A part as the bytes of its file.
 pub(crate) fn part(
     provenance: &Provenance,
@@ -92,7 +122,9 @@ pub(crate) fn part(
 ) -> std::result::Result<Vec<u8>, CampaignError> {
     let bytes = || {
         let mut out = writer(Cursor::new(vec![]), provenance, Which::Part(number))?;
-        write_group(&mut out, table)?;
+        let mut group = Table::new(&provenance.layout);
+        add(&mut out, &mut group, table, provenance)?;
+        write_group(&mut out, &group)?;
         finish(out).map(Cursor::into_inner)
     };
     bytes().map_err(|e| CampaignError::Encode(e.to_string()))
@@ -102,29 +134,17 @@ pub(crate) fn part(
 pub(crate) fn whole(
     provenance: &Provenance,
     tables: impl Iterator<Item = std::result::Result<Table, CampaignError>>,
-    file: File,
+    file: &mut File,
     path: &Path,
-) -> std::result::Result<File, CampaignError> {
+) -> std::result::Result<(), CampaignError> {
     let failed = |e: ParquetError| unwritten(e, path);
     let mut out = writer(file, provenance, Which::Whole).map_err(failed)?;
     let mut group = Table::new(&provenance.layout);
     for table in tables {
-        let table = table?;
-        let mut from = 0;
-        while from < table.rows {
-            let to = table.rows.min(from + GROUP - group.rows);
-            group.extend(&table, from, to);
-            from = to;
-            if group.rows == GROUP {
-                write_group(&mut out, &group).map_err(failed)?;
-                group = Table::new(&provenance.layout);
-            }
-        }
+        add(&mut out, &mut group, &table?, provenance).map_err(failed)?;
     }
-    if group.rows > 0 {
-        write_group(&mut out, &group).map_err(failed)?;
-    }
-    finish(out).map_err(failed)
+    write_group(&mut out, &group).map_err(failed)?;
+    finish(out).map(drop).map_err(failed)
 }
 
 /// The error of the file system behind one of Parquet.

@@ -3,14 +3,13 @@
 //! A part appears whole or not at all: written under a temporary name, brought to the disk, renamed.
 
 use crate::campaign::{CampaignError, Shard};
+use mckibben_files::Unfinished;
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 const LOCK: &str = ".lock";
-/// What names of unfinished parts begin with.
-const UNFINISHED: &str = ".unfinished-";
 
 /// The file name of a part.
 pub(crate) fn part_name(number: u64) -> String {
@@ -94,7 +93,7 @@ impl Folder {
     }
 
     fn sweep(&self) -> Result<(), CampaignError> {
-        for name in self.names()?.iter().filter(|n| n.starts_with(UNFINISHED)) {
+        for name in self.names()?.iter().filter(|n| n.starts_with(Unfinished::PREFIX)) {
             let path = self.path.join(name);
             std::fs::remove_file(&path).map_err(CampaignError::write(&path))?;
         }
@@ -123,53 +122,44 @@ impl Folder {
             let path = self.path.join(part_name(number));
             let fail = |e: std::io::Error| CampaignError::write(&path)(e);
             // Removed again if anything fails before it is renamed.
-            let mut file = unfinished(&self.path).map_err(fail)?;
-            file.write_all(&bytes).and_then(|()| file.as_file().sync_data()).map_err(fail)?;
-            file.persist(&path).map_err(|e| fail(e.error))?;
+            let mut file = Unfinished::beside(&path).map_err(fail)?;
+            file.file().write_all(&bytes).map_err(fail)?;
+            file.put(true).map_err(fail)?;
         }
-        sync(&self.path);
+        mckibben_files::sync(&self.path);
         Ok(())
     }
 
-    /// Removes the folder with its parts: they are in one file now.
+    /// Removes parts, and the folder if nothing else is in it: they are in one file now.
     ///
     /// # Errors
     /// [`CampaignError::Write`].
-    pub(crate) fn remove(mut self) -> Result<(), CampaignError> {
-        let remove = |path: PathBuf| std::fs::remove_file(&path).map_err(CampaignError::write(&path));
-        let (locks, others): (Vec<_>, Vec<_>) = self.names()?.into_iter().partition(|n| n.starts_with(LOCK));
-        for name in others.iter().filter(|n| part_number(n).is_some() || n.starts_with(UNFINISHED)) {
-            remove(self.path.join(name))?;
+    pub(crate) fn remove(mut self, parts: impl Iterator<Item = u64>) -> Result<(), CampaignError> {
+        let remove = |path: PathBuf| match std::fs::remove_file(&path) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                Err(CampaignError::write(&path)(error))
+            }
+            _ => Ok(()),
+        };
+        for part in parts {
+            remove(self.path.join(part_name(part)))?;
         }
+        let names = self.names()?;
         // Some systems do not remove what is open.
         self.locks.clear();
-        for name in locks {
+        for name in names.iter().filter(|n| n.starts_with(LOCK) || n.starts_with(Unfinished::PREFIX)) {
             remove(self.path.join(name))?;
         }
         // Something foreign in it keeps it.
         let _ = std::fs::remove_dir(&self.path);
         Ok(())
     }
-}
 
-/// A temporary file beside its place, readable as other files are.
-pub(crate) fn unfinished(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(UNFINISHED);
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(folder)
-}
-
-/// Brings the names in a folder to the disk, where the system can.
-pub(crate) fn sync(folder: &Path) {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    if let Ok(folder) = File::open(folder) {
-        // Nothing better can be done where folders cannot be synchronised.
-        let _ = folder.sync_all();
+    /// Removes a part.
+    ///
+    /// # Errors
+    /// [`CampaignError::Write`].
+    pub(crate) fn discard(&self, part: &Path) -> Result<(), CampaignError> {
+        std::fs::remove_file(part).map_err(CampaignError::write(part))
     }
 }

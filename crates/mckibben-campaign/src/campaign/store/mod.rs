@@ -1,5 +1,6 @@
 //! The store: tables in sealed Parquet files, one file or a folder of parts.
 
+mod bytes;
 mod decode;
 mod encode;
 mod folder;
@@ -7,12 +8,13 @@ mod layout;
 mod provenance;
 mod seal;
 mod table;
+mod thrift;
 
 pub use provenance::Provenance;
 
 pub(super) use decode::Opened;
 pub(super) use encode::{part, whole};
-pub(super) use folder::{Folder, check_name, is_file_name, part_name, sync, unfinished};
+pub(super) use folder::{Folder, check_name, is_file_name, part_name};
 pub(super) use layout::Field;
 #[cfg(test)]
 pub(super) use layout::Layout;

@@ -65,6 +65,11 @@ impl Provenance {
         }
     }
 
+    /// Whether metadata as they stand in a file are those of some campaign.
+    pub(crate) fn is_in(metadata: &[u8]) -> bool {
+        metadata.windows(PREFIX.len()).any(|bytes| bytes == PREFIX.as_bytes())
+    }
+
     /// Number of parts.
     pub fn parts(&self) -> u64 {
         self.muscles.div_ceil(self.block.max(1))
@@ -72,13 +77,13 @@ impl Provenance {
 
     /// Number of rows.
     pub fn points(&self) -> u64 {
-        self.muscles * self.points_per_muscle
+        self.muscles.saturating_mul(self.points_per_muscle)
     }
 
     /// The muscles of a part.
     pub(crate) fn muscles_of(&self, part: u64) -> std::ops::Range<u64> {
-        let from = (part * self.block).min(self.muscles);
-        from..(from + self.block).min(self.muscles)
+        let from = part.saturating_mul(self.block).min(self.muscles);
+        from..from.saturating_add(self.block).min(self.muscles)
     }
 
     /// Rows of a file.
@@ -87,7 +92,7 @@ impl Provenance {
             Which::Whole => self.points(),
             Which::Part(part) => {
                 let muscles = self.muscles_of(part);
-                (muscles.end - muscles.start) * self.points_per_muscle
+                (muscles.end - muscles.start).saturating_mul(self.points_per_muscle)
             }
         }
     }

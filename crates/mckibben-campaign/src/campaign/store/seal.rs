@@ -1,7 +1,12 @@
 //! Files that know whether they are as they were written.
 //!
 //! Behind Parquet's four magic bytes stand 32 more that no reader of Parquet looks at: the SHA-256 of all the others. A
-//! file that was cut or changed is found out before anything in it is believed.
+//! file that was cut or changed is found out before any of its numbers is believed.
+//!
+//! A program that writes the table again leaves the seal out, and the file is refused. That is meant: the table is then that
+//! program's, and its numbers are whatever it made of them. Among the metadata a checksum could only be of the rows, which have no
+//! one form as bytes (and it would be copied along with the metadata by programs that changed the rows); a second file gets lost,
+//! or is left beside another table.
 
 use sha2::{Digest, Sha256};
 use std::fs::File;
@@ -75,53 +80,47 @@ impl Broken {
         match self {
             Self::NotParquet => "it does not begin as a Parquet file does",
             Self::Cut => "it is cut off: it does not end as a Parquet file does",
-            Self::Changed => "its checksum does not match what it holds",
+            Self::Changed => {
+                "its checksum does not match what it holds: it was changed, or written again by another program"
+            }
         }
     }
 }
 
-/// Whether a file is as it was written.
+/// Whether a file begins and ends as Parquet does; the rest of it is not read.
+pub(super) fn check_ends(file: &mut File, length: u64) -> std::io::Result<Result<(), Broken>> {
+    let (mut head, mut tail) = ([0; BEFORE], [0; BEFORE]);
+    file.seek(SeekFrom::Start(0))?;
+    let n = file.read(&mut head)?;
+    if n > 0 && &head[..n] != MAGIC {
+        return Ok(Err(Broken::NotParquet));
+    }
+    // Of an empty file nothing can be lost: it is one that was cut.
+    if length < (2 * BEFORE + SEAL) as u64 {
+        return Ok(Err(Broken::Cut));
+    }
+    file.seek(SeekFrom::End(-(BEFORE as i64)))?;
+    file.read_exact(&mut tail)?;
+    Ok(if tail == MAGIC { Ok(()) } else { Err(Broken::Cut) })
+}
+
+/// Whether a file that ends as it should holds what was sealed.
 pub(super) fn check(file: &mut File) -> std::io::Result<Result<(), Broken>> {
-    let mut hash = Sha256::new();
-    let mut seal = [0; SEAL];
+    let (mut hash, mut seal, mut at) = (Sha256::new(), [0; SEAL], 0);
     let mut buffer = vec![0; 1 << 16];
-    let (mut at, mut head, mut tail) = (0_usize, [0_u8; BEFORE], [0_u8; BEFORE]);
+    file.seek(SeekFrom::Start(BEFORE as u64))?;
+    file.read_exact(&mut seal)?;
     file.seek(SeekFrom::Start(0))?;
     loop {
-        // Whole buffers, so that head and seal come together.
-        let mut n = 0;
-        while n < buffer.len() {
-            match file.read(&mut buffer[n..])? {
-                0 => break,
-                more => n += more,
+        match file.read(&mut buffer)? {
+            0 => break,
+            n => {
+                update(&mut hash, at, &buffer[..n]);
+                at += n;
             }
         }
-        if n == 0 {
-            break;
-        }
-        if at == 0 {
-            let m = n.min(BEFORE);
-            head[..m].copy_from_slice(&buffer[..m]);
-            if n >= BEFORE + SEAL {
-                seal.copy_from_slice(&buffer[BEFORE..BEFORE + SEAL]);
-            }
-        }
-        for &b in &buffer[n.saturating_sub(BEFORE)..n] {
-            tail.rotate_left(1);
-            tail[BEFORE - 1] = b;
-        }
-        update(&mut hash, at, &buffer[..n]);
-        at += n;
     }
-    Ok(if head != MAGIC {
-        Err(Broken::NotParquet)
-    } else if at < 2 * BEFORE + SEAL || tail != MAGIC {
-        Err(Broken::Cut)
-    } else if hash.finalize()[..] != seal {
-        Err(Broken::Changed)
-    } else {
-        Ok(())
-    })
+    Ok(if hash.finalize()[..] == seal { Ok(()) } else { Err(Broken::Changed) })
 }
 
 /// The seal of a file that was checked.

@@ -1,7 +1,7 @@
 //! Cut, changed, missing and foreign files are named: recomputed by a run, refused by everything else.
 
 use super::*;
-use crate::campaign::store::{Layout, Opened, Provenance, Table, Which, part as encode};
+use crate::campaign::store::{Folder, Layout, Opened, Provenance, Table, Which, part as encode};
 
 fn is_refused(path: &Path) -> String {
     match Opened::file(path).map(drop) {
@@ -43,7 +43,7 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     let whole = bytes(&part(&store, 5));
     std::fs::write(part(&store, 5), &whole[..whole.len() / 2]).unwrap();
     std::fs::write(part(&store, 7), b"").unwrap();
-    std::fs::write(part(&store, 8), b"hello").unwrap();
+    std::fs::write(part(&store, 8), b"PAR1hello").unwrap();
     let mut flipped = bytes(&part(&store, 9));
     flipped[2000] ^= 64;
     std::fs::write(part(&store, 9), flipped).unwrap();
@@ -51,7 +51,7 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     std::fs::copy(part(&store, 1), part(&store, 2)).unwrap();
 
     let merged = dir.path().join("merged.parquet");
-    let error = merge(std::slice::from_ref(&store), &merged).unwrap_err();
+    let error = merge(std::slice::from_ref(&store), &merged, false).unwrap_err();
     assert!(matches!(&error, CampaignError::Damaged { .. }), "{error}");
     assert!(!merged.exists(), "nothing half-written");
     assert!(read(&store).is_err());
@@ -63,7 +63,7 @@ fn a_run_recomputes_damaged_parts_and_names_them() {
     let expected_names = [2, 5, 7, 8, 9].map(|n| part(&store, n).file_name().unwrap().to_owned());
     assert_eq!(named, expected_names);
     assert_eq!(outcome.counts.points, 5 * 6);
-    merge(&[store], &merged).unwrap();
+    merge(&[store], &merged, false).unwrap();
     assert!(bytes(&merged) == expected);
 }
 
@@ -115,7 +115,7 @@ fn another_plan_or_version_is_refused_with_a_hint() {
     let error = run(&plan(), &store, &RunOptions::default(), &Silent).unwrap_err();
     assert!(error.to_string().contains("was made by mckibben 0.0.9"), "{error}");
     // Parts of two versions make no table either.
-    assert!(read(&store).is_err() && merge(&[store], &dir.path().join("m.parquet")).is_err());
+    assert!(read(&store).is_err() && merge(&[store], &dir.path().join("m.parquet"), false).is_err());
 }
 
 fn table_of(plan: &Plan, muscle: u64) -> Table {
@@ -134,7 +134,7 @@ fn parts_that_claim_the_same_and_differ_are_a_conflict() {
     let forged = encode(&Provenance::of(&plan()), 3, &table_of(&plan(), 4)).unwrap();
     std::fs::write(part(&other, 3), forged).unwrap();
     assert_eq!(Opened::file(&part(&other, 3)).unwrap().which, Which::Part(3));
-    let error = merge(&[one, other], &dir.path().join("m.parquet")).unwrap_err();
+    let error = merge(&[one, other], &dir.path().join("m.parquet"), false).unwrap_err();
     assert!(matches!(error, CampaignError::Conflict { .. }), "{error}");
 }
 
@@ -150,7 +150,7 @@ fn what_is_no_campaign_is_not_read_and_not_overwritten() {
     }
     assert!(matches!(read(dir.path()), Err(CampaignError::NoCampaign { .. })), "a folder without parts");
     assert!(matches!(read(dir.path().join("nothing.parquet")), Err(CampaignError::Read { .. })));
-    assert!(matches!(merge(&[], &file), Err(CampaignError::NoCampaign { .. })));
+    assert!(matches!(merge(&[], &file, false), Err(CampaignError::NoCampaign { .. })));
     // One part is not the table.
     let store = dir.path().join("store");
     run_to(&store);
@@ -187,6 +187,145 @@ fn what_a_killed_run_left_unfinished_is_swept_away() {
     assert_eq!(read(dir.path()).unwrap().len(), 72);
 }
 
+fn replacing() -> RunOptions {
+    RunOptions { overwrite: true, ..RunOptions::default() }
+}
+
+/// A Parquet file of something else: groups in groups, and more rows in a group than ours have.
+fn foreign_parquet() -> Vec<u8> {
+    use parquet::{column::writer::ColumnWriter, file::writer::SerializedFileWriter};
+    let schema = "message theirs { required group g { required group h { required int32 x; } } }";
+    let schema = parquet::schema::parser::parse_message_type(schema).unwrap();
+    let mut out = SerializedFileWriter::new(vec![], schema.into(), Default::default()).unwrap();
+    let mut group = out.next_row_group().unwrap();
+    let mut column = group.next_column().unwrap().unwrap();
+    let ColumnWriter::Int32ColumnWriter(writer) = column.untyped() else { panic!("an int32") };
+    writer.write_batch(&[7; 100_000], None, None).unwrap();
+    column.close().unwrap();
+    group.close().unwrap();
+    out.into_inner().unwrap()
+}
+
+#[test]
+fn what_is_not_of_a_campaign_is_lost_only_where_that_is_asked_for() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let whole = foreign_parquet();
+    let half_written = whole[..whole.len() / 2].to_vec();
+    for theirs in [b"hello".to_vec(), whole, half_written] {
+        for (out, place) in [("store", "store/part-000003.parquet"), ("c.parquet", "c.parquet")] {
+            let (out, place) = (dir.path().join(out), dir.path().join(place));
+            std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+            std::fs::write(&place, &theirs).unwrap();
+            let error = run(&plan(), &out, &RunOptions::default(), &Silent).unwrap_err();
+            assert!(matches!(error, CampaignError::Foreign { .. }), "{error}");
+            assert!(error.hint().contains("`overwrite`"));
+            assert_eq!(bytes(&place), theirs);
+            assert!(run(&plan(), &out, &replacing(), &Silent).unwrap().complete);
+            assert_eq!(read(&out).unwrap().len(), 72);
+            let _ = (std::fs::remove_dir_all(&out), std::fs::remove_file(&out));
+        }
+        // A table that is merged into a file of theirs, of another plan, of this plan.
+        let (parts, merged) = (dir.path().join("parts"), dir.path().join("m.parquet"));
+        run_to(&parts);
+        std::fs::write(&merged, &theirs).unwrap();
+        let error = merge(std::slice::from_ref(&parts), &merged, false).unwrap_err();
+        assert!(matches!(error, CampaignError::Foreign { .. }), "{error}");
+        assert_eq!(bytes(&merged), theirs);
+        merge(std::slice::from_ref(&parts), &merged, true).unwrap();
+        merge(std::slice::from_ref(&parts), &merged, false).unwrap();
+        assert!(bytes(&merged) == expected);
+        std::fs::remove_dir_all(&parts).unwrap();
+    }
+}
+
+#[test]
+fn a_campaign_of_another_plan_is_replaced_where_that_is_asked_for() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let other = Plan::parse(&PLAN.replace("samples = 12", "samples = 20")).unwrap();
+    let (store, file) = (dir.path().join("store"), dir.path().join("c.parquet"));
+    for out in [&store, &file] {
+        run(&other, out, &RunOptions::default(), &Silent).unwrap();
+        assert!(run(&plan(), out, &replacing(), &Silent).unwrap().complete);
+    }
+    assert!(bytes(&file) == expected);
+    assert_eq!(Folder::parts(&store).unwrap().len(), 12, "the parts beyond this plan are gone");
+    let merged = dir.path().join("m.parquet");
+    run(&other, &merged, &RunOptions::default(), &Silent).unwrap();
+    let error = merge(std::slice::from_ref(&store), &merged, false).unwrap_err();
+    assert!(matches!(error, CampaignError::OtherPlan { .. }), "{error}");
+    // Nothing to be done is nothing replaced.
+    assert_eq!(run(&plan(), &file, &replacing(), &Silent).unwrap().counts.points, 0);
+}
+
+/// Puts a file there while the campaign runs.
+struct Puts<'a>(&'a Path);
+
+impl Progress for Puts<'_> {
+    fn report(&self, _: usize, _: usize) {
+        std::fs::write(self.0, b"theirs").unwrap();
+    }
+}
+
+#[test]
+fn a_file_that_comes_during_a_run_stays_and_the_work_is_kept() {
+    let dir = folder();
+    let expected = reference(&dir);
+    let file = dir.path().join("c.parquet");
+    let error = run(&plan(), &file, &RunOptions::default(), &Puts(&file)).unwrap_err();
+    assert!(matches!(error, CampaignError::Appeared { .. }), "{error}");
+    assert_eq!(bytes(&file), b"theirs");
+    std::fs::remove_file(&file).unwrap();
+    let outcome = run_to(&file);
+    assert_eq!((outcome.counts.resumed, outcome.counts.points), (12, 0));
+    assert!(bytes(&file) == expected);
+}
+
+#[test]
+fn foreign_files_among_the_parts_of_a_finished_campaign_stay() {
+    let dir = folder();
+    let (file, parts) = (dir.path().join("c.parquet"), dir.path().join("c.parquet.parts"));
+    run_to(&file);
+    std::fs::create_dir(&parts).unwrap();
+    std::fs::write(part(&parts, 0), foreign_parquet()).unwrap();
+    std::fs::write(parts.join("notes.txt"), b"mine").unwrap();
+    assert!(run_to(&file).complete);
+    assert!(part(&parts, 0).exists() && parts.join("notes.txt").exists());
+}
+
+#[test]
+fn what_a_killed_merge_left_is_swept_away() {
+    let dir = folder();
+    let parts = dir.path().join("parts");
+    run_to(&parts);
+    let left = dir.path().join(".unfinished-m.parquet-k1ll3d");
+    std::fs::write(&left, b"PAR1").unwrap();
+    merge(&[parts], &dir.path().join("m.parquet"), false).unwrap();
+    assert!(!left.exists());
+}
+
+#[test]
+fn numbers_that_a_file_only_claims_are_not_counted_to() {
+    let dir = folder();
+    let many = Provenance { muscles: u64::MAX, ..Provenance::of(&plan()) };
+    std::fs::write(part(dir.path(), 0), encode(&many, 0, &table_of(&plan(), 0)).unwrap()).unwrap();
+    let error = read(dir.path()).unwrap_err().to_string();
+    assert!(error.contains("18446744073709551614 of 18446744073709551615 parts are missing"), "{error}");
+    assert_eq!(summary(dir.path()).unwrap().missing_parts, u64::MAX - 1);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_the_system_does_not_read_is_not_called_damaged() {
+    // The memory of a process begins with nothing.
+    for path in ["/proc/self/mem", "/dev/zero"] {
+        let error = summary(path).unwrap_err();
+        assert!(matches!(error, CampaignError::Read { .. }), "{error}");
+        assert!(!error.hint().contains("remove"));
+    }
+}
+
 #[test]
 fn parts_of_an_older_program_are_read_and_merged_and_not_gone_on_with() {
     let dir = folder();
@@ -205,7 +344,7 @@ fn parts_of_an_older_program_are_read_and_merged_and_not_gone_on_with() {
         assert_eq!((row.bulged_diameter_mm, row.max_stretch, row.force_n), (None, None, newer.force_n));
     }
     let merged = dir.path().join("merged.parquet");
-    merge(std::slice::from_ref(&store), &merged).unwrap();
+    merge(std::slice::from_ref(&store), &merged, false).unwrap();
     assert_eq!(read(&merged).unwrap(), rows);
     assert!(summary(&merged).unwrap().complete);
     for out in [&store, &merged] {

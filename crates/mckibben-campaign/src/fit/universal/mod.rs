@@ -25,8 +25,8 @@ pub use terms::products;
 use super::error::FitError;
 use crate::hash;
 use mckibben::formula::{
-    Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalSummary,
-    UniversalTerm,
+    Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange,
+    UniversalSummary, UniversalTerm,
 };
 use mckibben::model::{EndPoint, ForceModel, Universal};
 use mckibben::progress::Progress;
@@ -112,6 +112,7 @@ pub fn universal(
             seed: request.seed,
             ..Provenance::default()
         },
+        seal: SealState::default(),
     };
     step(0)?;
     let equations = equations(samples, &empty, &products);

@@ -11,7 +11,7 @@ use mckibben_campaign::campaign::Summary;
 /// Runs the command.
 pub fn run(args: &CampaignShowArgs, format: Format) -> Result<u8, Failure> {
     let summary = campaign_show(&CampaignShowRequest { campaign: args.campaign.clone() })?;
-    show(&summary, format, "ranges", || as_text(&summary), args.output.output.as_deref())?;
+    show(&summary, format, "ranges", || as_text(&summary), args.output.target())?;
     Ok(0)
 }
 

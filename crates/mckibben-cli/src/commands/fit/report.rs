@@ -3,14 +3,13 @@
 use super::text::errors_row;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
-use crate::output::show;
+use crate::output::{Target, show};
 use crate::output::text::{number, table};
 use crate::progress::Bar;
 use mckibben_app::{FitReportAnswer, FitReportRequest, fit_report};
 use mckibben_campaign::fit::constants::Constants;
-use std::path::Path;
 
-pub fn run(format: Format, output: Option<&Path>) -> Result<u8, Failure> {
+pub fn run(format: Format, output: Target<'_>) -> Result<u8, Failure> {
     let answer = fit_report(&FitReportRequest {}, &Bar::new("steps"))?;
     show(&answer, format, "findings", || text(&answer), output)?;
     Ok(if answer.ok() { 0 } else { NO_ANSWER })

@@ -1,6 +1,6 @@
 //! What `fit` tells people.
 
-use crate::output::text::{number, pairs, table};
+use crate::output::text::{number, pairs, place, table};
 use mckibben::formula::{Document, ErrorSummary, Formula, UniversalFormula, UniversalSummary, UniversalTerm};
 use mckibben_app::FitAnswer;
 use mckibben_campaign::fit::signs::signs;
@@ -51,7 +51,7 @@ pub fn of(answer: &FitAnswer, output: Option<&Path>) -> String {
         (Document::Section(_), None) => String::new(),
     };
     if let Some(path) = output {
-        out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", path.display()));
+        out.push_str(&format!("\nThe formula is in {0}: --model {0}\n", place(path)));
     }
     out
 }

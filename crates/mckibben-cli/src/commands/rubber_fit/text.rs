@@ -1,6 +1,6 @@
 //! What `rubber fit` tells people.
 
-use crate::output::text::{number, or_dash, pairs, percent, table, understood};
+use crate::output::text::{number, or_dash, pairs, percent, place, table, understood};
 use mckibben::rubber::fit::{FitSettings, FittedLaw, Measure, ModeError, Parameter, TensionFit};
 use mckibben::rubber::{RubberLaw, Stability};
 use mckibben_app::RubberFitAnswer;
@@ -124,7 +124,7 @@ fn closing(fit: &TensionFit, written: Option<&Path>) -> String {
             .push_str("None of these laws is stable over the stretches of a muscle; --stable holds them.\n"),
     }
     if let Some(path) = written {
-        let path = path.display();
+        let path = place(path);
         out.push_str(&format!("Written to {path}: mckibben force --muscle {path} -p 2bar -e 10%\n"));
     }
     out

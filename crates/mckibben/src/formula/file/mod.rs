@@ -5,7 +5,7 @@ mod section;
 mod universal;
 
 use super::error::{FormulaError, Problem};
-use super::{Document, Formula, UniversalFormula};
+use super::{Document, Formula, SealState, UniversalFormula, seal};
 use section::{GlobalTerm, PaperTerm, SectionFile, global, paper};
 use serde::de::{DeserializeOwned, IgnoredAny};
 use serde::{Deserialize, Serialize};
@@ -48,6 +48,15 @@ pub(super) enum File {
     Universal(UniversalFile),
 }
 
+/// The seal of a file that is as it was written.
+fn sealed(
+    state: SealState,
+    file: &impl Serialize,
+    check: Option<seal::CheckPoint>,
+) -> Option<seal::Seal> {
+    (state == SealState::Sealed).then(|| seal::Seal::of(file, check)).flatten()
+}
+
 /// The text of a file, with a newline at the end.
 fn text(file: &impl Serialize) -> String {
     // Numbers, texts, lists and objects with texts as keys: nothing that JSON has not.
@@ -88,11 +97,13 @@ impl Document {
     /// # Errors
     /// [`FormulaError`] names the key.
     pub fn parse(text: &str) -> Read<Self> {
-        match kind(text)? {
-            Kind::Paper => paper(text).map(Self::Section),
-            Kind::Global => global(text).map(Self::Section),
-            Kind::Universal => universal(text).map(Self::Universal),
-        }
+        let mut read = match kind(text)? {
+            Kind::Paper => Self::Section(paper(text)?),
+            Kind::Global => Self::Section(global(text)?),
+            Kind::Universal => Self::Universal(universal(text)?),
+        };
+        seal::check(text, &mut read)?;
+        Ok(read)
     }
 }
 
@@ -115,6 +126,11 @@ impl Formula {
 }
 
 impl UniversalFormula {
+    /// A text of our own, whose seal a test compares.
+    pub(super) fn built_in(text: &str) -> Read<Self> {
+        universal(text)
+    }
+
     /// Reads a text.
     ///
     /// # Errors

@@ -1,9 +1,10 @@
 //! The files of formulas for muscles of one make: the paper's, and sums of products of powers.
 
 use super::check::{is_zero, name, up_to};
-use super::{File, Format, Kind, Problem, Read, read};
+use super::{File, Format, Kind, Problem, Read, read, sealed};
+use crate::formula::seal::Seal;
 use crate::formula::{
-    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales, Term,
+    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales, SealState, Term,
     paper_terms,
 };
 use serde::{Deserialize, Serialize};
@@ -26,6 +27,8 @@ pub struct SectionFile<T> {
     range: FormulaRange,
     errors: FormulaErrors,
     provenance: Provenance,
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    seal: Option<Seal>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -66,8 +69,9 @@ struct Powers {
 }
 
 impl Formula {
-    fn file<T>(self, kind: Kind, scales: Option<Scales>, terms: Vec<T>) -> SectionFile<T> {
-        SectionFile {
+    fn file<T: Serialize>(self, kind: Kind, scales: Option<Scales>, terms: Vec<T>) -> SectionFile<T> {
+        let (state, check) = (self.seal, self.check_point());
+        let mut file = SectionFile {
             format: Format::One,
             kind,
             equation: self.equation(),
@@ -78,7 +82,10 @@ impl Formula {
             range: self.range,
             errors: self.errors,
             provenance: self.provenance,
-        }
+            seal: None,
+        };
+        file.seal = sealed(state, &file, check);
+        file
     }
 }
 
@@ -106,7 +113,7 @@ impl From<Formula> for File {
 
 fn section<T>(file: SectionFile<T>, body: Body) -> Formula {
     let SectionFile { name, made_for, range, errors, provenance, .. } = file;
-    Formula { name, body, made_for, range, errors, provenance }
+    Formula { name, body, made_for, range, errors, provenance, seal: SealState::default() }
 }
 
 pub fn paper(text: &str) -> Read<Formula> {

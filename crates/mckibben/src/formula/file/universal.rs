@@ -1,9 +1,10 @@
 //! The file of a formula for muscles of every make.
 
 use super::check::{is_zero, name, up_to};
-use super::{File, Format, Kind, Problem, Read, read};
+use super::{File, Format, Kind, Problem, Read, read, sealed};
+use crate::formula::seal::Seal;
 use crate::formula::{
-    Deficit, Form, Provenance, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
+    Deficit, Form, Provenance, SealState, UniversalErrors, UniversalFormula, UniversalRange, UniversalTerm,
 };
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +24,8 @@ pub struct UniversalFile {
     range: UniversalRange,
     errors: UniversalErrors,
     provenance: Provenance,
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
+    seal: Option<Seal>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -87,7 +90,8 @@ impl From<UniversalFormula> for File {
             unit: "1",
             value: t.value,
         };
-        Self::Universal(UniversalFile {
+        let (state, check) = (formula.seal, formula.check_point());
+        let mut file = UniversalFile {
             format: Format::One,
             kind: Kind::Universal,
             equation: formula.equation(),
@@ -97,14 +101,18 @@ impl From<UniversalFormula> for File {
             range: formula.range,
             errors: formula.errors,
             provenance: formula.provenance,
-        })
+            seal: None,
+        };
+        file.seal = sealed(state, &file, check);
+        Self::Universal(file)
     }
 }
 
 pub fn universal(text: &str) -> Read<UniversalFormula> {
     let UniversalFile { name, form, terms, range, errors, provenance, .. } = read(text)?;
     let deficit = Deficit { form, terms: vec![] };
-    let mut formula = UniversalFormula { name, deficit, range, errors, provenance };
+    let seal = SealState::default();
+    let mut formula = UniversalFormula { name, deficit, range, errors, provenance, seal };
     for (i, EndTerm { powers, value, .. }) in terms.into_iter().enumerate() {
         let foreign = || Problem::Wrong {
             key: format!("terms[{i}].powers"),

@@ -6,7 +6,7 @@ mod range;
 pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
-use super::Provenance;
+use super::{Provenance, SealState};
 use super::file::File;
 use super::file::check::share;
 use serde::{Deserialize, Serialize};
@@ -69,6 +69,8 @@ pub struct UniversalFormula {
     pub errors: UniversalErrors,
     /// Where it comes from.
     pub provenance: Provenance,
+    /// Whether it is as it was written.
+    pub seal: SealState,
 }
 
 static LARGE: LazyLock<Option<Arc<UniversalFormula>>> =
@@ -77,7 +79,7 @@ static SMALL: LazyLock<Option<Arc<UniversalFormula>>> =
     LazyLock::new(|| parsed(include_str!("../../../data/universal-small.json")));
 
 fn parsed(text: &str) -> Option<Arc<UniversalFormula>> {
-    UniversalFormula::parse(text).ok().map(Arc::new)
+    UniversalFormula::built_in(text).ok().map(Arc::new)
 }
 
 impl UniversalFormula {
@@ -156,6 +158,7 @@ mod tests {
             (UniversalFormula::small(), include_str!("../../../data/universal-small.json")),
         ] {
             assert_eq!(formula.unwrap().to_json(), text);
+            assert_eq!(UniversalFormula::parse(text).unwrap().seal, SealState::Sealed);
         }
     }
 

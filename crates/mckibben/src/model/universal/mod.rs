@@ -161,6 +161,9 @@ impl ForceModel for Universal {
     }
 
     fn accuracy(&self) -> Accuracy {
+        if !self.formula.seal.vouches() {
+            return Accuracy::UNKNOWN;
+        }
         Accuracy {
             share_of_blocked: Some(self.formula.errors.half_width()),
             blocked_at: BlockedAt::SamePressure,
@@ -169,7 +172,7 @@ impl ForceModel for Universal {
     }
 
     fn notes(&self, _: &Workspace) -> Vec<String> {
-        let mut notes = vec![];
+        let mut notes: Vec<String> = self.formula.seal.warning(self.name()).into_iter().collect();
         if let Bulk::Modulus(_) = self.muscle.tube().rubber.bulk {
             notes.push(format!(
                 "{} takes the rubber as incompressible; its bulk modulus is not used",

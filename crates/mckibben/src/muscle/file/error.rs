@@ -35,16 +35,10 @@ pub struct FileError {
 /// What is wrong.
 #[derive(Debug, Error)]
 pub enum Problem {
-    /// The file is not there, or may not be read.
-    #[error("cannot be read: {0}")]
-    Unreadable(#[source] std::io::Error),
-    /// A directory, a device, a pipe.
-    #[error("is {what}; it must be a regular file")]
-    NotAFile {
-        /// What it is.
-        what: &'static str,
-    },
-    /// Too long for a file of this kind.
+    /// The file is not read.
+    #[error("{0}")]
+    Unread(#[source] mckibben_files::ReadError),
+    /// A text that is too long.
     #[error("is longer than {limit} bytes, too long for such a file")]
     TooLarge {
         /// The limit in bytes.

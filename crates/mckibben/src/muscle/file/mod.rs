@@ -35,7 +35,6 @@ pub use source::{Section, Source, WordOr};
 pub use write::to_toml;
 
 use super::Muscle;
-use std::io::Read;
 use std::path::Path;
 
 /// The longest muscle file in bytes.
@@ -56,19 +55,8 @@ pub fn read_muscle(path: impl AsRef<Path>) -> Result<Muscle, FileError> {
 /// # Errors
 /// [`FileError`], as [`read_muscle`], without the file's name.
 pub fn read_text(path: &Path) -> Result<String, FileError> {
-    let unreadable = |e| FileError::new(Problem::Unreadable(e));
-    // Asked before opening: to open a pipe would wait for its other end.
-    let kind = std::fs::metadata(path).map_err(unreadable)?;
-    if !kind.is_file() {
-        let what = if kind.is_dir() { "a directory" } else { "a device or a pipe" };
-        return Err(FileError::new(Problem::NotAFile { what }));
-    }
-    let mut bytes = Vec::new();
-    let file = std::fs::File::open(path).map_err(unreadable)?;
-    file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(unreadable)?;
-    if bytes.len() > MAX_BYTES {
-        return Err(FileError::new(Problem::TooLarge { limit: MAX_BYTES }));
-    }
+    let bytes = mckibben_files::read(path, MAX_BYTES as u64);
+    let bytes = bytes.map_err(|e| FileError::new(Problem::Unread(e)))?;
     String::from_utf8(bytes).map_err(|e| {
         let (offset, bytes) = (e.utf8_error().valid_up_to(), e.as_bytes());
         let utf16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);

@@ -1,0 +1,63 @@
+//! Text that a terminal shows as it stands: names and arguments may hold characters that steer it.
+
+use std::borrow::Cow;
+
+/// Characters that turn the direction of text, or hide in it (Unicode's bidirectional controls, marks and separators).
+const TURNING: [std::ops::RangeInclusive<char>; 6] = [
+    '\u{61c}'..='\u{61c}',
+    '\u{200b}'..='\u{200f}',
+    '\u{2028}'..='\u{202e}',
+    '\u{2060}'..='\u{2069}',
+    '\u{feff}'..='\u{feff}',
+    '\u{e0000}'..='\u{e007f}',
+];
+
+fn turns(c: char) -> bool {
+    TURNING.iter().any(|range| range.contains(&c))
+}
+
+fn escaped(text: &str, steers: impl Fn(char) -> bool) -> Cow<'_, str> {
+    if !text.contains(&steers) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len() + 16);
+    for c in text.chars() {
+        match c {
+            '\n' | '\r' | '\t' if steers(c) => out.extend(c.escape_default()),
+            c if steers(c) => out.extend(c.escape_unicode()),
+            c => out.push(c),
+        }
+    }
+    Cow::Owned(out)
+}
+
+/// A name, an argument, a sentence: on one line, with `\u{1b}` in the place of what steers a terminal.
+pub fn line(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| c.is_control() || turns(c))
+}
+
+/// A text of several lines.
+pub fn lines(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| c != '\n' && c.is_control() || turns(c))
+}
+
+/// A chart, whose colours are sequences of the program's own; its labels hold no others.
+pub fn chart(text: &str) -> Cow<'_, str> {
+    escaped(text, turns)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_steers_a_terminal_is_shown_and_all_else_stands() {
+        let hostile = "a\u{1b}[31mb\u{202e}c\nd\te\u{9b}f\u{7}";
+        assert_eq!(line(hostile), "a\\u{1b}[31mb\\u{202e}c\\nd\\te\\u{9b}f\\u{7}");
+        assert_eq!(lines("a\u{1b}\nb"), "a\\u{1b}\nb");
+        assert_eq!(chart("\u{1b}[1ma\u{202e}"), "\u{1b}[1ma\\u{202e}");
+        for plain in ["", "C10 0.112 MPa · θ0 = 28° ± 1 %", "é 測試 ελ 🙂"] {
+            assert!(matches!(line(plain), Cow::Borrowed(text) if text == plain));
+        }
+    }
+}

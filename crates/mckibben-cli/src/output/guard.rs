@@ -1,0 +1,67 @@
+//! What stands where a result goes: a file of the same kind is replaced, any other only where that was asked for.
+
+use super::Target;
+use crate::failure::Failure;
+use mckibben::formula::{self, Document};
+use mckibben::muscle::file::read_muscle;
+use mckibben_app::ProblemKind;
+use std::path::Path;
+
+/// What is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Content {
+    /// A muscle file.
+    Muscle,
+    /// A formula.
+    Formula,
+    /// An answer as JSON.
+    Json,
+    /// An answer as Parquet.
+    Parquet,
+    /// A table or a text.
+    Other,
+}
+
+impl Content {
+    /// Whether a file may be lost for one of this kind.
+    fn replaces(self, path: &Path) -> bool {
+        match self {
+            Self::Muscle => read_muscle(path).is_ok(),
+            Self::Formula => is_formula(path),
+            Self::Json => !is_formula(path),
+            Self::Parquet => super::parquet::is_ours(path),
+            Self::Other => true,
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Muscle => "a muscle file",
+            Self::Formula => "a formula",
+            Self::Json => "an answer in JSON",
+            Self::Parquet => "an answer in Parquet",
+            Self::Other => "a file",
+        }
+    }
+}
+
+fn is_formula(path: &Path) -> bool {
+    formula::read_text(path).is_ok_and(|text| Document::parse(&text).is_ok())
+}
+
+/// Refuses to write where something would be lost, best before any work is done for it.
+pub fn check(target: Target<'_>, content: Content) -> Result<(), Failure> {
+    let Some(path) = target.path else { return Ok(()) };
+    // What is no regular file is written in place, or refused when it is written.
+    let Ok(there) = std::fs::metadata(path) else { return Ok(()) };
+    if !there.is_file() {
+        return Ok(());
+    }
+    mckibben_files::check_writable(path).map_err(|e| Failure::unwritable(path, &e))?;
+    if target.overwrite || there.len() == 0 || content.replaces(path) {
+        return Ok(());
+    }
+    let (path, name) = (path.display(), content.name());
+    let message = format!("{path} is not {name}, and would be lost");
+    Err(Failure::input(ProblemKind::Output, message, "name another file, or replace it with --overwrite"))
+}

@@ -1,0 +1,261 @@
+//! The door out: a file appears whole or not at all.
+
+use std::fs::{File, Metadata, OpenOptions};
+use std::io::{Error, ErrorKind, Result, Write as _};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// What names of unfinished files begin with.
+const UNFINISHED: &str = ".unfinished-";
+
+/// Puts `bytes` at `path`, whole or not at all. A device or pipe (`/dev/stdout`) is written in place.
+///
+/// # Errors
+/// As [`Unfinished::beside`] and [`Unfinished::put`].
+pub fn replace(path: &Path, bytes: &[u8]) -> Result<()> {
+    if std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir()) {
+        return std::fs::write(path, bytes);
+    }
+    let mut file = Unfinished::beside(path)?;
+    file.file().write_all(bytes)?;
+    file.put(true)
+}
+
+/// Whether a file may be put at `path`: nothing is there, or a file that may be written.
+///
+/// # Errors
+/// `IsADirectory`, `PermissionDenied` for a file that is read-only, `NotFound` where the folder does not exist, and
+/// whatever the system says.
+pub fn check_writable(path: &Path) -> Result<()> {
+    Place::of(path).map(drop)
+}
+
+/// Where a file goes: behind links, with what is there.
+struct Place {
+    target: PathBuf,
+    old: Option<Metadata>,
+}
+
+impl Place {
+    fn of(path: &Path) -> Result<Self> {
+        let target = behind_links(path)?;
+        let old = match std::fs::metadata(&target) {
+            Ok(old) => Some(old),
+            Err(error) if error.kind() == ErrorKind::NotFound => None,
+            Err(error) => return Err(error),
+        };
+        match &old {
+            Some(old) if old.is_dir() => return Err(Error::new(ErrorKind::IsADirectory, "is a directory")),
+            // To rename over a file asks its folder for leave, and not the file.
+            Some(old) if old.permissions().readonly() => {
+                return Err(Error::new(ErrorKind::PermissionDenied, "the file is read-only"));
+            }
+            Some(_) => drop(OpenOptions::new().write(true).open(&target)?),
+            None => {}
+        }
+        let place = Self { target, old };
+        if !place.folder().is_dir() {
+            let message = format!("the folder {} does not exist", place.folder().display());
+            return Err(Error::new(ErrorKind::NotFound, message));
+        }
+        Ok(place)
+    }
+
+    fn folder(&self) -> &Path {
+        folder_of(&self.target)
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+/// The file that a link points to, whether it is there or not.
+fn behind_links(path: &Path) -> Result<PathBuf> {
+    let mut target = path.to_path_buf();
+    // As many links as Linux follows.
+    for _ in 0..40 {
+        match std::fs::read_link(&target) {
+            Ok(next) => target = folder_of(&target).join(next),
+            Err(_) => return Ok(target),
+        }
+    }
+    Err(Error::other("too many links point to one another"))
+}
+
+/// A file that has no name yet: it lies beside its place under a temporary name and is removed unless it is put there.
+#[derive(Debug)]
+pub struct Unfinished {
+    temporary: NamedTempFile,
+    target: PathBuf,
+}
+
+impl Unfinished {
+    /// What names of unfinished files begin with.
+    pub const PREFIX: &'static str = UNFINISHED;
+
+    /// Begins a file that is to stand at `path`; where that is a link, at the file that it points to. The mode of an older
+    /// file is kept, a new one gets the usual one.
+    ///
+    /// # Errors
+    /// As [`check_writable`].
+    pub fn beside(path: &Path) -> Result<Self> {
+        let place = Place::of(path)?;
+        let prefix = prefix(&place.target);
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(&prefix);
+        #[cfg(unix)]
+        {
+            // The usual permissions of a new file (the umask applies), not those of a secret.
+            use std::os::unix::fs::PermissionsExt as _;
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let temporary = builder.tempfile_in(place.folder())?;
+        // Held while it is written, so that `sweep` knows it from what a killed program left.
+        let _ = temporary.as_file().try_lock();
+        if let Some(old) = place.old {
+            temporary.as_file().set_permissions(old.permissions())?;
+        }
+        Ok(Self { temporary, target: place.target })
+    }
+
+    /// The file to write to.
+    pub fn file(&mut self) -> &mut File {
+        self.temporary.as_file_mut()
+    }
+
+    /// Brings it to the disk and gives it its name. What stands there is replaced only with `clobber`.
+    ///
+    /// # Errors
+    /// `AlreadyExists` without `clobber` where there is such a file now; whatever the system says. What was there before is
+    /// as it was.
+    pub fn put(self, clobber: bool) -> Result<()> {
+        let Self { temporary, target } = self;
+        temporary.as_file().sync_all()?;
+        if clobber {
+            return temporary.persist(target).map(drop).map_err(|failure| failure.error);
+        }
+        match temporary.persist_noclobber(&target) {
+            Ok(_) => Ok(()),
+            // A file system that cannot do both at once.
+            Err(failure) if failure.error.kind() != ErrorKind::AlreadyExists && !target.exists() => {
+                failure.file.persist(target).map(drop).map_err(|failure| failure.error)
+            }
+            Err(failure) => Err(failure.error),
+        }
+    }
+
+    /// Removes what programs that were killed left of a file at `path`. What another program writes just now stays, as far
+    /// as the file system knows locks.
+    pub fn sweep(path: &Path) {
+        let Ok(target) = behind_links(path) else { return };
+        let prefix = prefix(&target);
+        let Ok(entries) = std::fs::read_dir(folder_of(&target)) else { return };
+        for entry in entries.flatten().filter(|e| e.file_name().to_string_lossy().starts_with(&prefix)) {
+            let left = OpenOptions::new().write(true).open(entry.path());
+            if left.is_ok_and(|file| file.try_lock().is_ok()) {
+                // Nothing depends on it.
+                let _ = std::fs::remove_file(entry.path());
+            }
+        }
+    }
+}
+
+fn prefix(target: &Path) -> String {
+    format!("{UNFINISHED}{}-", target.file_name().unwrap_or_default().to_string_lossy())
+}
+
+/// Brings the names in a folder to the disk, where the system can.
+pub fn sync(folder: &Path) {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    if let Ok(folder) = File::open(folder) {
+        // Nothing better can be done where folders cannot be synchronised.
+        let _ = folder.sync_all();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> usize {
+        std::fs::read_dir(folder).unwrap().count()
+    }
+
+    #[test]
+    fn a_file_is_replaced_and_nothing_is_left_behind() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        replace(&path, b"one").unwrap();
+        replace(&path, b"two").unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"two");
+        assert_eq!(names(folder.path()), 1);
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_refused_and_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        assert_eq!(replace(folder.path(), b"x").unwrap_err().kind(), ErrorKind::IsADirectory);
+        let missing = folder.path().join("no/such/folder/a.txt");
+        assert_eq!(replace(&missing, b"x").unwrap_err().kind(), ErrorKind::NotFound);
+        assert_eq!(names(folder.path()), 0);
+    }
+
+    #[test]
+    fn a_read_only_file_stays_as_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        std::fs::write(&path, b"mine").unwrap();
+        let mut mode = std::fs::metadata(&path).unwrap().permissions();
+        mode.set_readonly(true);
+        std::fs::set_permissions(&path, mode).unwrap();
+        assert_eq!(replace(&path, b"x").unwrap_err().kind(), ErrorKind::PermissionDenied);
+        assert_eq!((std::fs::read(&path).unwrap(), names(folder.path())), (b"mine".to_vec(), 1));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_stays_a_link_and_the_file_that_it_points_to_is_written() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir(at("far")).unwrap();
+        symlink("far/file", at("one")).unwrap();
+        symlink("one", at("two")).unwrap();
+        for content in [b"first".as_slice(), b"again"] {
+            replace(&at("two"), content).unwrap();
+            assert_eq!(std::fs::read(at("far/file")).unwrap(), content);
+            assert!(at("two").is_symlink() && at("one").is_symlink());
+        }
+        symlink("circle", at("circle")).unwrap();
+        assert!(replace(&at("circle"), b"x").is_err());
+    }
+
+    #[test]
+    fn without_clobbering_a_file_that_has_come_since_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        let unfinished = Unfinished::beside(&path).unwrap();
+        std::fs::write(&path, b"theirs").unwrap();
+        assert_eq!(unfinished.put(false).unwrap_err().kind(), ErrorKind::AlreadyExists);
+        assert_eq!((std::fs::read(&path).unwrap(), names(folder.path())), (b"theirs".to_vec(), 1));
+    }
+
+    #[test]
+    fn what_a_killed_program_left_is_swept_and_what_is_written_just_now_stays() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.txt");
+        let left = folder.path().join(".unfinished-a.txt-x7");
+        std::fs::write(&left, b"half").unwrap();
+        std::fs::write(folder.path().join(".unfinished-b.txt-x7"), b"of another file").unwrap();
+        let alive = Unfinished::beside(&path).unwrap();
+        Unfinished::sweep(&path);
+        assert!(!left.exists());
+        assert_eq!(names(folder.path()), 2);
+        alive.put(false).unwrap();
+        assert!(path.exists());
+    }
+}
