@@ -18,10 +18,13 @@ mod word;
 use clap::Parser;
 use failure::Failure;
 use flags::Format;
+use mckibben::threads;
+use mckibben_app::{guarded, panics_are_problems};
 use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    panics_are_problems();
     let cli = match cli::Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() && json_wanted() => {
@@ -34,7 +37,9 @@ fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    match commands::run(cli.command, cli.format) {
+    let done = guarded(|| commands::run(cli.command, cli.format));
+    threads::shortage().into_iter().for_each(output::warn);
+    match done {
         Ok(code) => ExitCode::from(code),
         Err(failure) => report(&failure, cli.format),
     }

@@ -500,6 +500,14 @@ const POINTS: &[File] = &[
         "no points",
     ),
     ("percent", b"pressure_mpa,contraction,force_n\n0.1,15,3\n", "data", "write 0.15 for 15 %"),
+    ("kPa as MPa", b"pressure_mpa,contraction,force_n\n0.1,0,3\n250,0,3\n", "data", "line 3, column pressure_mpa: 250"),
+    ("a pressure of 1e308", b"pressure_kpa,contraction,force_n\n1e308,0,3\n", "data", "1e308 is more"),
+    ("a pull of 1e308", b"pressure_mpa,contraction,force_n\n0.1,0,1e308\n", "data", "line 2, column force_n: 1e308"),
+    ("a contraction of 1e308", b"pressure_mpa,contraction,force_n\n0.1,1e308,3\n", "data", "column contraction: 1e308"),
+    ("a wall of 1e308", b"pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,1e308\n", "data", "column wall_mm: 1e308"),
+    ("a weight of 1e308", b"pressure_mpa,contraction,force_n,weight\n0.1,0,3,1e308\n", "data", "column weight: 1e308"),
+    ("a column twice", b"pressure_mpa,pressure_mpa,contraction,force_n\n0.1,0.2,0,3\n", "data", "could all be pressure"),
+    ("two decimal marks", b"pressure_mpa;contraction;force_n\n0,1;0.05;3\n", "data", "can be read in two ways"),
     ("pressure below zero", b"pressure_mpa,contraction,force_n\n-0.1,0,3\n", "data", "below zero"),
     ("a short line", b"pressure_mpa,contraction,force_n\n0.1,0\n", "data", "2 fields"),
     ("not a number", b"pressure_mpa,contraction,force_n\n0.1,0,\xff\n", "data", "line 2, column force_n"),
@@ -515,6 +523,7 @@ fn measured_points() {
     for (name, bytes, kind, fragment) in POINTS {
         std::fs::write(&path, bytes).unwrap();
         both(name, &["compare", "--models", "ideal", "--data", word], 2, kind, fragment);
+        both(name, &["identify", "--data", word], 2, kind, fragment);
     }
     std::fs::write(&path, "pressure_mpa,contraction,force_n\n0.1,0,100\n0.2,0,210\n").unwrap();
     let few = ["compare", "--models", "thick-wall", "--data", word, "--fit", "modulus"];

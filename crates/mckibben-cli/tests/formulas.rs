@@ -127,6 +127,10 @@ fn wrong_tables_and_formulas_are_named() {
     put("column.csv", &good.replace("wall_mm", "wall"));
     put("number.csv", &good.replacen("205.14", "much", 1));
     put("infinite.csv", &good.replacen("205.14913", "inf", 1));
+    put("gone.csv", &good.replace("wall_mm", "thickness of the wall"));
+    put("percent.csv", &good.replacen("0.1,0,", "0.1,5,", 1));
+    put("kpa.csv", &good.replacen(",0.05,0,", ",50,0,", 1));
+    put("twice.csv", &good.replacen("length_mm", "wall_mm", 1));
     put("short.csv", &good.lines().take(40).map(|l| format!("{l}\n")).collect::<String>());
     put("mixed.csv", &good.replacen("30,1,285", "30,1,300", 1));
     put("empty.csv", good.lines().next().unwrap());
@@ -135,12 +139,16 @@ fn wrong_tables_and_formulas_are_named() {
     put("nan.json", &formula.replacen("\"value\": ", "\"value\": NaN", 1));
     put("term.json", &formula.replace("\"B33\"", "\"B77\""));
     for (line, kind, parts) in [
-        ("fit column.csv", "data", ["column.csv", "wall_mm is missing"]),
-        ("fit number.csv", "data", ["line 2", "force_n is \"much913\""]),
+        ("fit column.csv", "data", ["column.csv", "column wall does not say its unit"]),
+        ("fit number.csv", "data", ["line 2, column force_n", "\"much913\" is not a finite number"]),
         ("fit infinite.csv", "data", ["line 2", "inf"]),
         ("fit short.csv", "fit", ["short.csv", "outer_diameter_mm"]),
         ("fit mixed.csv", "fit", ["length_mm", "285 to 300"]),
-        ("fit empty.csv", "fit", ["empty.csv", "no point"]),
+        ("fit empty.csv", "data", ["empty.csv", "no points"]),
+        ("fit gone.csv", "data", ["gone.csv", "line 2: wall_mm is missing"]),
+        ("fit percent.csv", "data", ["line 3, column contraction: 5 is no", "0.15 for 15 %"]),
+        ("fit kpa.csv", "data", ["line 2, column pressure_mpa: 50 is more", "unit"]),
+        ("fit twice.csv", "data", ["wall_mm", "could all be wall"]),
         ("fit none.csv", "file", ["none.csv", "cannot read"]),
         ("fit .", "file", ["holds no campaign", "no part"]),
         ("formula show cut.json", "formula", ["cut.json", "no JSON"]),
