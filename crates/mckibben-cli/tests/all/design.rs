@@ -1,10 +1,6 @@
 //! Designs as a user asks for them.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
-mod common;
-
-use common::{folder, root, run_in};
+use crate::common::{folder, root, run_in};
 use serde_json::Value;
 use std::path::Path;
 

@@ -1,7 +1,5 @@
 //! The muscle in bricks as a user meets it.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
-
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;

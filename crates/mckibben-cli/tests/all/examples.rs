@@ -1,9 +1,6 @@
 //! Every command that is shown to users works as shown.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{command, folder, json, mckibben, number, ran, root};
+use crate::common::{command, folder, json, mckibben, number, ran, root};
 use std::path::{Path, PathBuf};
 
 /// A folder that looks like the repository to a command, but where figures may land.

@@ -1,9 +1,6 @@
 //! Formulas as a user meets them: fitted, shown, and asked like any other model.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{folder, number, root, run_in};
+use crate::common::{folder, number, root, run_in};
 use std::path::Path;
 
 fn table() -> String {

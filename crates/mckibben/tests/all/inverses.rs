@@ -1,7 +1,5 @@
 //! Inverses against the function that they invert, looked at on a fine grid.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use mckibben::analysis::{Options, pressure_at};
 use mckibben::model::{ModelKind, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Tube};

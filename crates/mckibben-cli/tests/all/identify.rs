@@ -1,9 +1,6 @@
 //! `identify` as a user meets it.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{folder, json, mckibben, number, root};
+use crate::common::{folder, json, mckibben, number, root};
 use serde_json::Value;
 
 fn parameter<'a>(found: &'a Value, name: &str) -> &'a Value {

@@ -1,5 +1,4 @@
 //! The design search against brute force and against its own promises.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use mckibben::analysis::Options;
 use mckibben::design::{

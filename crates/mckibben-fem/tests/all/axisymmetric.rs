@@ -1,7 +1,5 @@
 //! The axisymmetric muscle as a user meets it.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
-
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::progress::{Progress, Silent};

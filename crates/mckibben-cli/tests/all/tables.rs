@@ -1,10 +1,7 @@
 //! Tables as people have them. The points of `tests/bench` are one muscle's with a shear modulus of 0.25 MPa (`muscle.toml`,
 //! which begins at 0.4), computed by finite elements, in the spellings of seventeen benches.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{folder, json, mckibben, number, root, run, run_in};
+use crate::common::{folder, json, mckibben, number, root, run, run_in};
 use mckibben::units::{Dimension, parse_values};
 use serde_json::Value;
 

@@ -1,9 +1,6 @@
 //! What programs rely on: keys, units, exit codes, files.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{assert_finite, command, folder, json, mckibben, number, ran, root, run_in};
+use crate::common::{assert_finite, command, folder, json, mckibben, number, ran, root, run_in};
 use serde_json::Value;
 
 /// Every one of these keys holds a number.

@@ -1,5 +1,4 @@
 //! The design search against a brute-force grid: what the grid finds, the search finds, and nothing smaller is missed.
-#![allow(clippy::unwrap_used, clippy::panic)]
 
 use mckibben::analysis::pressure_at;
 use mckibben::design::{BraidChoice, Limits, OperatingPoint, Spec, design, fits};

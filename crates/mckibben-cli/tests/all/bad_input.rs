@@ -1,9 +1,6 @@
 //! Input that is wrong: the exit code, the kind, and a message that says what to do.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{Ran, command, folder, mckibben, ran, root, run, run_in};
+use crate::common::{Ran, command, folder, mckibben, ran, root, run, run_in};
 use std::path::Path;
 
 /// Name, words, exit code, kind, part of the message or hint.

@@ -1,5 +1,4 @@
 //! Validation against a measured muscle: B. Tondu, JIMSS 23 (2012) 225–253, Fig. 3, 20° muscle.
-#![allow(clippy::unwrap_used)]
 
 use mckibben::analysis::Options;
 use mckibben::compare::compare;
@@ -11,7 +10,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::rubber::{Law, NeoHookean};
 
 fn points() -> Vec<MeasuredPoint> {
-    let text = include_bytes!("../../../data/tondu2012/static_force_20deg.csv");
+    let text = include_bytes!("../../../../data/tondu2012/static_force_20deg.csv");
     mean_of_branches(&read_measured(&text[..]).unwrap())
 }
 

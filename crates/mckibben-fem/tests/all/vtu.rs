@@ -1,7 +1,5 @@
 //! Files for ParaView, read back.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
-
 use base64::Engine as _;
 use mckibben::model::{ForceModel as _, Response, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};

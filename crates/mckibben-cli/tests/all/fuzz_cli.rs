@@ -1,9 +1,6 @@
 //! Whatever stands in a flag: an answer or an error, never a panic.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{assert_finite, mckibben, run};
+use crate::common::{assert_finite, mckibben, run};
 use proptest::prelude::*;
 
 /// Texts that nearly are quantities, ranges or lists, and some that are nothing.

@@ -1,10 +1,7 @@
 //! Campaigns as a user runs them: killed, interrupted, twice at once, on a full disk.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{Ran, command, folder, ran, run_in};
+use crate::common::{Ran, command, folder, ran, run_in};
 use mckibben::random::Random;
 use serde_json::Value;
 use std::path::Path;

@@ -1,5 +1,4 @@
 //! Identification with finite elements: their own derivatives, and known constants that come back.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use mckibben::compare::MeasuredPoint;
 use mckibben::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};

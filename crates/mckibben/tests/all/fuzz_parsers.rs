@@ -1,7 +1,5 @@
 //! Whatever is typed, no parser panics, none takes long, and what is accepted is finite.
 
-#![allow(clippy::unwrap_used)]
-
 use mckibben::muscle::file::parse_muscle;
 use mckibben::rubber::library;
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};

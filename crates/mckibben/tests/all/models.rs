@@ -1,7 +1,5 @@
 //! One battery over all models, the identities that tie them together, and published figures.
 
-#![allow(clippy::unwrap_used, clippy::panic)]
-
 use mckibben::formula::Coefficients;
 use mckibben::model::{
     ChouHannaford, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall, Workspace,
@@ -259,8 +257,8 @@ fn measured(text: &'static str) -> Vec<csv::StringRecord> {
 /// Validation: the Festo presets against other specimens of the same sizes (Martens & Boblan 2017 \[martens2017\]), points that pull.
 #[test]
 fn festo_presets_against_measured_maps() {
-    let ten = include_str!("../../../data/martens_boblan_2017/DMSP-10-250_force_map.csv");
-    let twenty = include_str!("../../../data/martens_boblan_2017/DMSP-20-300_force_map.csv");
+    let ten = include_str!("../../../../data/martens_boblan_2017/DMSP-10-250_force_map.csv");
+    let twenty = include_str!("../../../../data/martens_boblan_2017/DMSP-20-300_force_map.csv");
     for (kind, text, length_mm, expected) in [
         (ModelKind::FestoDmsp10, ten, 250.0, 73.4),
         (ModelKind::FestoHunt10, ten, 250.0, 16.8),
@@ -292,7 +290,7 @@ fn between(points: &[(f64, f64)], x: f64) -> f64 {
 /// 1.29. (Over all points read from the figure, which are denser on the upper branch, it is 1.278.)
 #[test]
 fn tondu_lopez_on_the_muscle_of_tondu_2012() {
-    let rows = measured(include_str!("../../../data/tondu2012/static_force_20deg.csv"));
+    let rows = measured(include_str!("../../../../data/tondu2012/static_force_20deg.csv"));
     let mut points = vec![];
     for kpa in ["100", "200", "300", "400", "500"] {
         let [down, up] = ["contraction", "elongation"].map(|branch| {

@@ -1,7 +1,5 @@
 //! One model shared by two threads, each with a workspace of its own, answers as one thread does, bit by bit.
 
-#![allow(missing_docs, clippy::unwrap_used)]
-
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::{Braid, EndFactor, MeasuredStrand, Muscle, Terminals};
 use mckibben_fem::Simulation;

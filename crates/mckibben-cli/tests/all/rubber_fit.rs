@@ -1,9 +1,6 @@
 //! `rubber fit`: what it prints and writes, and what it refuses.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{assert_finite, folder, json, mckibben, number, root, run_in};
+use crate::common::{assert_finite, folder, json, mckibben, number, root, run_in};
 use serde_json::Value;
 
 const TRELOAR: &str = "rubber fit data/treloar/tension.csv";

@@ -1,5 +1,4 @@
 //! `literature.bib` at the root of the repository holds every source that code, data and documents cite as `[key]`.
-#![allow(clippy::unwrap_used, reason = "helpers of tests may fail like tests")]
 
 use std::collections::BTreeMap;
 use std::fs;

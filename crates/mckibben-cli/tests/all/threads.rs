@@ -1,10 +1,7 @@
 //! Where the system gives no threads: every command that works side by side answers by one, with the same bytes.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
-mod common;
-
-use common::{Ran, folder, ran, root};
+use crate::common::{Ran, folder, ran, root};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::os::unix::process::CommandExt;

@@ -1,5 +1,4 @@
 //! Runs the built command, as a user would from the root of the repository.
-#![allow(dead_code)]
 
 use serde_json::Value;
 use std::collections::BTreeMap;

@@ -1,0 +1,11 @@
+//! All integration tests of the crate in one executable: one link in place of many.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod answers;
+mod axisymmetric;
+mod identify;
+mod shared;
+mod three_dimensional;
+mod verification;
+mod vtu;
