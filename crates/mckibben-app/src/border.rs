@@ -36,7 +36,8 @@ pub fn panics_are_problems() {
 
 fn internal(cause: &(dyn Any + Send)) -> Problem {
     let said = cause.downcast_ref::<&str>().copied();
-    let said = said.or_else(|| cause.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason given");
+    let said =
+        said.or_else(|| cause.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason given");
     let place = PLACE.lock().unwrap_or_else(PoisonError::into_inner).take();
     let place = place.map_or_else(String::new, |place| format!(" ({place})"));
     let message = format!("mckibben {} is at fault itself: {said}{place}", env!("CARGO_PKG_VERSION"));

@@ -5,8 +5,8 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben::progress::Progress;
 use signal_hook::{consts, flag};
 use std::fmt::Write;
-use std::sync::{Arc, LazyLock};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 
 /// Set by Ctrl-C and the signals that end a process, which are taken over when the first bar is made.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(|| {

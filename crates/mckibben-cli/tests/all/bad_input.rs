@@ -1,6 +1,6 @@
 //! Input that is wrong: the exit code, the kind, and a message that says what to do.
 
-use crate::common::{Ran, command, folder, mckibben, ran, root, run, run_in};
+use crate::common::{Ran, assert_finite, command, folder, mckibben, ran, root, run, run_in};
 use std::path::Path;
 
 /// Name, words, exit code, kind, part of the message or hint.
@@ -401,7 +401,7 @@ fn check_json(name: &str, result: &Ran, exit: i32, kind: &str, fragment: &str) {
     assert_eq!(result.code, exit, "{name}: {}", result.err);
     if !result.out.is_empty() {
         // Curves carry the cause point by point.
-        common::assert_finite(result.text());
+        assert_finite(result.text());
         assert!(
             result.json()["points"].as_array().is_some_and(|p| p.iter().all(|q| q["status"] == kind)),
             "{name}"
@@ -497,14 +497,49 @@ const POINTS: &[File] = &[
         "no points",
     ),
     ("percent", b"pressure_mpa,contraction,force_n\n0.1,15,3\n", "data", "write 0.15 for 15 %"),
-    ("kPa as MPa", b"pressure_mpa,contraction,force_n\n0.1,0,3\n250,0,3\n", "data", "line 3, column pressure_mpa: 250"),
+    (
+        "kPa as MPa",
+        b"pressure_mpa,contraction,force_n\n0.1,0,3\n250,0,3\n",
+        "data",
+        "line 3, column pressure_mpa: 250",
+    ),
     ("a pressure of 1e308", b"pressure_kpa,contraction,force_n\n1e308,0,3\n", "data", "1e308 is more"),
-    ("a pull of 1e308", b"pressure_mpa,contraction,force_n\n0.1,0,1e308\n", "data", "line 2, column force_n: 1e308"),
-    ("a contraction of 1e308", b"pressure_mpa,contraction,force_n\n0.1,1e308,3\n", "data", "column contraction: 1e308"),
-    ("a wall of 1e308", b"pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,1e308\n", "data", "column wall_mm: 1e308"),
-    ("a weight of 1e308", b"pressure_mpa,contraction,force_n,weight\n0.1,0,3,1e308\n", "data", "column weight: 1e308"),
-    ("a column twice", b"pressure_mpa,pressure_mpa,contraction,force_n\n0.1,0.2,0,3\n", "data", "could all be pressure"),
-    ("two decimal marks", b"pressure_mpa;contraction;force_n\n0,1;0.05;3\n", "data", "can be read in two ways"),
+    (
+        "a pull of 1e308",
+        b"pressure_mpa,contraction,force_n\n0.1,0,1e308\n",
+        "data",
+        "line 2, column force_n: 1e308",
+    ),
+    (
+        "a contraction of 1e308",
+        b"pressure_mpa,contraction,force_n\n0.1,1e308,3\n",
+        "data",
+        "column contraction: 1e308",
+    ),
+    (
+        "a wall of 1e308",
+        b"pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,1e308\n",
+        "data",
+        "column wall_mm: 1e308",
+    ),
+    (
+        "a weight of 1e308",
+        b"pressure_mpa,contraction,force_n,weight\n0.1,0,3,1e308\n",
+        "data",
+        "column weight: 1e308",
+    ),
+    (
+        "a column twice",
+        b"pressure_mpa,pressure_mpa,contraction,force_n\n0.1,0.2,0,3\n",
+        "data",
+        "could all be pressure",
+    ),
+    (
+        "two decimal marks",
+        b"pressure_mpa;contraction;force_n\n0,1;0.05;3\n",
+        "data",
+        "can be read in two ways",
+    ),
     ("pressure below zero", b"pressure_mpa,contraction,force_n\n-0.1,0,3\n", "data", "below zero"),
     ("a short line", b"pressure_mpa,contraction,force_n\n0.1,0\n", "data", "2 fields"),
     ("not a number", b"pressure_mpa,contraction,force_n\n0.1,0,\xff\n", "data", "line 2, column force_n"),

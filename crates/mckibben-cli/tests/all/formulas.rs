@@ -1,6 +1,6 @@
 //! Formulas as a user meets them: fitted, shown, and asked like any other model.
 
-use crate::common::{folder, number, root, run_in};
+use crate::common::{Ran, assert_finite, folder, number, root, run_in};
 use std::path::Path;
 
 fn table() -> String {
@@ -14,7 +14,7 @@ fn fitted(dir: &Path, method: &str, name: &str) -> serde_json::Value {
     run_in(dir, &args).ok().json()
 }
 
-fn asked(dir: &Path, line: &str) -> common::Ran {
+fn asked(dir: &Path, line: &str) -> Ran {
     run_in(dir, &line.split_whitespace().collect::<Vec<_>>())
 }
 
@@ -49,7 +49,7 @@ fn a_fitted_formula_is_a_model_of_every_command() {
         "formula show g.json --format csv".into(),
     ] {
         let text = asked(dir.path(), &line).ok();
-        common::assert_finite(text.text());
+        assert_finite(text.text());
     }
     for (line, part) in [
         ("force -D 60 -p 0.2 --model g.json", "outer_diameter 60"),

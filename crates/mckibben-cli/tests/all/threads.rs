@@ -8,7 +8,8 @@ use std::os::unix::process::CommandExt;
 use std::path::Path;
 use std::process::Command;
 
-const PLAN: &str = "[vary]\ntube.outer_diameter = \"30,40 mm\"\n[test]\ncontractions = \"0,10%\"\npressures = \"0.1,0.2\"\n";
+const PLAN: &str =
+    "[vary]\ntube.outer_diameter = \"30,40 mm\"\n[test]\ncontractions = \"0,10%\"\npressures = \"0.1,0.2\"\n";
 
 /// A user whom nobody else is, and who may have one process: a second thread is refused.
 ///
@@ -18,7 +19,8 @@ fn alone(command: &mut Command, user: u32) {
     let become_alone = move || {
         // SAFETY: plain system calls, as may stand between fork and exec.
         let done = unsafe {
-            libc::setrlimit(libc::RLIMIT_NPROC, &limit) == 0 && (libc::geteuid() != 0 || libc::setuid(user) == 0)
+            libc::setrlimit(libc::RLIMIT_NPROC, &limit) == 0
+                && (libc::geteuid() != 0 || libc::setuid(user) == 0)
         };
         if done { Ok(()) } else { Err(std::io::Error::last_os_error()) }
     };

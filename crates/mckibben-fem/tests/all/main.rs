@@ -5,6 +5,7 @@
 mod answers;
 mod axisymmetric;
 mod identify;
+mod measured;
 mod shared;
 mod three_dimensional;
 mod verification;
