@@ -12,12 +12,22 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 7] = [
+const TASKS: [Task; 11] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
     ("schemas", "JSON Schemas of requests and answers in docs/schema; --check compares", schemas),
     ("checks", "outputs read by other programs (python3, ccx, chromium)", checks),
-    ("wasm", "numeric crates build for wasm32-unknown-unknown", wasm),
+    ("wasm", "numeric crates build for wasm32-unknown-unknown", |_| script("bash", "checks/wasm.sh")),
+    ("targets", "the program is checked for other systems", |_| script("bash", "checks/targets.sh")),
+    ("processors", "lanes of the finite elements on lesser processors (qemu)", |_| {
+        script("bash", "checks/processors.sh")
+    }),
+    ("packages", "crates as they would be published hold all they need", |_| {
+        script("bash", "checks/package.sh")
+    }),
+    ("dependencies", "licences and sources of all crates (python3)", |_| {
+        script("python3", "checks/dependencies.py")
+    }),
     ("benches", "speed of the closed forms and of the finite elements", benches),
     ("peers", "finite elements side by side with FElupe and CalculiX (python3, ccx)", peers),
 ];
@@ -56,7 +66,7 @@ fn main() -> ExitCode {
     let task = args.first().and_then(|name| TASKS.iter().find(|(known, ..)| known == name));
     let Some((_, _, run)) = task else {
         println!("cargo xtask TASK\n");
-        TASKS.iter().for_each(|(name, about, _)| println!("  {name:<8} {about}"));
+        TASKS.iter().for_each(|(name, about, _)| println!("  {name:<12} {about}"));
         return if args.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };
     };
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
@@ -142,8 +152,8 @@ fn checks(_: bool) -> Done {
     run(script("checks/outputs.py").arg(&program).arg("chromium"))
 }
 
-fn wasm(_: bool) -> Done {
-    run(Command::new("bash").arg("checks/wasm.sh"))
+fn script(program: &str, path: &str) -> Done {
+    run(Command::new(program).arg(path))
 }
 
 fn benches(_: bool) -> Done {

@@ -1,5 +1,6 @@
 //! Every command by name: its schema, and its way from JSON to JSON.
 
+use crate::border::guarded;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
 use mckibben::nearest::nearest;
@@ -115,10 +116,12 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// # Errors
 /// [`Problem`].
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
-    let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
-    let command = find(command)?;
-    command.check_fields(&value)?;
-    Ok((command.ask)(value, progress)?.to_string())
+    guarded(|| {
+        let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
+        let command = find(command)?;
+        command.check_fields(&value)?;
+        Ok((command.ask)(value, progress)?.to_string())
+    })
 }
 
 fn find(command: &str) -> Result<&'static CommandEntry, Problem> {

@@ -15,7 +15,7 @@
 //! Requests and answers are plain data with serde; their JSON is that of the command line, and [`schema`] describes it. A
 //! [`Problem`] says why there is no answer, in words that hold in every front end. Files are read by the front end and
 //! handed over as text ([`TextFile`]), so that all this runs without an operating system too; only campaigns, which live
-//! on disk, need the feature `files`.
+//! on disk, need the feature `files`. A panic is a [`Problem`] as well, where [`guarded`] stands around the call.
 //!
 //! Which model answers is decided in one place, [`Model::choose`].
 //!
@@ -23,6 +23,7 @@
 
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod border;
 mod braid;
 #[cfg(feature = "files")]
 mod campaign;
@@ -50,6 +51,7 @@ mod validate;
 mod warnings;
 pub mod words;
 
+pub use border::{guarded, panics_are_problems};
 pub use braid::*;
 #[cfg(feature = "files")]
 pub use campaign::*;

@@ -75,6 +75,8 @@ pub enum ProblemKind {
     Damaged,
     /// A campaign that is not finished.
     Incomplete,
+    /// The program itself is at fault.
+    Internal,
 }
 
 /// How a request ended that did not end well; the numbers are the exit codes of the command line.
@@ -86,6 +88,8 @@ pub enum Ending {
     WrongInput = 2,
     /// The computation did not converge, or was cancelled.
     NotConverged = 3,
+    /// The program itself is at fault.
+    Internal = 4,
 }
 
 impl ProblemKind {
@@ -94,6 +98,7 @@ impl ProblemKind {
         match self {
             Self::NoAnswer => Ending::NoAnswer,
             Self::NotConverged | Self::Cancelled => Ending::NotConverged,
+            Self::Internal => Ending::Internal,
             _ => Ending::WrongInput,
         }
     }

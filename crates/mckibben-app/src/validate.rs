@@ -2,11 +2,11 @@
 
 use crate::problem::Problem;
 use mckibben::progress::Progress;
+use mckibben::threads;
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
 use mckibben_fem::verification::{Kind, Measure, Row};
 use mckibben_fem::{validation, verification};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -166,7 +166,7 @@ impl SweepAnswer {
 /// [`Problem`] where it was cancelled.
 pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAnswer, Problem> {
     let done = AtomicUsize::new(0);
-    let one = |i: usize| {
+    let one = |&i: &usize| {
         if progress.cancelled() {
             return None;
         }
@@ -174,7 +174,8 @@ pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAns
         progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, request.muscles);
         row
     };
-    let rows: Vec<SweepRow> = (0..request.muscles).into_par_iter().filter_map(one).collect();
+    let numbers: Vec<usize> = (0..request.muscles).collect();
+    let rows: Vec<SweepRow> = threads::map(&numbers, one).into_iter().flatten().collect();
     if progress.cancelled() {
         return Err(Problem::cancelled());
     }

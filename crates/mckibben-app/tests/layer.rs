@@ -22,6 +22,23 @@ fn a_request_in_json_is_the_request_in_rust() {
     assert_eq!(answer.point.model, "fe");
 }
 
+/// Progress that panics, on a thread that works, stands for a fault of the program.
+#[test]
+fn a_panic_is_a_problem_that_asks_for_a_report() {
+    struct Faulty;
+    impl Progress for Faulty {
+        fn report(&self, done: usize, _: usize) {
+            assert!(done < 2, "two are too many");
+        }
+    }
+    let problem = ask("sweep", r#"{"muscles": 4}"#, &Faulty).unwrap_err();
+    assert_eq!(serde_json::to_value(problem.kind).unwrap(), "internal");
+    assert!(problem.message.contains("is at fault itself: two are too many"), "{}", problem.message);
+    assert!(problem.hint.contains("report"), "{}", problem.hint);
+    // The next request is answered.
+    assert!(ask("sweep", r#"{"muscles": 4}"#, &Silent).is_ok());
+}
+
 #[test]
 fn words_of_the_contract_are_fields() {
     let point = asked(

@@ -241,4 +241,16 @@ mod tests {
         assert_eq!(failure.exit(), 2);
         assert!(failure.to_json().contains("\"field\":\"pressures_mpa\""));
     }
+
+    #[test]
+    fn a_panic_is_a_failure_with_an_exit_code_of_its_own() {
+        let index = [1, 2].len();
+        let work = || -> Result<u8, Failure> { Ok([1, 2][index]) };
+        let failure = mckibben_app::guarded(work).unwrap_err();
+        assert_eq!(failure.exit(), 4);
+        let text = failure.to_text();
+        assert!(text.contains("at fault itself: index out of bounds: the len is 2"), "{text}");
+        assert!(text.contains("hint: please report"), "{text}");
+        assert!(failure.to_json().starts_with("{\"error\":{\"kind\":\"internal\""), "{}", failure.to_json());
+    }
 }

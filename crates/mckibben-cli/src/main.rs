@@ -18,11 +18,14 @@ mod word;
 use clap::Parser;
 use failure::Failure;
 use flags::Format;
+use mckibben::threads;
+use mckibben_app::{guarded, panics_are_problems};
 use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    panics_are_problems();
     let cli = match cli::Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() && json_wanted() => {
@@ -39,7 +42,9 @@ fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
-    match commands::run(cli.command, cli.format) {
+    let done = guarded(|| commands::run(cli.command, cli.format));
+    threads::shortage().into_iter().for_each(output::warn);
+    match done {
         Ok(code) => ExitCode::from(code),
         Err(failure) => report(&failure, cli.format),
     }

@@ -3,14 +3,27 @@
 use crate::output::text::number;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben::progress::Progress;
+use signal_hook::{consts, flag};
 use std::fmt::Write;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 
-/// Set by Ctrl-C and the signals that end a process.
-static STOPPED: AtomicBool = AtomicBool::new(false);
-/// Whether the signals were taken over already.
-static LISTENS: OnceLock<()> = OnceLock::new();
+/// Set by Ctrl-C and the signals that end a process, which are taken over when the first bar is made.
+static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(|| {
+    let stopped = Arc::new(AtomicBool::new(false));
+    for signal in ENDING {
+        // In this order: the first one sets the flag, and a later one finds it set. Where signals cannot be taken over, they
+        // end the program as ever.
+        let _ = flag::register_conditional_shutdown(signal, i32::from(INTERRUPTED), Arc::clone(&stopped))
+            .and_then(|_| flag::register(signal, Arc::clone(&stopped)));
+    }
+    stopped
+});
+/// The signals that end a process.
+#[cfg(unix)]
+const ENDING: [i32; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
+#[cfg(not(unix))]
+const ENDING: [i32; 2] = [consts::SIGINT, consts::SIGTERM];
 
 /// A bar with rate and remaining time, to standard error, on a terminal only. The first Ctrl-C ends the work, the second
 /// the program.
@@ -28,14 +41,7 @@ impl Bar {
     }
 
     fn on(things: &str, target: ProgressDrawTarget) -> Self {
-        LISTENS.get_or_init(|| {
-            // Where signals cannot be taken over, they end the program as ever.
-            let _ = ctrlc::set_handler(|| {
-                if STOPPED.swap(true, Ordering::Relaxed) {
-                    std::process::exit(i32::from(INTERRUPTED));
-                }
-            });
-        });
+        LazyLock::force(&STOPPED);
         let bar = ProgressBar::with_draw_target(None, target);
         let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {

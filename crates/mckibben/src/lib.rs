@@ -57,6 +57,7 @@ pub mod sleeve;
 pub mod status;
 pub mod study;
 pub mod table;
+pub mod threads;
 pub mod uncertainty;
 pub mod units;
 pub mod warning;

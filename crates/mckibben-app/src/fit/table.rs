@@ -4,6 +4,7 @@ use super::file_name;
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::formula::Made;
+use mckibben::measured::{DataPoint, PointOptions, read_points};
 use mckibben_campaign::fit::data::FitPoint;
 use std::path::Path;
 
@@ -57,49 +58,28 @@ pub(super) fn of_campaign(path: &Path) -> Result<Points, Problem> {
     Ok(Points { failed: rows.len() - points.len(), points, made_for: Some(made_for), origin })
 }
 
-/// The points of a CSV table.
+/// The points of a table, in any form that people write them; each row says all of its muscle.
 pub(super) fn of_csv(file: &TextFile) -> Result<Points, Problem> {
-    let wrong = |message: String| {
-        Problem::new(ProblemKind::Data, format!("{}: {message}", file.name), "a CSV file with a header")
+    let (read, understood) = read_points(file.text.as_bytes(), &PointOptions::default())
+        .map_err(|e| Problem::of_table(&file.name, &e))?;
+    let point = |p: DataPoint| {
+        let there = |name: &str, value: Option<f64>| {
+            let message = format!("{}: line {}: {name} is missing", file.name, p.line);
+            let hint = format!("every row needs {}", COLUMNS.join(", "));
+            value.ok_or_else(|| Problem::new(ProblemKind::Data, message, hint))
+        };
+        Ok(FitPoint {
+            outer_diameter_mm: there(COLUMNS[0], p.section.outer_diameter_mm)?,
+            wall_mm: there(COLUMNS[1], p.section.wall_mm)?,
+            length_mm: there(COLUMNS[2], p.section.length_mm)?,
+            angle_deg: there(COLUMNS[3], p.section.angle_deg)?,
+            pressure_mpa: p.at.pressure_mpa,
+            contraction: p.at.contraction,
+            force_n: p.at.force_n,
+        })
     };
-    let mut reader =
-        csv::ReaderBuilder::new().comment(Some(b'#')).trim(csv::Trim::All).from_reader(file.text.as_bytes());
-    let header = reader.headers().map_err(|e| wrong(e.to_string()))?.clone();
-    let place = |name: &str| header.iter().position(|h| h == name);
-    let mut places = [0; 7];
-    for (at, name) in places.iter_mut().zip(COLUMNS) {
-        *at = place(name).ok_or_else(|| {
-            wrong(format!("the column {name} is missing; needed are {}", COLUMNS.join(", ")))
-        })?;
-    }
-    let status = place("status");
-    let (mut points, mut failed) = (vec![], 0);
-    for record in reader.records() {
-        let record = record.map_err(|e| wrong(e.to_string()))?;
-        if status.and_then(|i| record.get(i)).is_some_and(|s| s != "ok") {
-            failed += 1;
-            continue;
-        }
-        let line = record.position().map_or(0, csv::Position::line);
-        let number = |k: usize| {
-            let text = record.get(places[k]).unwrap_or_default();
-            let value = text.parse::<f64>().ok().filter(|v| v.is_finite());
-            value.ok_or_else(|| wrong(format!("line {line}: {} is \"{text}\", not a number", COLUMNS[k])))
-        };
-        let above_zero = |k: usize| match number(k)? {
-            v if v > 0.0 => Ok(v),
-            _ => Err(wrong(format!("line {line}: {} must be above zero", COLUMNS[k]))),
-        };
-        points.push(FitPoint {
-            outer_diameter_mm: above_zero(0)?,
-            wall_mm: above_zero(1)?,
-            length_mm: above_zero(2)?,
-            angle_deg: above_zero(3)?,
-            pressure_mpa: number(4)?,
-            contraction: number(5)?,
-            force_n: number(6)?,
-        });
-    }
+    let points = read.into_iter().map(point).collect::<Result<_, Problem>>()?;
     let (name, table) = (file.name.clone(), file_name(Path::new(&file.name)));
-    Ok(Points { points, failed, made_for: None, origin: Origin { name, table, plan_hash: None, seed: None } })
+    let origin = Origin { name, table, plan_hash: None, seed: None };
+    Ok(Points { points, failed: understood.left_out, made_for: None, origin })
 }

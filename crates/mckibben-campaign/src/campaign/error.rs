@@ -1,6 +1,7 @@
 //! Why a campaign does not run, or a store cannot be read.
 
 use mckibben::muscle::file::FileError;
+use mckibben::threads::ThreadsError;
 #[cfg(feature = "store")]
 use std::path::Path;
 use std::path::PathBuf;
@@ -138,8 +139,8 @@ pub enum CampaignError {
     #[error("the campaign was stopped before its end")]
     Stopped,
     /// No threads to be had.
-    #[error("cannot start threads: {0}")]
-    Threads(String),
+    #[error(transparent)]
+    Threads(#[from] ThreadsError),
 }
 
 fn short(hash: &str) -> &str {
@@ -186,6 +187,7 @@ impl CampaignError {
             Self::Write { .. } | Self::Encode(_) => {
                 "what was written before is a valid store; the same command goes on from there"
             }
+            Self::Threads(_) => "take fewer threads; the table does not depend on them",
             _ => "",
         }
     }

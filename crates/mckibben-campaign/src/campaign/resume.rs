@@ -4,7 +4,7 @@ use super::CampaignError;
 use super::merge::Place;
 use super::run::{Counts, Outcome, Recomputed};
 use super::store::{Folder, Opened, Provenance, Which};
-use rayon::prelude::*;
+use mckibben::threads::Threads;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -57,23 +57,22 @@ pub(super) type There = (BTreeMap<u64, Place>, Vec<Recomputed>);
 pub(super) fn there(
     folder: &Folder,
     provenance: &Provenance,
-    mine: &(impl Fn(&u64) -> bool + Sync),
+    mine: &impl Fn(&u64) -> bool,
     overwrite: bool,
+    threads: &Threads,
 ) -> Result<There, CampaignError> {
     let parts: Vec<(u64, PathBuf)> = Folder::parts(&folder.path)?.into_iter().collect();
-    let checked: Vec<Result<Option<String>, CampaignError>> = parts
-        .par_iter()
-        .map(|(number, path)| match of_this_plan(provenance, path) {
-            Ok(opened) => {
-                let right = opened.which == Which::Part(*number);
-                Ok((!right).then(|| "it holds another part than its name says".to_owned()))
-            }
-            Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
-            Err(error @ CampaignError::Read { .. }) => Err(error),
-            Err(error) if overwrite => Ok(Some(error.to_string())),
-            Err(error) => Err(error),
-        })
-        .collect();
+    let cause = |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path) {
+        Ok(opened) => {
+            let right = opened.which == Which::Part(*number);
+            Ok((!right).then(|| "it holds another part than its name says".to_owned()))
+        }
+        Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
+        Err(error @ CampaignError::Read { .. }) => Err(error),
+        Err(error) if overwrite => Ok(Some(error.to_string())),
+        Err(error) => Err(error),
+    };
+    let checked = threads.map(&parts, cause);
     let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
     for ((number, path), checked) in parts.into_iter().zip(checked) {
         match checked? {

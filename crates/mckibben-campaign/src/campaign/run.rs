@@ -6,12 +6,11 @@ use super::resume::{finished, there};
 use super::store::{Folder, Provenance, Table, check_name, is_file_name, part, part_name};
 use super::{CampaignError, Shard, solve};
 use mckibben::progress::Progress;
+use mckibben::threads::Threads;
 use mckibben_files::check_writable;
-use rayon::prelude::*;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
 /// Parts are brought to the disk this often.
@@ -145,11 +144,11 @@ pub fn run(
         drop(folder);
         return finished(&provenance, out, &store);
     }
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.unwrap_or(0)).build();
-    let pool = pool.map_err(|e| CampaignError::Threads(e.to_string()))?;
+    let own = options.threads.map(Threads::new).transpose()?;
+    let threads = own.as_ref().unwrap_or_else(|| Threads::shared());
 
     let mine = |part: &u64| options.shard.is_none_or(|s| s.holds(*part));
-    let (mut places, recomputed) = pool.install(|| there(&folder, &provenance, &mine, options.overwrite))?;
+    let (mut places, recomputed) = there(&folder, &provenance, &mine, options.overwrite, threads)?;
     let muscles = |part: u64| provenance.muscles_of(part).count() as u64;
     let wanted: Vec<u64> = (0..provenance.parts()).filter(mine).collect();
     let missing: Vec<u64> = wanted.iter().copied().filter(|p| !places.contains_key(p)).collect();
@@ -160,53 +159,40 @@ pub fn run(
     report(&counts);
 
     let mut pending = vec![];
+    let mut error = None;
+    let mut flushed = Instant::now();
     // Its own flag, so that an error here does not look like the user's wish.
-    let failed = &AtomicBool::new(false);
-    let ended = std::thread::scope(|scope| {
-        let (sender, receiver) = sync_channel::<Result<Done, CampaignError>>(4 * pool.current_num_threads());
-        let (provenance, pool, missing) = (&provenance, &pool, &missing);
-        scope.spawn(move || {
-            let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
-            let work = |sender: &mut SyncSender<_>, &number: &u64| {
-                if let Some(done) = compute(plan, provenance, number, &halted) {
-                    let _ = sender.send(done);
-                }
-            };
-            pool.install(|| missing.par_iter().with_max_len(1).for_each_with(sender, work));
-        });
-        let mut error = None;
-        let mut flushed = Instant::now();
-        loop {
-            match receiver.recv_timeout(Duration::from_millis(100)) {
-                Ok(Ok(done)) if error.is_none() => {
-                    counts.muscles += provenance.muscles_of(done.part).count() as u64;
-                    counts.points += done.points;
-                    counts.failed += done.failed;
-                    pending.push((done.part, done.bytes));
-                    report(&counts);
-                }
-                Ok(Ok(_)) => {}
-                Ok(Err(e)) => error = error.or(Some(e)),
-                Err(RecvTimeoutError::Timeout) => report(&counts),
-                Err(RecvTimeoutError::Disconnected) => break,
+    let failed = AtomicBool::new(false);
+    let halted = || progress.cancelled() || failed.load(Ordering::Relaxed);
+    let work = |&number: &u64| compute(plan, &provenance, number, &halted);
+    threads.for_each(&missing, work, |done| {
+        match done.flatten() {
+            Some(Ok(done)) if error.is_none() => {
+                counts.muscles += provenance.muscles_of(done.part).count() as u64;
+                counts.points += done.points;
+                counts.failed += done.failed;
+                pending.push((done.part, done.bytes));
+                report(&counts);
             }
-            if error.is_none() && flushed.elapsed() > FLUSH {
-                let numbers: Vec<u64> = pending.iter().map(|p: &(u64, Vec<u8>)| p.0).collect();
-                match folder.write(&mut pending) {
-                    Ok(()) => {
-                        places.extend(numbers.iter().map(|&n| (n, Place::File(store.join(part_name(n))))))
-                    }
-                    Err(e) => error = Some(e),
-                }
-                flushed = Instant::now();
-            }
-            if error.is_some() {
-                failed.store(true, Ordering::Relaxed);
-            }
+            Some(Ok(_)) => {}
+            Some(Err(e)) => error = error.take().or(Some(e)),
+            None => report(&counts),
         }
-        error.map_or(Ok(()), Err)
+        if error.is_none() && flushed.elapsed() > FLUSH {
+            let numbers: Vec<u64> = pending.iter().map(|p: &(u64, Vec<u8>)| p.0).collect();
+            match folder.write(&mut pending) {
+                Ok(()) => places.extend(numbers.iter().map(|&n| (n, Place::File(store.join(part_name(n)))))),
+                Err(e) => error = Some(e),
+            }
+            flushed = Instant::now();
+        }
+        if error.is_some() {
+            failed.store(true, Ordering::Relaxed);
+        }
     });
-    ended?;
+    if let Some(error) = error {
+        return Err(error);
+    }
     let outcome = Outcome { recomputed, ..Outcome::new(&provenance, out, &store, counts) };
     if one_file && outcome.complete {
         if out.exists() && !options.overwrite {

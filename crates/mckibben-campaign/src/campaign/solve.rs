@@ -6,9 +6,9 @@ use crate::Row;
 use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
 use mckibben::status::Status;
+use mckibben::threads;
 use mckibben_fem::FemError;
 use mckibben_fem::results::TangentPoint;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// All rows of a plan, in its order and in memory: for plans of a moderate size, and where there are no files.
@@ -17,7 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// [`CampaignError::Stopped`] where the caller wanted it to end.
 pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, CampaignError> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
-    let one = |number: u64| {
+    let one = |&number: &u64| {
         if progress.cancelled() {
             return Err(CampaignError::Stopped);
         }
@@ -25,7 +25,8 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, Campaig
         progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, total);
         Ok(rows)
     };
-    let all: Vec<Vec<Row>> = (0..plan.muscles()).into_par_iter().map(one).collect::<Result<_, _>>()?;
+    let numbers: Vec<u64> = (0..plan.muscles()).collect();
+    let all: Vec<Vec<Row>> = threads::map(&numbers, one).into_iter().collect::<Result<_, _>>()?;
     Ok(all.concat())
 }
 

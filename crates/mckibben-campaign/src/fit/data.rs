@@ -4,9 +4,9 @@ use crate::Row;
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
+use mckibben::threads;
 use mckibben_fem::Simulation;
 use mckibben_fem::axisymmetric::Axisymmetric;
-use rayon::prelude::*;
 use serde::Serialize;
 
 /// The diameters of the paper's campaign in mm.
@@ -105,7 +105,7 @@ pub fn compute_with(
         diameters.iter().flat_map(|&d| walls.iter().map(move |&s| (d, s))).collect();
     let one =
         |&(d, s): &(f64, f64)| muscle(d, s).map_or_else(Vec::new, |m| of_muscle(&m, contractions, pressures));
-    sections.par_iter().map(one).collect::<Vec<_>>().concat()
+    threads::map(&sections, one).concat()
 }
 
 fn of_muscle(muscle: &Muscle, contractions: &[f64], pressures: &[f64]) -> Vec<FitPoint> {

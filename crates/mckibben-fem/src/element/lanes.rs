@@ -55,7 +55,7 @@ impl Real for f64 {
 }
 
 /// How many elements are looked at together on this machine.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Width {
     /// One.
     One,
@@ -67,15 +67,26 @@ pub enum Width {
 
 impl Width {
     /// The widest there is here.
+    #[inline]
     pub fn here() -> Self {
+        #[cfg(test)]
+        if let Some(width) = tests::FORCED.get() {
+            return width;
+        }
+        Self::widest()
+    }
+
+    fn widest() -> Self {
         #[cfg(target_arch = "x86_64")]
         {
             use std::arch::is_x86_feature_detected as has;
-            // Just what the kernels of `three_dimensional::assembly` are compiled for.
-            if has!("avx512f") && has!("avx512vl") && has!("avx512dq") && has!("fma") {
+            // Just what the kernels of `three_dimensional::assembly`, `solid` and `solver::dense` are compiled for; to a compiler
+            // avx512f implies avx2, fma and f16c, which a virtual machine may hide.
+            let four = has!("avx2") && has!("fma");
+            if four && has!("f16c") && has!("avx512f") && has!("avx512vl") && has!("avx512dq") {
                 return Self::Eight;
             }
-            if has!("avx2") && has!("fma") {
+            if four {
                 return Self::Four;
             }
         }
@@ -187,4 +198,61 @@ mod wide {
         _mm512_set1_pd,
         _mm512_min_pd
     );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Width;
+    use crate::axisymmetric::Axisymmetric;
+    use crate::three_dimensional::{BrickSpec, ThreeDimensional};
+    use mckibben::model::{ForceModel, Workspace};
+    use mckibben::muscle::{Muscle, Rubber};
+    use mckibben::rubber::{Law, Yeoh};
+    use std::cell::Cell;
+
+    thread_local! {
+        /// What [`Width::here`] answers to this thread.
+        pub static FORCED: Cell<Option<Width>> = const { Cell::new(None) };
+    }
+
+    /// The prototype, and a thin one of another law.
+    fn muscles() -> [Muscle; 2] {
+        let yeoh = Rubber::of(Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: -0.0007, c30_mpa: 2e-5 }));
+        let prototype = Muscle::prototype();
+        let tube = prototype.with_section(20.0, 1.0).unwrap().tube().clone();
+        [prototype.clone(), prototype.with_tube(mckibben::muscle::Tube { rubber: yeoh, ..tube }).unwrap()]
+    }
+
+    fn answers(model: &dyn ForceModel) -> Vec<f64> {
+        let w = &mut Workspace::new();
+        let at = |(p, e)| {
+            let r = model.response(w, p, e).unwrap();
+            [Some(r.force_n), r.volume_mm3, r.stiffness_n_per_mm, r.bulged_diameter_mm, r.max_stretch]
+        };
+        [(0.1, 0.0), (0.25, 0.1)].map(at).into_iter().flatten().flatten().collect()
+    }
+
+    /// Without fused products the axisymmetric elements give the same bits on any processor; the bricks, whose products are
+    /// fused in wide lanes, the same to rounding. Wider lanes than this processor has are not asked.
+    #[test]
+    fn every_width_gives_the_same_answers() {
+        let spec = BrickSpec::parse("1x4").unwrap();
+        let by = |width: Width, muscle: &Muscle| {
+            FORCED.set(Some(width));
+            let plane = answers(&Axisymmetric::new(muscle).unwrap());
+            let bricks = answers(&ThreeDimensional::with_mesh(muscle, &spec).unwrap());
+            FORCED.set(None);
+            (plane, bricks)
+        };
+        for muscle in muscles() {
+            let (plane, bricks) = by(Width::One, &muscle);
+            for width in [Width::Four, Width::Eight].into_iter().filter(|w| *w <= Width::widest()) {
+                let (same, alike) = by(width, &muscle);
+                assert_eq!(same, plane, "{width:?}");
+                for (a, b) in alike.iter().zip(&bricks) {
+                    assert!((a / b - 1.0).abs() < 1e-12, "{width:?}: {a} {b}");
+                }
+            }
+        }
+    }
 }

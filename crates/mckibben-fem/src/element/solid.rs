@@ -4,6 +4,7 @@
 //!
 //! r: residual ∂Π/∂u, g_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K, B = ∂²Π/∂u∂p. K → ∞ for incompressible rubber.
 
+use super::lanes::Width;
 use super::plane::{Gradient, PlaneLaw};
 use super::q2::{Geometry, MODES, NODES, PADDED, Point};
 
@@ -98,7 +99,7 @@ pub fn contribute<L: PlaneLaw, const TANGENT: bool>(
     out: &mut Contribution,
 ) -> bool {
     #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") {
+    if Width::here() >= Width::Four {
         // SAFETY: the processor has just been asked for what the function needs.
         return unsafe { wide::<L, TANGENT>(geometry, u, law, compliance, out) };
     }

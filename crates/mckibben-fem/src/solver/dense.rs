@@ -1,5 +1,7 @@
 //! Partial LDLᵀ of small dense symmetric matrices.
 
+use crate::element::lanes::Width;
+
 /// Eliminates the first `eliminated` unknowns of a symmetric matrix of which the upper triangle is stored by rows.
 ///
 /// Afterwards row k < `eliminated` holds the pivot d_k on the diagonal and l_ki = a_ki/d_k behind it; the rest holds the
@@ -11,7 +13,7 @@
 /// The index of the pivot.
 pub fn eliminate(a: &mut [f64], size: usize, eliminated: usize) -> Result<usize, usize> {
     #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") {
+    if Width::here() >= Width::Four {
         // SAFETY: the processor has just been asked for what the function needs.
         return unsafe { wide(a, size, eliminated) };
     }

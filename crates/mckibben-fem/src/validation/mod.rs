@@ -25,7 +25,7 @@ use mckibben::progress::Progress;
 use mckibben::rubber::{Law, NeoHookean};
 
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
-const POINTS: &str = include_str!("../../../../data/tondu2012/static_force_20deg.csv");
+const POINTS: &str = include_str!("../../data/tondu2012/static_force_20deg.csv");
 
 type Build = fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>;
 

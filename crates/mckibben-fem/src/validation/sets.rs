@@ -32,7 +32,7 @@ pub const SETS: [MeasuredSet; 4] = [
         mu_mpa: 0.5,
         free: &[Target::Modulus],
         rms_of_blocked: 0.02,
-        table: include_str!("../../../../data/tondu2012/static_force_20deg.csv"),
+        table: include_str!("../../data/tondu2012/static_force_20deg.csv"),
     },
     MeasuredSet {
         name: "DMSP-20-300",
@@ -41,7 +41,7 @@ pub const SETS: [MeasuredSet; 4] = [
         mu_mpa: 0.8,
         free: &[Target::Modulus, Target::Angle],
         rms_of_blocked: 0.015,
-        table: include_str!("../../../../data/martens_boblan_2017/DMSP-20-300.csv"),
+        table: include_str!("../../data/martens_boblan_2017/DMSP-20-300.csv"),
     },
     MeasuredSet {
         name: "DMSP-10-250",
@@ -50,7 +50,7 @@ pub const SETS: [MeasuredSet; 4] = [
         mu_mpa: 0.8,
         free: &[Target::Modulus, Target::Angle],
         rms_of_blocked: 0.03,
-        table: include_str!("../../../../data/martens_boblan_2017/DMSP-10-250.csv"),
+        table: include_str!("../../data/martens_boblan_2017/DMSP-10-250.csv"),
     },
     MeasuredSet {
         name: "DMSP-10 hose, 233, 281 and 382 mm",
@@ -59,7 +59,7 @@ pub const SETS: [MeasuredSet; 4] = [
         mu_mpa: 1.5,
         free: &[Target::Modulus, Target::Angle],
         rms_of_blocked: 0.045,
-        table: include_str!("../../../../data/festo_dmsp10/force_map.csv"),
+        table: include_str!("../../data/festo_dmsp10/force_map.csv"),
     },
 ];
 

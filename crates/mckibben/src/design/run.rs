@@ -9,8 +9,8 @@ use super::search::{Harvest, Pick, Search};
 use super::spec::{Build, Spec, SpecError};
 use crate::muscle::{Muscle, Rubber};
 use crate::progress::{Progress, Silent};
+use crate::threads;
 use crate::units::Values;
-use rayon::prelude::*;
 use std::sync::atomic::AtomicUsize;
 
 /// The models of a design.
@@ -130,10 +130,10 @@ fn settled(search: &Search<'_>, models: Models<'_>, harvest: &Harvest) -> Vec<Ca
         candidate(spec, build, &muscle, &probe).ok()
     };
     let picks: Vec<Pick> = harvest.fits.iter().map(|f| f.1).collect();
-    let mut found: Vec<Candidate> = picks.par_iter().filter_map(one).collect();
+    let mut found: Vec<Candidate> = threads::map(&picks, one).into_iter().flatten().collect();
     if found.len() < spec.top && models.settle.is_some() {
         let nearly: Vec<Pick> = harvest.misses.iter().filter(|m| m.0 < NEARLY).map(|m| m.1).collect();
-        found.extend(nearly.par_iter().filter_map(one).collect::<Vec<_>>());
+        found.extend(threads::map(&nearly, one).into_iter().flatten());
     }
     found.sort_by(|a, b| a.score.total_cmp(&b.score));
     found.dedup_by(|a, b| a.muscle == b.muscle);

@@ -11,8 +11,8 @@ use super::spec::{BraidChoice, Build, Objective, Spec};
 use crate::analysis::golden;
 use crate::muscle::{Braid, Muscle, MuscleError, Rubber, Tube};
 use crate::progress::Progress;
+use crate::threads;
 use crate::units::Values;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
@@ -261,7 +261,7 @@ impl Search<'_> {
             Values::List(list) => list.clone(),
             Values::Interval(low, high) => nice_steps(*low, *high, samples),
         };
-        let tried: Vec<Tried> = places.par_iter().map(|&x| (x, f(x))).collect();
+        let tried: Vec<Tried> = threads::map(&places, |&x| (x, f(x)));
         let merit = |t: &Tried| t.1.merit();
         let mut extra = None;
         if let Values::Interval(low, high) = values

@@ -17,7 +17,7 @@ use crate::measured::{DataPoint, Quantity, Section};
 use crate::model::{ForceModel, ModelError, Workspace};
 use crate::muscle::{BraidStiffness, Direction, Muscle};
 use crate::progress::Progress;
-use rayon::prelude::*;
+use crate::threads;
 
 /// Makes the model of a muscle.
 pub trait Build: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync {}
@@ -190,7 +190,7 @@ impl<'a, B: Build> Problem<'a, B> {
             let mut w = Workspace::new();
             Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, &self.points[i])).collect())
         };
-        let lists: Vec<Option<Vec<_>>> = self.chunks.par_iter().map(of_chunk).collect();
+        let lists = threads::map(&self.chunks, of_chunk);
         let mut out: Vec<Option<Result<T, ModelError>>> = self.points.iter().map(|_| None).collect();
         for (chunk, list) in self.chunks.iter().zip(lists) {
             for (&i, value) in chunk.rows.iter().zip(list?) {

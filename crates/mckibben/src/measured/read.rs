@@ -142,10 +142,7 @@ fn contractions(
     };
     let wrong = |expected| Err(table.impossible(row, column, expected));
     match (column.meaning, column.unit) {
-        (Meaning::Contraction, None) => {
-            let (line, column) = (table.lines()[row], column.heading.clone());
-            Err(TableError::Percent { line, column, value: values[row] })
-        }
+        (Meaning::Contraction, None) => Err(table.percent(row, column)),
         (Meaning::Contraction, Some(unit)) if unit.name.is_empty() => wrong(
             "is no contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent",
         ),

@@ -2,7 +2,7 @@
 //!
 //! [`ForceModel`] is the hinge of the library: inverses, curves, comparison and design are written against it.
 //! A new model: one file with its equation, one line in [`ModelKind`]'s table, one row in the test battery
-//! (`tests/models.rs`).
+//! (`tests/all/models.rs`).
 
 mod accuracy;
 mod belforte;

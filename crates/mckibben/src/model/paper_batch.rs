@@ -55,7 +55,12 @@ impl BatchPath {
             #[cfg(target_arch = "x86_64")]
             BatchPath::Avx2Fma => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
             #[cfg(target_arch = "x86_64")]
-            BatchPath::Avx512 => is_x86_feature_detected!("avx512f"),
+            // To a compiler avx512f implies the others, which a virtual machine may hide.
+            BatchPath::Avx512 => {
+                BatchPath::Avx2Fma.is_available()
+                    && is_x86_feature_detected!("f16c")
+                    && is_x86_feature_detected!("avx512f")
+            }
             #[cfg(not(target_arch = "x86_64"))]
             _ => false,
         }

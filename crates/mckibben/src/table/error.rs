@@ -138,15 +138,15 @@ pub enum TableError {
     },
     /// A column of ratios that holds percent or something else.
     #[error(
-        "line {line}, column {column}: {value} is no contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{column}:%\" (:mm if it is a length)"
+        "line {line}, column {column}: {text} is no contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{column}:%\" (:mm if it is a length)"
     )]
     Percent {
         /// Line in the file.
         line: u64,
         /// The heading.
         column: String,
-        /// The value.
-        value: f64,
+        /// The field as written.
+        text: String,
     },
     /// Numbers above the heading.
     #[error(
@@ -207,14 +207,14 @@ pub enum TableError {
         text: String,
     },
     /// A number that cannot be.
-    #[error("line {line}, column {column}: {value} {expected}")]
+    #[error("line {line}, column {column}: {text} {expected}")]
     Impossible {
         /// Line in the file.
         line: u64,
         /// The heading.
         column: String,
-        /// The value.
-        value: f64,
+        /// The field as written.
+        text: String,
         /// What is expected.
         expected: &'static str,
     },

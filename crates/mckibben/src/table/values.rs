@@ -63,8 +63,8 @@ impl Table {
         self.vocabulary.entry(column.meaning)
     }
 
-    fn number(&self, row: usize, column: &Column) -> Result<f64, TableError> {
-        let row = &self.rows[row];
+    fn number(&self, at: usize, column: &Column) -> Result<f64, TableError> {
+        let row = &self.rows[at];
         let text = row.field(column.index);
         if text.is_empty() && row.width() <= column.index {
             let (line, found, expected) = (row.line, row.width(), self.headings.len());
@@ -101,7 +101,19 @@ impl Table {
                 None => return Err(not_a_number("")),
             },
         };
-        if inside.is_finite() { Ok(inside) } else { Err(not_a_number("")) }
+        if !inside.is_finite() {
+            return Err(not_a_number(""));
+        }
+        if inside.abs() <= column.meaning.most() {
+            return Ok(inside);
+        }
+        let expected = match column.meaning {
+            Meaning::Pressure | Meaning::PressureError => {
+                "is more than a muscle bears; look at the unit of the column (250 kPa is 0.25 MPa)"
+            }
+            _ => "is far more than a muscle has; look at the number and at the unit of its column",
+        };
+        Err(self.impossible(at, column, expected))
     }
 
     /// The line and the word of a row in a column, where there is one.
@@ -139,9 +151,15 @@ impl Table {
         TableError::Impossible {
             line: self.rows.get(row).map_or(0, |r| r.line),
             column: column.heading.clone(),
-            value: number::number(text, self.decimal).map_or(f64::NAN, |n| n.0),
+            text: short(text),
             expected,
         }
+    }
+
+    /// A ratio that is probably in percent.
+    pub(crate) fn percent(&self, row: usize, column: &Column) -> TableError {
+        let (line, text) = self.rows.get(row).map_or((0, ""), |r| (r.line, r.field(column.index)));
+        TableError::Percent { line, column: column.heading.clone(), text: short(text) }
     }
 
     fn no_unit(&self, column: &Column) -> TableError {

@@ -34,6 +34,21 @@ pub(crate) enum Meaning {
     TrueStress,
 }
 
+impl Meaning {
+    /// What is larger is no measurement but a slip or a wrong unit, in MPa, N, mm, degrees. Ratios and stresses are looked at
+    /// where it is known what they mean.
+    pub(crate) fn most(self) -> f64 {
+        match self {
+            // Muscles on oil and water bear some 5 MPa.
+            Meaning::Pressure | Meaning::PressureError => 20.0,
+            Meaning::Force | Meaning::ForceError | Meaning::Weight => 1e6,
+            Meaning::Angle => 90.0,
+            Meaning::OuterDiameter | Meaning::Wall | Meaning::Length | Meaning::RestLength => 1e5,
+            _ => f64::INFINITY,
+        }
+    }
+}
+
 /// A quantity with its words.
 #[derive(Debug)]
 pub(crate) struct Entry {

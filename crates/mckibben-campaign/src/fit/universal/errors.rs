@@ -3,7 +3,7 @@
 use super::points::{PullPoint, Sample};
 use mckibben::formula::UniversalSummary;
 use mckibben::model::{ForceModel, Workspace};
-use rayon::prelude::*;
+use mckibben::threads;
 
 /// The difference of a model to each point it is asked, as shares of the blocked force; infinite where it has no answer.
 pub fn shares(
@@ -20,7 +20,7 @@ pub fn shares(
         };
         s.points.iter().filter(|p| asked(s, p)).map(share).collect()
     };
-    samples.par_iter().map(one).collect()
+    threads::map(samples, one)
 }
 
 /// Root mean square, quantiles and the largest of a list for each muscle.

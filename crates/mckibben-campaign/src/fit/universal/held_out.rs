@@ -7,8 +7,8 @@ use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::random::Random;
 use mckibben::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh};
+use mckibben::threads;
 use mckibben_fem::axisymmetric::Axisymmetric;
-use rayon::prelude::*;
 use serde::Serialize;
 
 /// Contractions a muscle is asked, as tenths of the ideal muscle's largest.
@@ -55,7 +55,8 @@ fn drawn(count: usize, seed: u64, law: MakeLaw<'_>) -> Vec<Sample> {
         }
         muscles.extend(random(&mut r, law));
     }
-    muscles.par_iter().enumerate().filter_map(|(i, (m, p))| solved(i, m, *p)).collect()
+    let numbered: Vec<_> = muscles.into_iter().enumerate().collect();
+    threads::map(&numbered, |(i, (m, p))| solved(*i, m, *p)).into_iter().flatten().collect()
 }
 
 fn solved(number: usize, muscle: &Muscle, pressure_mpa: f64) -> Option<Sample> {

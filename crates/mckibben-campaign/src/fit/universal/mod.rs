@@ -31,8 +31,8 @@ use mckibben::formula::{
 use mckibben::model::{EndPoint, ForceModel, Universal};
 use mckibben::progress::Progress;
 use mckibben::rubber::RubberLaw;
+use mckibben::threads;
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// The box that is asked of the campaign; what it does not fill is cut from it.
@@ -195,7 +195,7 @@ fn equations(samples: &[Sample], empty: &UniversalFormula, products: &[[u8; 5]])
         let chosen = s.points.iter().filter(|p| inside(s, p, &empty.range, MARGIN));
         chosen.filter_map(one).collect::<Vec<_>>()
     };
-    samples.par_iter().map(of_sample).collect::<Vec<_>>().into_iter().flatten().collect()
+    threads::map(samples, of_sample).into_iter().flatten().collect()
 }
 
 /// Least squares by Householder's QR; coefficients are rounded to nine digits.

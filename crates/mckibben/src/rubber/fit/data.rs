@@ -36,6 +36,9 @@ impl Default for ReadOptions {
 /// No rubber is stretched further: a larger number is in percent, or in another unit.
 const LARGEST_STRETCH: f64 = 25.0;
 
+/// No rubber bears more over its area at rest; the strongest tear at some 50 MPa.
+const LARGEST_STRESS_MPA: f64 = 100.0;
+
 /// Groups of [`TESTS`].
 const STRETCH: usize = 0;
 const STRESS: usize = 1;
@@ -81,8 +84,9 @@ pub fn read_tests(
             Meaning::Force => measured / area,
             _ => measured,
         };
-        if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() >= 1e6 {
-            return Err(table.impossible(row, stress, "gives no stress a rubber bears; look at the unit"));
+        if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
+            let expected = "gives no stress that a rubber bears; look at its unit (250 kPa is 0.25 MPa)";
+            return Err(table.impossible(row, stress, expected));
         }
         let mode = mode(&table, row)?.unwrap_or(options.mode);
         points.push(TensionPoint { mode, stretch, nominal_stress_mpa });

@@ -1,0 +1,50 @@
+"""What the program is built from: every licence is one that its own (MIT OR Apache-2.0) can stand beside, every crate comes from
+crates.io, and no crate is there in two versions but those that are named here.
+
+    python3 checks/dependencies.py
+"""
+
+import re
+import subprocess
+import sys
+
+LICENCES = set(
+    "MIT Apache-2.0 BSD-2-Clause BSD-3-Clause ISC Zlib 0BSD BSL-1.0 Unlicense MIT-0 Unicode-3.0 CC0-1.0".split()
+    + ["Apache-2.0 WITH LLVM-exception"]
+)
+# Licences of single crates, with what they ask for.
+SINGLE = {"dejavu": "the fonts' own terms, in NOTICE"}
+# Two versions at a time, until those that ask for the older one follow.
+TWICE = set("equator equator-macro getrandom miniz_oxide r-efi syn thiserror thiserror-impl".split())
+
+
+def fits(expression):
+    """Whether one of the choices of a licence is open to us."""
+    expression = expression.replace("/", " OR ") or "None"
+    tree = re.sub(r"[A-Za-z0-9][A-Za-z0-9.\-]*(?: WITH [A-Za-z0-9.\-]+)?", word, expression)
+    return eval(tree)  # only and, or, brackets, True, False
+
+
+def word(match):
+    text = match.group()
+    return text.lower() if text in ("AND", "OR") else str(text in LICENCES)
+
+
+# What is built into the program on any system, without what only tests and builds need.
+command = "cargo tree --locked --package mckibben-cli --edges normal --target all --prefix none --format {p}|{l}"
+lines = subprocess.run(command.split(), check=True, capture_output=True, text=True).stdout.split("\n")
+built = {line.removesuffix(" (*)") for line in lines if line}
+
+wrong, versions = [], {}
+for package, licence in (line.split("|") for line in sorted(built)):
+    name, version, *source = package.replace(" (proc-macro)", "").split(" ", 2)
+    versions.setdefault(name, []).append(version)
+    if source and not name.startswith("mckibben"):
+        wrong.append(f"{name} comes from {source[0]}")
+    if name not in SINGLE and not fits(licence):
+        wrong.append(f"{name} has the licence {licence or 'none'}")
+double = {name: v for name, v in versions.items() if len(v) > 1}
+wrong += [f"{name} is there as {' and '.join(v)}" for name, v in double.items() if name not in TWICE]
+wrong += [f"{name} is no longer there twice: take it off the list" for name in TWICE - set(double)]
+print(f"{len(built)} crates, {len(double)} in two versions")
+sys.exit("\n".join(wrong) if wrong else 0)

@@ -1,0 +1,212 @@
+//! Every command that is shown to users works as shown.
+
+use crate::common::{command, folder, json, mckibben, number, ran, root};
+use std::path::{Path, PathBuf};
+
+/// A folder that looks like the repository to a command, but where figures may land.
+fn copy() -> tempfile::TempDir {
+    let dir = folder();
+    for name in ["examples", "data", "plans"] {
+        let from = root().join(name);
+        if from.exists() {
+            copy_tree(&from, &dir.path().join(name));
+        }
+    }
+    dir
+}
+
+fn copy_tree(from: &Path, to: &Path) {
+    std::fs::create_dir_all(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let target = to.join(entry.file_name());
+        if entry.file_type().unwrap().is_dir() {
+            copy_tree(&entry.path(), &target);
+        } else {
+            std::fs::copy(entry.path(), target).unwrap();
+        }
+    }
+}
+
+/// The words of a shell line, with quotes; pipes, comments and redirections end it.
+fn words(line: &str) -> Vec<String> {
+    let mut out: Vec<String> = vec![];
+    let mut word: Option<String> = None;
+    let mut quote: Option<char> = None;
+    for c in line.chars() {
+        match (quote, c) {
+            (Some(q), c) if c == q => quote = None,
+            (Some(_), c) => word.get_or_insert_default().push(c),
+            (None, '"' | '\'') => {
+                quote = Some(c);
+                word.get_or_insert_default();
+            }
+            (None, '|' | '>' | '<' | ';' | '&') => break,
+            (None, '#') if word.is_none() => break,
+            (None, c) if c.is_whitespace() => out.extend(word.take()),
+            (None, c) => word.get_or_insert_default().push(c),
+        }
+    }
+    out.extend(word);
+    out
+}
+
+/// Runs a command as shown, `mckibben` and what follows.
+fn works(folder: &Path, place: &str, line: &str) {
+    let words = words(line);
+    let words = words.iter().skip(1);
+    let result = ran(command(folder).args(words).output().unwrap());
+    assert_eq!(result.code, 0, "{place}: {line}\n{}", result.err);
+}
+
+/// The help of a command and of all commands below it.
+fn helps(path: &[String], out: &mut Vec<(String, String)>) {
+    // As on a terminal of the usual width: an example must not be wrapped there.
+    let mut command = command(&root());
+    let help = ran(command.args(path).arg("--help").env("COLUMNS", "80").output().unwrap()).ok();
+    let help = help.text().to_owned();
+    if let Some((_, list)) = help.split_once("\nCommands:\n") {
+        let names = list.lines().take_while(|l| l.starts_with("  "));
+        for name in names.filter(|l| !l.starts_with("   ")).filter_map(|l| l.split_whitespace().next()) {
+            helps(&[path, &[name.to_owned()]].concat(), out);
+        }
+    }
+    out.push((path.join(" "), help));
+}
+
+#[test]
+fn the_commands_in_the_help_texts_run() {
+    let mut list = vec![];
+    helps(&[], &mut list);
+    let dir = copy();
+    let mut count = 0;
+    for (name, help) in &list {
+        let text = help.replace("\\\n", "");
+        let shown: Vec<&str> = text.lines().filter(|l| l.starts_with("  mckibben ")).collect();
+        let parent = help.contains("\nCommands:\n");
+        assert!(parent || !shown.is_empty(), "the help of `{name}` shows no example");
+        for line in shown {
+            works(dir.path(), &format!("help of {name}"), line.trim());
+            count += 1;
+        }
+    }
+    assert!(count >= 14, "{count} examples in {} help texts", list.len());
+    for name in ["f.svg", "muscle.svg", "winner.toml"] {
+        assert!(dir.path().join(name).is_file(), "{name} is written");
+    }
+}
+
+/// The commands of the fenced shell blocks of a page; a backslash at the end joins lines.
+fn shown(text: &str) -> Vec<String> {
+    let mut out = vec![];
+    let mut shell = false;
+    let mut open = false;
+    let mut joined = String::new();
+    for line in text.lines() {
+        if let Some(language) = line.trim_start().strip_prefix("```") {
+            shell = !open && ["sh", "console", "bash", "shell"].contains(&language.trim());
+            open = !open;
+            continue;
+        }
+        if !shell {
+            continue;
+        }
+        joined.push_str(line.trim().trim_start_matches("$ "));
+        if joined.ends_with('\\') {
+            joined.pop();
+            continue;
+        }
+        let line = std::mem::take(&mut joined);
+        if line.starts_with("mckibben ") {
+            out.push(line);
+        } else if let Some(rest) = line.strip_prefix("cargo run --release -- ") {
+            out.push(format!("mckibben {rest}"));
+        }
+    }
+    out
+}
+
+#[test]
+fn the_commands_in_the_pages_run() {
+    let mut pages: Vec<PathBuf> = vec![];
+    let readme = root().join("README.md");
+    if readme.is_file() {
+        pages.push(readme);
+    } else {
+        eprintln!("skipped: there is no README.md");
+    }
+    for folder in ["docs", "docs/identify"] {
+        for entry in std::fs::read_dir(root().join(folder)).into_iter().flatten() {
+            let path = entry.unwrap().path();
+            if path.extension().is_some_and(|e| e == "md") {
+                pages.push(path);
+            }
+        }
+    }
+    pages.sort();
+    for page in pages {
+        // The commands of a page may build on each other, those of two pages may not.
+        let dir = copy();
+        let name = page.file_name().unwrap().to_string_lossy().into_owned();
+        for line in shown(&std::fs::read_to_string(&page).unwrap()) {
+            works(dir.path(), &name, &line);
+        }
+    }
+}
+
+#[test]
+fn shell_blocks_are_understood() {
+    let page = "```sh\n$ mckibben force \\\n  -p 0.2 # why\ncargo run --release -- models | head\n```\n\
+                mckibben no\n```toml\nmckibben neither\n```\n";
+    assert_eq!(shown(page), ["mckibben force -p 0.2 # why", "mckibben models | head"]);
+    assert_eq!(words("mckibben force -p 0.2 # why"), ["mckibben", "force", "-p", "0.2"]);
+    assert_eq!(words("mckibben x \"a b\" '' | head"), ["mckibben", "x", "a b", ""]);
+}
+
+#[test]
+fn the_example_muscles_are_muscles() {
+    let mut count = 0;
+    for entry in std::fs::read_dir(root().join("examples")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|e| e == "toml") {
+            mckibben(&format!("muscle show {}", path.display())).ok();
+            mckibben(&format!("force --muscle {} -p 1bar -e 5%", path.display())).ok();
+            count += 1;
+        }
+    }
+    assert!(count >= 2);
+}
+
+/// B. Tondu (2012), Fig. 3: the ideal model is off by 92–95 N, the thick wall with two fitted constants by about 6 N.
+#[test]
+fn the_thick_wall_meets_the_20_degree_muscle() {
+    let found = json(
+        "compare --models ideal,thick-wall --muscle examples/tondu2012.toml \
+         --data data/tondu2012/static_force_20deg.csv --fit modulus,end-factor",
+    );
+    let (ideal, thick) = (&found["models"][0], &found["models"][1]);
+    assert_eq!((&ideal["model"], &thick["model"]), (&"ideal".into(), &"thick-wall".into()));
+    assert!((number(ideal, "rms_n") - 95.2).abs() < 0.5, "{ideal}");
+    assert!((number(thick, "rms_n") - 5.95).abs() < 0.1, "{thick}");
+    assert!((number(thick, "fitted_end_factor") - 1.118).abs() < 0.003, "{thick}");
+    assert!(ideal.get("fitted_end_factor").is_none(), "the ideal model has no such constant");
+    assert_eq!(number(thick, "unanswered"), 0.0);
+}
+
+/// The friction of the example is the fit of the measured half-widths that its comment states.
+#[test]
+fn the_friction_of_the_example_is_the_fit_of_its_half_widths() {
+    let points = [(0.1, 19.6), (0.2, 29.1), (0.3, 37.6), (0.4, 41.0), (0.5, 49.2)];
+    let logs: Vec<(f64, f64)> = points.iter().map(|&(p, f): &(f64, f64)| (p.ln(), f.ln())).collect();
+    let mean = |of: fn(&(f64, f64)) -> f64| logs.iter().map(of).sum::<f64>() / 5.0;
+    let (x, y) = (mean(|q| q.0), mean(|q| q.1));
+    let slope = logs.iter().map(|q| (q.0 - x) * (q.1 - y)).sum::<f64>()
+        / logs.iter().map(|q| (q.0 - x).powi(2)).sum::<f64>();
+    let text = std::fs::read_to_string(root().join("examples/tondu2012.toml")).unwrap();
+    assert!(text.contains(&format!("\nexponent = {slope:.3}\n")), "β {slope}");
+    assert!(
+        text.contains(&format!("\ncoefficient = {:.2}\n", (y - slope * x).exp())),
+        "C {}",
+        (y - slope * x).exp()
+    );
+}

@@ -1,0 +1,80 @@
+//! Whatever stands in a flag: an answer or an error, never a panic.
+
+use crate::common::{assert_finite, mckibben, run};
+use proptest::prelude::*;
+
+/// Texts that nearly are quantities, ranges or lists, and some that are nothing.
+fn words() -> impl Strategy<Value = String> {
+    prop_oneof![
+        4 => r"[+-]?[0-9]{0,4}[.]?[0-9]{0,3}(e[+-]?[0-9]{1,3})?(mm|cm|m|in|bar|MPa|mPa|kPa|psi|deg|rad|N|kN|%|N/mm)?",
+        2 => r"-?[0-9.]{0,5}[.][.]-?[0-9.]{0,5}(:-?[0-9.e-]{0,5})?(mm|bar|%|N)?",
+        1 => r"[-0-9.,:@=%e]{0,12}",
+        1 => r"(nan|NaN|inf|-inf|infinity|1e308|-1e308|1e-308|5e-324|0|-0|0x10|1_000|１２|∞|½|°|µm|)",
+        1 => "\\PC{0,12}",
+    ]
+}
+
+const FLAGS: [(&str, &str); 16] = [
+    ("force -e 0.1", "--pressure"),
+    ("force -p 0.2", "--contraction"),
+    ("force -p 0.2", "--outer-diameter"),
+    ("force -p 0.2", "--wall"),
+    ("force -p 0.2", "--length"),
+    ("force -p 0.2", "--angle"),
+    ("force -p 0.2 --model thick-wall", "--stiffness"),
+    ("force -p 0.2 --model tondu-lopez", "--end-factor"),
+    ("force -p 0.2 --model conical-ends", "--cone-factor"),
+    ("force -p 0.2 --model belforte --turns 1.5", "--strand-length"),
+    ("pressure -e 0.1 --extrapolate", "--force"),
+    ("contraction -p 0.2 --two-sided --extrapolate", "--force"),
+    ("curve isometric -e 0,0.1", "--pressure"),
+    ("curve isobaric -p 0.1,0.2 --extrapolate", "--contraction"),
+    ("design -p 0.25 -D 30,40 -s 2", "--at"),
+    ("design -F 300 -e 0.1 -p 0.25 -D 30,40 -s 2", "--tolerance"),
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 600, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn flags_never_panic((line, flag) in prop::sample::select(&FLAGS[..]), word in words()) {
+        let value = format!("{flag}={word}");
+        let args: Vec<&str> = line.split(' ').chain([value.as_str(), "--format", "json"]).collect();
+        let result = run(&args);
+        prop_assert!((0..=3).contains(&result.code), "{args:?}: {result:?}");
+        if result.code == 0 {
+            assert_finite(result.text());
+            result.json();
+        } else if result.out.is_empty() {
+            prop_assert!(result.error()["kind"].is_string());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn numbers_of_any_size_give_answers_or_errors(
+        d in -3.0f64..6.0, s in -4.0f64..5.0, l in -3.0f64..7.0, angle in 0.0f64..60.0,
+        p in -9.0f64..6.0, e in -1.2f64..1.2,
+        model in prop::sample::select(&["ideal", "thick-wall", "paper", "chou-hannaford", "force-balance",
+            "klute-hannaford", "rounded-ends", "tondu-lopez", "conical-ends", "festo-hunt-10", "festo-dmsp-10"][..]),
+        verb in prop::sample::select(&["force", "contraction"][..]),
+    ) {
+        let asked = if verb == "force" { format!("-e {e}") } else { format!("-F {}", 1000.0 * e.abs()) };
+        let line = format!(
+            "{verb} -D {} -s {} -L {} --angle {angle} -p {} {asked} --model {model} --end-factor 1.2 \
+             --cone-factor 0.3 --extrapolate --two-sided --format json",
+            10f64.powf(d), 10f64.powf(s), 10f64.powf(l), 10f64.powf(p)
+        );
+        let result = mckibben(&line);
+        prop_assert!((0..=3).contains(&result.code), "{line}: {result:?}");
+        if result.code == 0 {
+            assert_finite(result.text());
+            prop_assert!(result.json()["force_n"].is_number(), "{line}: {}", result.text());
+        } else {
+            prop_assert!(result.error()["message"].as_str().is_some_and(|m| !m.is_empty()));
+        }
+    }
+}

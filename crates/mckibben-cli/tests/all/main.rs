@@ -1,0 +1,17 @@
+//! All integration tests of the command in one executable: one link in place of many.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod bad_input;
+mod campaign;
+mod common;
+mod contract;
+mod design;
+mod examples;
+mod files;
+mod formulas;
+mod fuzz_cli;
+mod identify;
+mod rubber_fit;
+mod tables;
+mod threads;

@@ -1,0 +1,228 @@
+//! The axisymmetric muscle as a user meets it.
+
+use mckibben::budget::Exceeded;
+use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
+use mckibben::progress::{Progress, Silent};
+use mckibben_fem::axisymmetric::study::mesh_study;
+use mckibben_fem::axisymmetric::sweep::sweep;
+use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
+use mckibben_fem::{FemError, Simulation};
+
+fn pressures() -> Vec<f64> {
+    (0..=25).map(|i| 0.01 * f64::from(i)).collect()
+}
+
+fn prototype() -> Axisymmetric {
+    Axisymmetric::new(&Muscle::prototype()).unwrap()
+}
+
+/// The prototype's pull without any memory.
+fn cold(p: f64, e: f64) -> f64 {
+    prototype().force_n(&mut Workspace::new(), p, e).unwrap()
+}
+
+/// Forces and effort of the prototype: both may only become better.
+#[test]
+fn gold_of_the_prototype() {
+    let gold = [
+        (0.0, 921.724, 60),
+        (0.05, 683.566, 75),
+        (0.10, 491.431, 85),
+        (0.15, 326.305, 100),
+        (0.20, 180.896, 120),
+    ];
+    for (e, force, factorisations) in gold {
+        let (model, w) = (prototype(), &mut Workspace::new());
+        let curve = model.isometric(w, e, &pressures(), &Silent);
+        let last = curve[25].as_ref().unwrap();
+        assert!((last.force_n - force).abs() < 1e-3, "ε {e}: {}", last.force_n);
+        assert!(curve.iter().all(Result::is_ok));
+        let effort = model.effort(w);
+        assert!(effort.factorisations <= factorisations, "ε {e}: {effort:?}");
+        assert!(effort.residual <= 1e-10);
+    }
+}
+
+#[test]
+fn the_chosen_mesh_is_within_a_twentieth_of_a_percent_on_the_papers_range() {
+    let rows = mesh_study(&[(1, 6, 2.0)]).unwrap();
+    assert!(rows[0].largest_error < 5e-4, "{rows:?}");
+}
+
+/// A tenth of the full sweep of 2,000 muscles.
+#[test]
+fn sweep_of_200_random_muscles() {
+    let result = sweep(200, 1, &Silent).unwrap();
+    assert_eq!(result.rows.len(), 200);
+    let (answered, asked) = result.required();
+    assert!(asked > 100);
+    assert_eq!(answered, asked, "{:#?}", result.rows.iter().find(|r| r.required && r.answer.is_err()));
+    for row in &result.rows {
+        assert!(row.answer.as_ref().is_ok_and(|f| f.is_finite()) || row.answer.is_err());
+    }
+}
+
+#[test]
+fn answers_do_not_depend_on_the_questions_before() {
+    let questions: Vec<(f64, f64)> = (0..60)
+        .map(|i| (0.05 + 0.2 * f64::from(i * 37 % 60) / 60.0, 0.18 * f64::from(i * 23 % 60) / 60.0))
+        .collect();
+    let (warm, w) = (prototype(), &mut Workspace::new());
+    for &(p, e) in questions.iter().chain(questions.iter().rev()) {
+        let (a, b) = (warm.force_n(w, p, e).unwrap(), cold(p, e));
+        assert!((a - b).abs() < 1e-6, "{p} {e}: {a} {b}");
+    }
+}
+
+#[test]
+fn curves_agree_with_single_answers() {
+    let (model, w) = (prototype(), &mut Workspace::new());
+    for (e, curve) in [0.0, 0.1].map(|e| (e, model.isometric(w, e, &pressures(), &Silent))) {
+        for point in curve.iter().flatten() {
+            let single = cold(point.pressure_mpa, e);
+            assert!((point.force_n - single).abs() < 1e-6, "{point:?} {single}");
+        }
+    }
+    let contractions = [0.0, 0.05, 0.1, 0.15, 0.2];
+    for (point, e) in model.isobaric(w, 0.2, &contractions, &Silent).iter().flatten().zip(contractions) {
+        assert!((point.force_n - cold(0.2, e)).abs() < 1e-6);
+    }
+    for point in model.isotonic(w, 80.0, &[0.05, 0.1, 0.25], &Silent).iter().flatten() {
+        let single = cold(point.pressure_mpa, point.contraction);
+        assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
+    }
+}
+
+#[test]
+fn inverses_are_inverses() {
+    let (model, w) = (prototype(), &mut Workspace::new());
+    let free = model.free_contraction(w, 0.25).unwrap();
+    assert!(model.force_n(w, 0.25, free).unwrap().abs() < 1e-5);
+    let start = model.starting_pressure_mpa(w, 0.1).unwrap();
+    assert!(model.force_n(w, start, 0.1).unwrap().abs() < 1e-5);
+    assert!(model.force_n(w, 0.9 * start, 0.1).unwrap() < 0.0);
+    let pressure = model.pressure_at_force_mpa(w, 200.0, 0.1).unwrap();
+    assert!((model.force_n(w, pressure, 0.1).unwrap() - 200.0).abs() < 1e-5);
+    let contraction = model.contraction_at_force(w, 200.0, 0.2).unwrap();
+    assert!((model.force_n(w, 0.2, contraction).unwrap() - 200.0).abs() < 1e-5);
+    assert!((model.force_n(w, 0.25, 0.0).unwrap() - 921.724).abs() < 1e-3);
+    // Stretched by a load above the blocked force.
+    let stretched = model.contraction_at_force(w, 1500.0, 0.25).unwrap();
+    assert!(stretched < 0.0 && (model.force_n(w, 0.25, stretched).unwrap() - 1500.0).abs() < 1e-4);
+}
+
+#[test]
+fn a_pull_that_nothing_can_carry_is_refused_with_the_largest_one() {
+    let (model, w) = (prototype(), &mut Workspace::new());
+    for force in [1e9, -1e9] {
+        let error = model.contraction_at_force(w, force, 0.25).unwrap_err();
+        let FemError::OutOfReach { nearest_force_n, contraction, .. } = error else { panic!("{error:?}") };
+        assert!((nearest_force_n - 921.0) * force > 0.0 && contraction * force < 0.0, "{error}");
+        assert!(error.to_string().contains("0.25 MPa"), "{error}");
+    }
+}
+
+/// Wants the work to end after some points.
+struct Impatient(std::sync::atomic::AtomicUsize);
+
+impl Progress for Impatient {
+    fn report(&self, done: usize, _: usize) {
+        self.0.store(done, std::sync::atomic::Ordering::Relaxed);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.0.load(std::sync::atomic::Ordering::Relaxed) >= 3
+    }
+}
+
+#[test]
+fn a_curve_and_a_sweep_can_be_cancelled() {
+    let impatient = || Impatient(std::sync::atomic::AtomicUsize::new(0));
+    let curve = prototype().isometric(&mut Workspace::new(), 0.1, &pressures(), &impatient());
+    assert_eq!(curve.iter().filter(|p| p.is_ok()).count(), 4);
+    assert!(curve[0] == Err(FemError::Exceeded(Exceeded::Cancelled)) && curve[25].is_ok());
+    assert_eq!(sweep(5, 1, &impatient()).unwrap_err(), FemError::Exceeded(Exceeded::Cancelled));
+}
+
+#[test]
+fn a_solution_is_whole() {
+    let mut braid = Braid::paper();
+    braid.stiffness = BraidStiffness::NewtonPerMm(321.0);
+    braid.strands = Some(mckibben::muscle::Strands { count: 48, section: None, strength_n: None });
+    let muscle = Muscle::prototype().with_braid(braid).unwrap();
+    let s = Axisymmetric::new(&muscle).unwrap().solve(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    assert_eq!(s.unstable_directions, 0);
+    let (first, last) = (s.profile[0], s.profile[s.profile.len() - 1]);
+    assert!((2.0 * first.outer_mm.1 - s.response.bulged_diameter_mm.unwrap()).abs() < 0.05);
+    assert!((last.outer_mm.0 - 0.9 * 142.5).abs() < 1e-9 && (last.outer_mm.1 - 15.0).abs() < 1e-12);
+    assert!(first.inner_mm.1 < first.outer_mm.1);
+    // In the middle the angle has grown from 28°, at the terminal it has hardly.
+    assert!(s.strands[0].angle_deg > 35.0 && s.strands[s.strands.len() - 1].angle_deg < 30.0);
+    assert!(s.strands.iter().all(|x| x.tension_n.unwrap() > 0.0 && x.stretch > 1.0));
+    assert!(s.max_stretch.value > 1.3 && s.max_stretch.rest_mm[0] < 12.8);
+    assert!(s.energies.rubber_n_mm > 0.0 && s.energies.braid_n_mm > 0.0 && s.energies.pressure_n_mm > 0.0);
+    assert!(s.smallest_j > 0.9);
+    // What no strain changes: the rubber keeps its volume, so the outer volume less the cavity's does.
+    assert_eq!(s.sensitivities.len(), 7);
+}
+
+/// Strands that carry compression are the paper's option; both give one force where the pressure keeps them taut.
+#[test]
+fn compression_makes_no_difference_under_pressure() {
+    let with = Muscle::prototype().with_braid(Braid { compression: true, ..Braid::paper() }).unwrap();
+    let (a, b) = (prototype(), Axisymmetric::new(&with).unwrap());
+    for (p, e) in [(0.1, 0.05), (0.1, 0.1), (0.25, 0.2)] {
+        let pull = |m: &Axisymmetric| m.force_n(&mut Workspace::new(), p, e).unwrap();
+        let (a, b) = (pull(&a), pull(&b));
+        assert!((a - b).abs() < 1e-3 * a.abs().max(10.0), "{p} {e}: {a} {b}");
+    }
+}
+
+#[test]
+fn a_finite_bulk_modulus_tends_to_incompressible_rubber() {
+    let mut tube = Muscle::prototype().tube().clone();
+    let exact = cold(0.2, 0.1);
+    let mut error = f64::INFINITY;
+    for k in [30.0, 300.0, 3000.0] {
+        tube.rubber.bulk = Bulk::Modulus(k);
+        let muscle = Muscle::prototype().with_tube(tube.clone()).unwrap();
+        let here = (Axisymmetric::new(&muscle).unwrap().force_n(&mut Workspace::new(), 0.2, 0.1).unwrap()
+            - exact)
+            .abs();
+        assert!(here < 0.15 * error, "{k}: {here} {error}");
+        error = here;
+    }
+    assert!(error < 0.01);
+}
+
+#[test]
+fn questions_without_an_answer_end_in_typed_errors() {
+    let (model, w) = (prototype(), &mut Workspace::new());
+    for (p, e) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (0.1, f64::NAN), (0.1, 1.0), (0.1, -1.0)] {
+        assert!(matches!(model.solve(w, p, e), Err(FemError::Question { .. })));
+        assert!(matches!(model.response(w, p, e), Err(ModelError::Geometry { .. })));
+    }
+    // Soft strands under a pressure that they cannot hold.
+    let soft = Braid { stiffness: BraidStiffness::NewtonPerMm(1.0), ..Braid::paper() };
+    let soft = Axisymmetric::new(&Muscle::prototype().with_braid(soft).unwrap()).unwrap();
+    match soft.solve(&mut Workspace::new(), 2.0, 0.0) {
+        Err(FemError::Path { last, iterations, .. }) => {
+            assert!(last.pressure_mpa < 2.0 && last.smallest_j > 0.0 && iterations > 0);
+        }
+        other => panic!("{other:?}"),
+    }
+    let mesh = MeshSpec { along: Some(0), ..MeshSpec::default() };
+    assert!(matches!(Axisymmetric::with_mesh(&Muscle::prototype(), &mesh), Err(FemError::Mesh { .. })));
+}
+
+#[test]
+fn threads_share_a_model() {
+    let model = prototype();
+    let pull = |p: f64| model.force_n(&mut Workspace::new(), p, 0.1).unwrap();
+    let (a, b) = std::thread::scope(|s| {
+        let other = s.spawn(|| pull(0.1));
+        (pull(0.2), other.join().unwrap())
+    });
+    assert_eq!((a, b), (pull(0.2), pull(0.1)));
+}

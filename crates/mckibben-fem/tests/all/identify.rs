@@ -1,0 +1,163 @@
+//! Identification with finite elements: their own derivatives, and known constants that come back.
+
+use mckibben::compare::MeasuredPoint;
+use mckibben::identify::{DataPoint, Identification, Parameter, Quantity, Request, Section, identify};
+use mckibben::least_squares::Loss;
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use mckibben::muscle::{Braid, BraidStiffness, Direction, Friction, Muscle, Rubber, Terminals, Tube};
+use mckibben::rubber::{Law, MooneyRivlin};
+use mckibben_fem::axisymmetric::Axisymmetric;
+
+/// The elements without their derivatives, so that differences are taken.
+struct Bare(Axisymmetric);
+
+impl ForceModel for Bare {
+    fn name(&self) -> &str {
+        "bare"
+    }
+    fn muscle(&self) -> &Muscle {
+        self.0.muscle()
+    }
+    fn source(&self) -> &str {
+        ""
+    }
+    fn range(&self) -> ModelRange {
+        self.0.range()
+    }
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+    fn response(&self, w: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        self.0.response(w, p, e)
+    }
+}
+
+fn fe(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    Ok(Box::new(Axisymmetric::new(m).map_err(ModelError::from)?))
+}
+
+fn bare(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    Ok(Box::new(Bare(Axisymmetric::new(m).map_err(ModelError::from)?)))
+}
+
+fn muscle(d: f64, k: f64) -> Muscle {
+    let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.12, c01_mpa: 0.02 });
+    let tube = Tube { outer_diameter_mm: d, wall_mm: 2.0, length_mm: 200.0, rubber: Rubber::of(law) };
+    let braid = Braid { angle_deg: 27.0, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
+    let friction = Friction { coefficient: 30.0, exponent: 0.7 };
+    Muscle::new(tube, braid, Terminals::default(), Some(friction)).unwrap()
+}
+
+/// Points of two muscles whose k grows like D0^0.9, with friction; some read as contraction, some as pressure.
+fn points() -> Vec<DataPoint> {
+    let mut out: Vec<DataPoint> = vec![];
+    for (d, k) in [(30.0, 400.0), (40.0, 400.0 * (40.0f64 / 30.0).powf(0.9))] {
+        let m = muscle(d, k);
+        let (model, w) = (Axisymmetric::new(&m).unwrap(), &mut Workspace::new());
+        let section = Section { outer_diameter_mm: (d > 35.0).then_some(d), ..Section::default() };
+        for pressure_mpa in [0.1, 0.2, 0.3] {
+            for contraction in [0.0, 0.06, 0.12, 0.18] {
+                let i = out.len();
+                let (branch, sign) = [(Direction::Contraction, -1.0), (Direction::Elongation, 1.0)][i % 2];
+                let force = model.force_n(w, pressure_mpa, contraction).unwrap();
+                let force_n = force + sign * 30.0 * pressure_mpa.powf(0.7);
+                let measured =
+                    [Quantity::Force, Quantity::Force, Quantity::Contraction, Quantity::Pressure][i % 4];
+                let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch };
+                out.push(DataPoint { section, measured, ..DataPoint::of(at) });
+            }
+        }
+    }
+    out
+}
+
+fn run(names: &[&str], points: &[DataPoint], with_own: bool) -> Identification {
+    let m = muscle(30.0, 400.0);
+    let free: Vec<Parameter> = names.iter().map(|n| Parameter::parse(n, &m).unwrap()).collect();
+    let request =
+        Request { muscle: &m, free: &free, fixed: &[], points, loss: Loss::Squares, two_sided: false };
+    if with_own { identify(&request, fe) } else { identify(&request, bare) }.unwrap()
+}
+
+#[test]
+fn derivatives_of_the_elements_are_those_of_differences() {
+    let m = muscle(30.0, 400.0);
+    let model = Axisymmetric::new(&m).unwrap();
+    let names = [
+        "tube.material.c10",
+        "tube.material.c01",
+        "braid.stiffness",
+        "tube.outer_diameter",
+        "tube.wall_thickness",
+        "tube.length",
+        "braid.angle",
+    ];
+    let names = names.map(str::to_owned);
+    let by = model.force_by(&mut Workspace::new(), 0.2, 0.1, &names).unwrap().unwrap();
+    let changed = |i: usize, h: f64| {
+        let (mut tube, mut braid) = (m.tube().clone(), m.braid().clone());
+        match i {
+            0 | 1 => tube.rubber.law = tube.rubber.law.with_constants(|k, v| if k == i { v + h } else { v }),
+            2 => braid.stiffness = BraidStiffness::NewtonPerMm(400.0 + h),
+            3 => tube.outer_diameter_mm += h,
+            4 => tube.wall_mm += h,
+            5 => tube.length_mm += h,
+            _ => braid.angle_deg += h,
+        }
+        let m = Muscle::new(tube, braid, Terminals::default(), None).unwrap();
+        Axisymmetric::new(&m).unwrap().force_n(&mut Workspace::new(), 0.2, 0.1).unwrap()
+    };
+    for (i, h) in [1e-4, 1e-4, 0.4, 3e-3, 2e-3, 0.05, 3e-3].into_iter().enumerate() {
+        let difference = (changed(i, h) - changed(i, -h)) / (2.0 * h);
+        assert!((by[i] / difference - 1.0).abs() < 2e-4, "{}: {} {difference}", names[i], by[i]);
+    }
+    assert!(model.force_by(&mut Workspace::new(), 0.2, 0.1, &["friction.coefficient".into()]).is_none());
+}
+
+#[test]
+fn known_constants_come_back() {
+    let sets: [&[(&str, f64)]; 3] = [
+        &[("c10=0.2", 0.12), ("braid.stiffness=600", 400.0), ("braid.stiffness_exponent=0", 0.9)],
+        &[
+            ("modulus=1.4", 1.0),
+            ("friction.c=10", 30.0),
+            ("friction.beta=1", 0.7),
+            ("braid.stiffness_exponent=0.5", 0.9),
+        ],
+        &[
+            ("contraction_offset=0.01", 0.0),
+            ("braid.angle=28", 27.0),
+            ("tube.wall_thickness=2.3", 2.0),
+            ("braid.stiffness_exponent=0.5", 0.9),
+        ],
+    ];
+    let data = points();
+    for set in sets {
+        let names: Vec<&str> = set.iter().map(|s| s.0).collect();
+        let found = run(&names, &data, true);
+        for (p, (name, truth)) in found.parameters.iter().zip(set) {
+            assert!((p.value - truth).abs() < 1e-5 * (1.0 + truth.abs()), "{name}: {}", p.value);
+            assert!(p.identifiable, "{p:?}");
+        }
+    }
+}
+
+/// The chain rules (moduli, k of several diameters, D0 through k, friction, offset, what was read) against differences.
+#[test]
+fn error_bars_by_own_derivatives_are_those_by_differences() {
+    let mut data = points();
+    for (i, p) in data.iter_mut().enumerate() {
+        p.at.force_n += [3.0, -2.0, 1.0, -4.0, 2.0][i % 5];
+    }
+    let sets: [&[&str]; 2] = [
+        &["modulus", "braid.stiffness", "braid.stiffness_exponent=0.8", "friction.c", "friction.beta"],
+        &["c10", "braid.stiffness_exponent=0.8", "tube.outer_diameter", "tube.length", "contraction_offset"],
+    ];
+    for names in sets {
+        let (own, differences) = (run(names, &data, true), run(names, &data, false));
+        for (a, b) in own.parameters.iter().zip(&differences.parameters) {
+            assert!((a.value - b.value).abs() < 1e-3 * b.standard_error, "{a:?}\n{b:?}");
+            assert!((a.standard_error / b.standard_error - 1.0).abs() < 1e-3, "{a:?}\n{b:?}");
+        }
+    }
+}

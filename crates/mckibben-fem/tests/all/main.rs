@@ -1,0 +1,13 @@
+//! All integration tests of the crate in one executable: one link in place of many.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod answers;
+mod axisymmetric;
+mod branches;
+mod identify;
+mod measured;
+mod shared;
+mod three_dimensional;
+mod verification;
+mod vtu;

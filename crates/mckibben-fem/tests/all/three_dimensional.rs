@@ -1,0 +1,51 @@
+//! The muscle in bricks as a user meets it.
+
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::progress::Silent;
+use mckibben_fem::three_dimensional::{BrickSpec, ThreeDimensional};
+use mckibben_fem::{FemError, Simulation};
+
+fn coarse() -> ThreeDimensional {
+    ThreeDimensional::with_mesh(&Muscle::prototype(), &BrickSpec::parse("1x4").unwrap()).unwrap()
+}
+
+#[test]
+fn curves_agree_with_single_answers_and_cost_less() {
+    let (model, w) = (coarse(), &mut Workspace::new());
+    let pressures: Vec<f64> = (5..=25).map(|i| 0.01 * f64::from(i)).collect();
+    let curve = model.isometric(w, 0.1, &pressures, &Silent);
+    let effort = model.effort(w);
+    assert!(effort.factorisations < 2 * pressures.len(), "{effort:?}");
+    for point in curve.iter().map(|p| p.as_ref().unwrap()).step_by(4) {
+        let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, 0.1).unwrap();
+        assert!((point.force_n - single).abs() < 1e-6, "{point:?} {single}");
+    }
+    for point in model.isotonic(w, 80.0, &[0.1, 0.2], &Silent) {
+        let point = point.unwrap();
+        let single = model.force_n(&mut Workspace::new(), point.pressure_mpa, point.contraction).unwrap();
+        assert!((single - 80.0).abs() < 1e-5, "{point:?} {single}");
+    }
+}
+
+/// ∂F/∂P of the response is that of differences, though it comes from the terminal's displacement (Maxwell).
+#[test]
+fn stiffness_and_force_per_pressure_are_those_of_differences() {
+    let (model, w) = (coarse(), &mut Workspace::new());
+    let r = model.response(w, 0.2, 0.1).unwrap();
+    let mut force = |p: f64, e: f64| model.force_n(w, p, e).unwrap();
+    let by_pressure = (force(0.2 + 1e-4, 0.1) - force(0.2 - 1e-4, 0.1)) / 2e-4;
+    assert!((r.force_per_pressure_mm2.unwrap() / by_pressure - 1.0).abs() < 1e-5, "{r:?} {by_pressure}");
+    let by_length = (force(0.2, 0.1 - 1e-4) - force(0.2, 0.1 + 1e-4)) / (2e-4 * 285.0);
+    assert!((r.stiffness_n_per_mm.unwrap() / by_length - 1.0).abs() < 1e-4, "{r:?} {by_length}");
+}
+
+#[test]
+fn a_pull_that_nothing_can_carry_is_refused_in_words() {
+    let error = coarse().contraction_at_force(&mut Workspace::new(), 1e9, 0.25).unwrap_err();
+    let FemError::OutOfReach { nearest_force_n, .. } = error else { panic!("{error:?}") };
+    assert!(nearest_force_n > 921.0);
+    assert!(
+        error.to_string().starts_with("rubber and strands cannot carry a pull of 1000000000 N at 0.25 MPa")
+    );
+}

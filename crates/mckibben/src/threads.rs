@@ -1,0 +1,156 @@
+//! Work side by side, on the threads that the system gives.
+//!
+//! All parallel work of the workspace goes through here. Where threads are refused (a limit of processes, WebAssembly) the
+//! calling thread does the work alone. Results stand in the order of their items: they are the same on any number of threads.
+//!
+//! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number. Inside of a pool of rayon
+//! ([`rayon::ThreadPool::install`]) the work stays in that pool.
+
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::num::NonZero;
+use std::sync::OnceLock;
+use std::sync::mpsc::{RecvTimeoutError, SyncSender, sync_channel};
+use std::time::Duration;
+use thiserror::Error;
+
+/// The caller of [`Threads::for_each`] hears from it this often at least.
+const TICK: Duration = Duration::from_millis(100);
+
+/// Threads that were asked for are not to be had.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("cannot start threads: {0}")]
+pub struct ThreadsError(String);
+
+/// Threads that work, or none besides the calling one.
+#[derive(Debug)]
+pub struct Threads(Option<ThreadPool>);
+
+impl Threads {
+    /// So many threads; one is the calling thread itself.
+    ///
+    /// # Errors
+    /// [`ThreadsError`] where the system refuses them.
+    pub fn new(count: usize) -> Result<Self, ThreadsError> {
+        let pool = (count > 1).then(|| pool(count)).transpose()?;
+        Ok(Self(pool))
+    }
+
+    /// Those of the process.
+    pub fn shared() -> &'static Self {
+        &shared().0
+    }
+
+    /// `f` of every item, in their order.
+    pub fn map<T: Sync, R: Send>(&self, items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+        let side_by_side = || items.par_iter().map(&f).collect();
+        match &self.0 {
+            _ if rayon::current_thread_index().is_some() => side_by_side(),
+            Some(pool) => pool.install(side_by_side),
+            None => items.iter().map(f).collect(),
+        }
+    }
+
+    /// Works on every item and hands each result to `take` on the calling thread as it comes, in no order; `None` where
+    /// nothing came for a while.
+    pub fn for_each<T: Sync, R: Send>(
+        &self,
+        items: &[T],
+        work: impl Fn(&T) -> R + Sync,
+        mut take: impl FnMut(Option<R>),
+    ) {
+        // A thread of a pool must not wait for its own pool.
+        let Some(pool) = self.0.as_ref().filter(|_| rayon::current_thread_index().is_none()) else {
+            return items.iter().for_each(|item| take(Some(work(item))));
+        };
+        let (sender, receiver) = sync_channel(4 * pool.current_num_threads());
+        pool.in_place_scope(|scope| {
+            let work = &work;
+            scope.spawn(move |_| {
+                // Nobody listens any more only where `take` panicked.
+                let give = |sender: &mut SyncSender<R>, item: &T| drop(sender.send(work(item)));
+                items.par_iter().with_max_len(1).for_each_with(sender, give);
+            });
+            loop {
+                match receiver.recv_timeout(TICK) {
+                    Ok(done) => take(Some(done)),
+                    Err(RecvTimeoutError::Timeout) => take(None),
+                    Err(RecvTimeoutError::Disconnected) => break,
+                }
+            }
+        });
+    }
+}
+
+/// `f` of every item, in their order, on the threads of the process.
+pub fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    Threads::shared().map(items, f)
+}
+
+/// A sentence where the process has fewer threads than it wanted; `None` also before any work.
+pub fn shortage() -> Option<String> {
+    let (threads, error) = SHARED.get()?;
+    let count = threads.0.as_ref().map_or(1, ThreadPool::current_num_threads);
+    error.as_ref().map(|e| format!("{e}; the work is done by {count}"))
+}
+
+static SHARED: OnceLock<(Threads, Option<ThreadsError>)> = OnceLock::new();
+
+fn shared() -> &'static (Threads, Option<ThreadsError>) {
+    SHARED.get_or_init(|| {
+        let refused = match pool(0) {
+            Ok(pool) => return (Threads(Some(pool)), None),
+            Err(error) => error,
+        };
+        let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
+        let fewer = std::iter::successors(Some(cores / 2), |n| Some(n / 2)).take_while(|n| *n > 1);
+        (Threads(fewer.map(pool).find_map(Result::ok)), Some(refused))
+    })
+}
+
+/// So many threads; none: as many as the environment or the cores say.
+fn pool(count: usize) -> Result<ThreadPool, ThreadsError> {
+    ThreadPoolBuilder::new().num_threads(count).build().map_err(|e| ThreadsError(e.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::panic::AssertUnwindSafe;
+
+    /// 0², 1², …, 99², however many threads there are.
+    #[test]
+    fn results_are_the_same_on_any_number_of_threads() {
+        let items: Vec<u64> = (0..100).collect();
+        let squares: Vec<u64> = items.iter().map(|i| i * i).collect();
+        for count in [0, 1, 2, 7] {
+            let threads = Threads::new(count).unwrap();
+            assert_eq!(threads.map(&items, |i| i * i), squares, "{count}");
+            let mut taken = vec![];
+            threads.for_each(&items, |i| i * i, |square| taken.extend(square));
+            taken.sort_unstable();
+            assert_eq!(taken, squares, "{count}");
+        }
+    }
+
+    /// One pool asked from its only thread would wait for itself.
+    #[test]
+    fn work_inside_of_work_ends() {
+        let pool = pool(1).unwrap();
+        let threads = Threads(Some(pool));
+        let inner = |_: &u64| {
+            let mut sum = 0;
+            threads.for_each(&[1_u64, 2, 3], |i| *i, |i| sum += i.unwrap_or(0));
+            sum + threads.map(&[4_u64, 5], |i| *i).iter().sum::<u64>()
+        };
+        assert_eq!(threads.map(&[0], inner), [15]);
+    }
+
+    #[test]
+    fn a_panic_of_a_thread_reaches_the_caller() {
+        let threads = Threads::new(2).unwrap();
+        let work = |i: &u64| assert!(*i != 3);
+        let all = AssertUnwindSafe(|| threads.for_each(&[1, 2, 3, 4], work, |_| {}));
+        assert!(std::panic::catch_unwind(all).is_err());
+    }
+}
