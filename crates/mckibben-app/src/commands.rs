@@ -61,11 +61,11 @@ macro_rules! command {
 pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     vec![
         command!("design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
-        command!("force", ForceRequest => PointAnswer, |r, _progress| force(&r)),
-        command!("pressure", PressureRequest => PointAnswer, |r, _progress| pressure(&r)),
-        command!("contraction", ContractionRequest => PointAnswer, |r, _progress| contraction(&r)),
-        command!("curve", CurveRequest => CurveAnswer, |r, _progress| curve(&r)),
-        command!("study", StudyRequest => StudyAnswer, |r, _progress| study(&r)),
+        command!("force", ForceRequest => PointAnswer, |r, progress| force(&r, progress)),
+        command!("pressure", PressureRequest => PointAnswer, |r, progress| pressure(&r, progress)),
+        command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
+        command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
+        command!("study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
         command!("simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
         command!("validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
         command!("sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),

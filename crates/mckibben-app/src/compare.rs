@@ -206,8 +206,9 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
                 Some(points) => fitted(model, &muscle, options.direction, &request.fit, points)?,
                 None => (muscle.clone(), vec![]),
             };
+            model.admit(&muscle, &progress.budget())?;
             let bound = model.build(&muscle)?;
-            let mut workspace = Workspace::new();
+            let mut workspace = Workspace::within(progress.budget());
             // Without measured points, the first model that answers is what the others are held against.
             let points = match &reference {
                 Some(points) => points.clone(),

@@ -9,11 +9,13 @@ use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use crate::units::Units;
 use crate::warnings;
-use mckibben::analysis::{AnalysisError, free_contraction};
+use mckibben::analysis::free_contraction;
 use mckibben::answer::{Answer, Options};
+use mckibben::budget::Resource;
 use mckibben::curve::{Curve, CurvePoint, Test, curves};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
+use mckibben::progress::Progress;
 use mckibben::status::Status;
 use mckibben::units::{MAX_POINTS, Values};
 use mckibben::warning::Warning;
@@ -135,8 +137,36 @@ impl From<&CurvePoint> for PointRow {
 ///
 /// # Errors
 /// [`Problem`] for a wrong request; points without an answer carry their own status and cause.
-pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
-    let mut question = Question::new(&request.muscle, &request.model, request.asking)?;
+pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer, Problem> {
+    let (budget, mut list) = (progress.budget(), vec![]);
+    let mut answer = curve_by_curve(request, progress, &mut |curve, all| {
+        budget.admit(Resource::Bytes, POINT_BYTES * all as f64)?;
+        list.push(curve);
+        Ok(())
+    })?;
+    let figure = request.figure.as_ref();
+    answer.figure = figure
+        .map(|unit| figure::curves(&answer.model, &answer.muscle, request.test, &list, request.both, unit));
+    answer.points = list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect();
+    answer.curves = list;
+    Ok(answer)
+}
+
+/// Memory of a point with its row and their text, in bytes.
+const POINT_BYTES: f64 = 5e3;
+
+/// The same without holding all points at once: `take` gets each curve as it is finished, and the number of all points. What is returned
+/// has no points, no curves and no figure.
+///
+/// # Errors
+/// [`Problem`] for a wrong request, or that of `take`.
+pub fn curve_by_curve(
+    request: &CurveRequest,
+    progress: &dyn Progress,
+    take: &mut dyn FnMut(Curve, usize) -> Result<(), Problem>,
+) -> Result<CurveAnswer, Problem> {
+    let budget = progress.budget();
+    let mut question = Question::new(&request.muscle, &request.model, request.asking, &budget)?;
     let isobaric = request.test == Test::Isobaric;
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
         if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }
@@ -156,34 +186,47 @@ pub fn curve(request: &CurveRequest) -> Result<CurveAnswer, Problem> {
         Test::Isotonic => (forces, pressures),
         Test::Isobaric => (pressures, contractions),
     };
-    check_count(&[fixed.len(), along.len()], MAX_POINTS)?;
-    let (model, workspace) = (&*question.model, &mut question.workspace);
-    let mut on = |fixed: &[f64], options| curves(model, workspace, request.test, fixed, &along, options);
-    let list: Vec<Curve> = if request.both {
+    let branches: &[Direction] = if request.both {
         check_both(question.options.direction, &question.muscle)?;
-        let on_both = |value: &f64| {
-            let of = |direction| on(&[*value], Options { direction, ..question.options });
-            Direction::BRANCHES.map(of).into_iter().flatten().collect::<Vec<_>>()
-        };
-        fixed.iter().flat_map(on_both).collect()
+        &Direction::BRANCHES
     } else {
-        on(&fixed, question.options)
+        &[question.options.direction]
     };
-    let muscle = MuscleSummary::from(&question.muscle);
-    let figure = request
-        .figure
-        .as_ref()
-        .map(|unit| figure::curves(model.name(), &muscle, request.test, &list, request.both, unit));
+    let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
+    check_count(&[all], MAX_POINTS)?;
+    budget.admit(Resource::Points, all as f64)?;
+    let mut gravest: Option<Problem> = None;
+    let (mut said, mut answers) = (vec![], false);
+    for (i, &value) in fixed.iter().enumerate() {
+        progress.report(i, fixed.len());
+        for &direction in branches {
+            let options = Options { direction, ..question.options };
+            let found = curves(&*question.model, &mut question.workspace, request.test, &[value], &along, options);
+            budget.ended()?;
+            for curve in found {
+                if progress.cancelled() {
+                    return Err(Problem::cancelled());
+                }
+                said.extend(warnings::of_points(answered([&curve])));
+                said = Warning::gravest(&said);
+                answers |= answered([&curve]).next().is_some();
+                if !answers {
+                    gravest = all_failed(&curve, gravest);
+                }
+                take(curve, all)?;
+            }
+        }
+    }
     Ok(CurveAnswer {
-        model: model.name().into(),
+        model: question.model.name().into(),
         test: request.test,
-        muscle,
+        muscle: MuscleSummary::from(&question.muscle),
         fixed,
-        points: list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect(),
-        warnings: warnings::of_points(answered(&list)),
-        figure,
-        problem: all_failed(&list),
-        curves: list,
+        points: vec![],
+        warnings: said,
+        figure: None,
+        problem: gravest.filter(|_| !answers),
+        curves: vec![],
         both: request.both,
     })
 }
@@ -267,17 +310,11 @@ pub(crate) fn answered<'a>(list: impl IntoIterator<Item = &'a Curve>) -> impl It
     list.into_iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().ok())
 }
 
-/// Where every point fails: the first of the gravest reasons.
-fn all_failed(list: &[Curve]) -> Option<Problem> {
-    let mut errors: Vec<&AnalysisError> = vec![];
-    for point in list.iter().flat_map(|c| &c.points) {
-        errors.push(point.answer.as_ref().err()?);
-    }
-    let mut gravest: Option<Problem> = None;
-    for problem in errors.into_iter().map(|e| Problem::from(e.clone())) {
-        if gravest.as_ref().is_none_or(|g| problem.kind.ending() > g.kind.ending()) {
-            gravest = Some(problem);
-        }
-    }
-    gravest
+/// Where no point has an answer: the first of the gravest reasons, those before among them.
+fn all_failed(curve: &Curve, before: Option<Problem>) -> Option<Problem> {
+    let errors = curve.points.iter().filter_map(|point| point.answer.as_ref().err());
+    errors.map(|e| Problem::from(e.clone())).fold(before, |gravest, problem| {
+        let graver = gravest.as_ref().is_none_or(|g| problem.kind.ending() > g.kind.ending());
+        if graver { Some(problem) } else { gravest }
+    })
 }

@@ -2,6 +2,7 @@
 
 use crate::fields::{Direction, Keep, MeshFields, ModelFields, Terminal, TerminalMaterial, TextFile};
 use crate::problem::{Problem, ProblemKind};
+use mckibben::budget::Budget;
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
@@ -145,6 +146,17 @@ impl Model {
             Self::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
             Self::ClosedForm(ModelKind::Paper) => Some(((30.0, 50.0), (1.0, 5.0))),
             _ => None,
+        }
+    }
+
+    /// Refuses what would not fit into a budget with this muscle.
+    ///
+    /// # Errors
+    /// [`Problem`] of kind `budget`, or of a mesh that cannot be made.
+    pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), Problem> {
+        match self {
+            Self::Elements(elements) => Ok(elements.admit(muscle, budget)?),
+            _ => Ok(()),
         }
     }
 

@@ -9,6 +9,7 @@ use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
+use mckibben::progress::Progress;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -103,8 +104,8 @@ pub struct ModelAbout {
 ///
 /// # Errors
 /// [`Problem`].
-pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking)?;
+pub fn force(request: &ForceRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+    let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
     answered(question, request.both, |model, workspace, options| {
@@ -116,8 +117,8 @@ pub fn force(request: &ForceRequest) -> Result<PointAnswer, Problem> {
 ///
 /// # Errors
 /// [`Problem`].
-pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking)?;
+pub fn pressure(request: &PressureRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+    let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let force_n = given("force_n", request.force_n, "a force, such as 300 N")?;
     pull(force_n, request.asking)?;
     let contraction = ratio(request.contraction.unwrap_or(0.0))?;
@@ -130,8 +131,8 @@ pub fn pressure(request: &PressureRequest) -> Result<PointAnswer, Problem> {
 ///
 /// # Errors
 /// [`Problem`].
-pub fn contraction(request: &ContractionRequest) -> Result<PointAnswer, Problem> {
-    let question = Question::new(&request.muscle, &request.model, request.asking)?;
+pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Result<PointAnswer, Problem> {
+    let question = Question::new(&request.muscle, &request.model, request.asking, &progress.budget())?;
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, request.asking)?;
@@ -151,15 +152,15 @@ fn answered(
         check_both(options.direction, &question.muscle)?;
     }
     let mut on = |options| ask(&*question.model, &mut question.workspace, options);
-    let point = on(options)?;
-    let branches = if both {
-        Direction::BRANCHES
-            .into_iter()
-            .map(|direction| on(Options { direction, ..options }))
-            .collect::<Result<_, _>>()?
-    } else {
-        vec![]
+    let mut all = || -> Result<(Answer, Vec<Answer>), Problem> {
+        let point = on(options)?;
+        let both = Direction::BRANCHES.into_iter().filter(|_| both);
+        let branches = both.map(|direction| on(Options { direction, ..options })).collect::<Result<_, _>>()?;
+        Ok((point, branches))
     };
+    let found = all();
+    question.workspace.budget().ended()?;
+    let (point, branches) = found?;
     let about = ModelAbout {
         source: source_of(&*question.model, options.direction),
         uncertainty_basis: question.model.accuracy().basis(),

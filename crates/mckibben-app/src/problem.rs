@@ -1,6 +1,7 @@
 //! Why a request has no answer: one type for every front end.
 
 use mckibben::analysis::AnalysisError;
+use mckibben::budget::{Exceeded, Resource};
 use mckibben::design::{SpecError, SpreadError};
 use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
@@ -47,6 +48,8 @@ pub enum ProblemKind {
     NotConverged,
     /// The caller wanted the work to end.
     Cancelled,
+    /// It would take, or has taken, more than its budget allows.
+    Budget,
     /// A specification that cannot be searched for.
     Specification,
     /// Tolerances that no muscle can have.
@@ -183,6 +186,21 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
+impl From<Exceeded> for Problem {
+    fn from(exceeded: Exceeded) -> Self {
+        let resource = match exceeded {
+            Exceeded::Cancelled => return Self::cancelled(),
+            Exceeded::Estimate { resource, .. } | Exceeded::Spent { resource, .. } => resource,
+        };
+        let hint = match resource {
+            Resource::Points => "take larger steps, or",
+            Resource::Elements | Resource::Bytes => "take a coarser mesh, or",
+            Resource::Factorisations | Resource::Seconds => "ask for less, or",
+        };
+        Self::new(ProblemKind::Budget, exceeded.to_string(), format!("{hint} raise the `limit` of {resource}"))
+    }
+}
+
 impl From<ModelError> for Problem {
     fn from(error: ModelError) -> Self {
         let message = error.to_string();
@@ -202,6 +220,7 @@ impl From<ModelError> for Problem {
                 Self::new(ProblemKind::MissingInput, message, hint)
             }
             ModelError::Elements { .. } => Self::new(ProblemKind::Mesh, message, ""),
+            ModelError::Exceeded(exceeded) => exceeded.into(),
             ModelError::NotConverged { .. } | ModelError::Stopped { .. } => {
                 Self::new(ProblemKind::NotConverged, message, "")
             }
@@ -238,7 +257,7 @@ impl From<AnalysisError> for Problem {
 impl From<FemError> for Problem {
     fn from(error: FemError) -> Self {
         match error {
-            FemError::Cancelled => Self::cancelled(),
+            FemError::Exceeded(exceeded) => exceeded.into(),
             other => ModelError::from(other).into(),
         }
     }

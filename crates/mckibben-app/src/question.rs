@@ -4,6 +4,7 @@ use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose, check_direction};
 use crate::problem::Problem;
 use mckibben::answer::Options;
+use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 
@@ -20,11 +21,14 @@ impl Question {
         muscle: &MuscleFields,
         model: &ModelFields,
         asking: AskFields,
+        budget: &Budget,
     ) -> Result<Self, Problem> {
         let muscle = muscle.resolve()?;
         let options = asking.options(&muscle)?;
-        let model = Model::choose(model, Purpose::Answer)?.build(&muscle)?;
-        Ok(Self { muscle, model, workspace: Workspace::new(), options })
+        let model = Model::choose(model, Purpose::Answer)?;
+        model.admit(&muscle, budget)?;
+        let model = model.build(&muscle)?;
+        Ok(Self { muscle, model, workspace: Workspace::within(budget.clone()), options })
     }
 }
 

@@ -12,6 +12,7 @@ use mckibben::curve::Test;
 use mckibben::study::{Finding, Study, thickness};
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
+use mckibben::progress::Progress;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -86,10 +87,11 @@ pub struct StudyRow {
 ///
 /// # Errors
 /// [`Problem`] where the model does not take the muscles at all.
-pub fn study(request: &StudyRequest) -> Result<StudyAnswer, Problem> {
+pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
     let base = request.muscle.resolve()?;
     let options = request.asking.options(&base)?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
+    model.admit(&base, &progress.budget())?;
     let study = thickness(&base, options, |m| model.build(m))?;
     let figure = request.figure.as_ref().map(|unit| {
         let MuscleSummary { angle_deg, rubber, .. } = (&base).into();

@@ -19,6 +19,7 @@ use crate::commands::simulate::SimulateArgs;
 use crate::commands::validate::ValidateArgs;
 use crate::flags::Format;
 use clap::{Parser, Subcommand};
+use mckibben::budget::Resource;
 
 const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to a muscle one can build.
 
@@ -38,6 +39,18 @@ pub struct Cli {
     /// What is printed: text for people, json or csv for programs
     #[arg(long, value_enum, global = true, default_value_t = Format::Text, help_heading = "Output")]
     pub format: Format,
+    /// What the answer may cost: points, elements, bytes, factorisations or seconds [points=1e6, elements=250000, bytes=4e9]
+    #[arg(long, value_name = "NAME=NUMBER", global = true, value_parser = limit, help_heading = "Output")]
+    pub limit: Vec<(Resource, f64)>,
+}
+
+/// `seconds=60`
+fn limit(text: &str) -> Result<(Resource, f64), String> {
+    let names = Resource::ALL.map(Resource::name).join(", ");
+    let (name, number) = text.split_once('=').ok_or("expected a name and a number, such as seconds=60")?;
+    let resource = Resource::ALL.into_iter().find(|r| r.name() == name.trim());
+    let number = number.trim().parse::<f64>().ok().filter(|n| *n > 0.0);
+    Ok((resource.ok_or(format!("the limits are {names}"))?, number.ok_or("expected a number above zero")?))
 }
 
 /// The commands.

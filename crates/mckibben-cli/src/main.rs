@@ -42,6 +42,7 @@ fn main() -> ExitCode {
             return ExitCode::from(code);
         }
     };
+    progress::limit(&cli.limit);
     let done = guarded(|| commands::run(cli.command, cli.format));
     threads::shortage().into_iter().for_each(output::warn);
     match done {

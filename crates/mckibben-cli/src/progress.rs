@@ -2,11 +2,13 @@
 
 use crate::output::text::number;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use mckibben::budget::{Budget, Limits, Resource};
 use mckibben::progress::Progress;
 use signal_hook::{consts, flag};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock};
+use std::sync::{Arc, LazyLock, Once, OnceLock};
+use std::time::Duration;
 
 /// Set by Ctrl-C and the signals that end a process, which are taken over when the first bar is made.
 static STOPPED: LazyLock<Arc<AtomicBool>> = LazyLock::new(|| {
@@ -25,6 +27,32 @@ const ENDING: [i32; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
 #[cfg(not(unix))]
 const ENDING: [i32; 2] = [consts::SIGINT, consts::SIGTERM];
 
+/// What the answer may cost; its flag ends the work.
+static BUDGET: OnceLock<Budget> = OnceLock::new();
+/// After the wish to end, work has this long to leave everything in order.
+const GRACE: Duration = Duration::from_millis(700);
+/// The wish is looked for this often.
+const TICK: Duration = Duration::from_millis(50);
+
+/// Sets what the answer may cost.
+pub fn limit(limits: &[(Resource, f64)]) {
+    let all = limits.iter().fold(Limits::default(), |all, &(resource, limit)| all.with(resource, limit));
+    // Once, at the start of the program.
+    let _ = BUDGET.set(Budget::new(all));
+}
+
+/// Ends work that does not look for the wish itself, and at last the program: files appear whole or not at all.
+fn watch() {
+    while !STOPPED.load(Ordering::Relaxed) {
+        std::thread::sleep(TICK);
+    }
+    if let Some(budget) = BUDGET.get() {
+        budget.cancel();
+    }
+    std::thread::sleep(GRACE);
+    std::process::exit(i32::from(INTERRUPTED));
+}
+
 /// A bar with rate and remaining time, to standard error, on a terminal only. The first Ctrl-C ends the work, the second
 /// the program.
 pub struct Bar(ProgressBar);
@@ -41,7 +69,10 @@ impl Bar {
     }
 
     fn on(things: &str, target: ProgressDrawTarget) -> Self {
+        static WATCHED: Once = Once::new();
         LazyLock::force(&STOPPED);
+        // Where there is no thread for it, work ends as soon as it looks.
+        WATCHED.call_once(|| drop(std::thread::Builder::new().spawn(watch)));
         let bar = ProgressBar::with_draw_target(None, target);
         let template = format!("{{bar:32}} {{pos}}/{{len}} {things}, {{rate}}, {{eta}} left{{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
@@ -71,6 +102,10 @@ impl Progress for Bar {
 
     fn cancelled(&self) -> bool {
         STOPPED.load(Ordering::Relaxed)
+    }
+
+    fn budget(&self) -> Budget {
+        BUDGET.get().cloned().unwrap_or_default()
     }
 }
 

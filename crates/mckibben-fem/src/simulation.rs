@@ -8,6 +8,7 @@ use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
 use crate::solver::newton::Effort;
 use crate::three_dimensional::{BrickMesh, BrickSpec, ThreeDimensional};
+use mckibben::budget::{Budget, Resource};
 use mckibben::model::{ForceModel, ModelError, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
@@ -357,6 +358,12 @@ pub(crate) fn contraction<M: Discretised>(
     model.contraction_at_force(workspace, force_n, pressure_mpa).ok()
 }
 
+/// Unknowns, bytes, and seconds of a factorisation, of one mesh of bricks that was measured (`docs/finite-elements-3d.md`). Memory grows with
+/// the 4/3rd power of the unknowns, time with the 1.6th.
+const MEASURED: (f64, f64, f64) = (309_280.0, 1.6e9, 1.9);
+/// Factorisations of a point.
+const POINT: f64 = 10.0;
+
 /// Which finite elements, and how fine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Elements {
@@ -410,6 +417,24 @@ impl Elements {
                 "bricks around the quarter (\"12\"), through the wall x around (\"2x12\"), or x along (\"2x12x39\")"
             }
         }
+    }
+
+    /// Refuses a mesh of a muscle that does not fit into a budget, before anything is allocated. The section's is small whatever it is.
+    ///
+    /// # Errors
+    /// [`FemError`]: the budget's, or where the numbers give no valid mesh.
+    pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), FemError> {
+        let Self::ThreeDimensional(spec) = self else { return Ok(()) };
+        let (tube, angle) = (muscle.tube(), muscle.braid().angle_rad());
+        let (inner, outer) = (tube.inner_radius_mm(), tube.outer_radius_mm());
+        let [through, around, along, bonded] =
+            BrickMesh::count(inner, outer, 0.5 * tube.length_mm, angle, spec)?;
+        let bricks = [through, around, along + bonded].map(|n| n as f64);
+        budget.admit(Resource::Elements, bricks.iter().product())?;
+        let order = spec.brick.order() as f64;
+        let unknowns = 3.0 * bricks.map(|n| n * order + 1.0).iter().product::<f64>() / MEASURED.0;
+        budget.admit(Resource::Bytes, MEASURED.1 * unknowns.powf(4.0 / 3.0))?;
+        Ok(budget.admit(Resource::Seconds, POINT * MEASURED.2 * unknowns.powf(1.6))?)
     }
 
     /// The model of a muscle.

@@ -213,7 +213,15 @@ impl Budget {
         }
     }
 
-    /// Why the work was ended by this budget, if it was: what came out of it then is no answer.
+    /// That the work came to its own end: what came out of work that this budget ended is no answer.
+    ///
+    /// # Errors
+    /// [`Exceeded`].
+    pub fn ended(&self) -> Result<(), Exceeded> {
+        self.exceeded().map_or(Ok(()), Err)
+    }
+
+    /// Why the work was ended by this budget, if it was.
     pub fn exceeded(&self) -> Option<Exceeded> {
         if self.spending.cancelled.load(Ordering::Relaxed) {
             return Some(Exceeded::Cancelled);

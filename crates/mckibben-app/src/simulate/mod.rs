@@ -146,9 +146,11 @@ pub fn simulate(
         );
         return Err(Problem::new(ProblemKind::Model, message, "`curve` draws the curves of every model"));
     };
+    let budget = progress.budget();
+    model.admit(&muscle, &budget)?;
     let meshed =
         Meshed::of(elements, &muscle).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
-    let (simulation, workspace) = (meshed.simulation(), &mut Workspace::new());
+    let (simulation, workspace) = (meshed.simulation(), &mut Workspace::within(budget.clone()));
     let questions = request.questions(simulation, workspace)?;
     let deck = if request.deck { Some(written_deck(&meshed, request.test, &questions)?) } else { None };
     let summary = MuscleSummary::from(&muscle);
@@ -166,6 +168,7 @@ pub fn simulate(
             Held::Contraction(e) => simulation.solve(workspace, pressure_mpa, e),
             Held::Force(f) => simulation.at_force(workspace, f, pressure_mpa),
         };
+        budget.ended()?;
         if let Ok(solution) = &solution {
             if let Some(shapes) = &mut shapes {
                 shapes

@@ -3,15 +3,16 @@
 use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use crate::output::text::{Units, columns, percent, percents};
-use crate::output::{show, warn};
+use crate::output::{show, streamed, warn};
 use crate::plot;
+use crate::progress::Bar;
 use crate::quantities::{contractions, forces, pressures};
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::curve::{Curve, Test};
 use mckibben::muscle::Direction;
 use mckibben::warning::Warning;
-use mckibben_app::{CurveAnswer, CurveRequest};
+use mckibben_app::{CurveAnswer, CurveRequest, PointRow, curve_by_curve};
 
 pub const EXAMPLES: &str = "Examples:
   mckibben curve isobaric -D 50 -s 1 -p 0.05..0.25:0.05 -e 0..0.2:0.01 \\
@@ -65,7 +66,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     let test = args.test.unwrap_or(Test::Isometric);
     let typed = [&args.pressure, &args.force, &args.muscle.outer_diameter];
     let unit = args.output.units.or_typed(typed);
-    let mut answer = mckibben_app::curve(&CurveRequest {
+    let request = CurveRequest {
         test,
         muscle: args.muscle.fields()?,
         model: args.model.fields()?,
@@ -75,7 +76,20 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         forces_n: forces(args.force.as_deref())?,
         both: args.both,
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-    })?;
+    };
+    let bar = Bar::new("curves");
+    let target = args.output.target();
+    if format == Format::Json && target.path.is_none() && request.figure.is_none() {
+        let problem = streamed("points", |row| {
+            let rows = |curve: Curve, _| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
+            let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;
+            let problem = answer.problem.take();
+            Ok((answer, problem))
+        })?;
+        return Ok(problem.map_or(0, |problem| Failure::from(problem).exit()));
+    }
+    let mut answer = mckibben_app::curve(&request, &bar)?;
+    drop(bar);
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
         return Err(problem.into());
     }
@@ -85,7 +99,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
         head + &as_table(&answer, &unit) + &doubt(&answer.curves, &unit)
     };
-    show(&answer, format, "points", text, args.output.target())?;
+    show(&answer, format, "points", text, target)?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
 use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{show, warn};
+use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity};
 use clap::Args;
 use mckibben::answer::Answer;
@@ -79,7 +80,7 @@ pub fn force(args: &ForceArgs, format: Format) -> Result<u8, Failure> {
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
         contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
         both: args.both,
-    })?;
+    }, &Bar::hidden())?;
     print(&answer, Asked::Force, format, &args.output, [&args.pressure, &None, &args.muscle.outer_diameter])
 }
 
@@ -92,7 +93,7 @@ pub fn pressure(args: &PressureArgs, format: Format) -> Result<u8, Failure> {
         force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
         contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
         both: args.both,
-    })?;
+    }, &Bar::hidden())?;
     print(&answer, Asked::Pressure, format, &args.output, [&None, &args.force, &args.muscle.outer_diameter])
 }
 
@@ -105,7 +106,7 @@ pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure
         force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
         both: args.both,
-    })?;
+    }, &Bar::hidden())?;
     print(
         &answer,
         Asked::Contraction,

@@ -6,6 +6,7 @@ use crate::flags::Format;
 use crate::output::text::{Units, columns, percents};
 use crate::output::{show, warn};
 use crate::plot;
+use crate::progress::Bar;
 use mckibben::curve::Test;
 use mckibben::study::{Study, StudyPanel};
 use mckibben_app::{StudyRequest, study};
@@ -14,12 +15,13 @@ use mckibben_app::{StudyRequest, study};
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let unit = args.output.units.or_typed([]);
-    let mut answer = study(&StudyRequest {
+    let request = StudyRequest {
         muscle: args.muscle.fields()?,
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-    })?;
+    };
+    let mut answer = study(&request, &Bar::hidden())?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     let text = || {
         answer.warnings.iter().for_each(warn);

@@ -5,10 +5,12 @@ mod csv;
 mod guard;
 mod parquet;
 mod rows;
+mod stream;
 pub mod text;
 mod write;
 
 pub use guard::{Content, check};
+pub use stream::streamed;
 pub use write::{Target, colour, complain, emit, save, warn};
 
 use crate::failure::Failure;

@@ -18,6 +18,8 @@ pub struct MeshSpec {
 pub const MOST_ALONG: usize = 1024;
 /// Most elements through the wall.
 pub const MOST_THROUGH: usize = 16;
+/// Most elements in all: more take half a minute a point and change nothing that can be measured.
+pub const MOST: usize = 4096;
 
 impl MeshSpec {
     /// Reads `8` (elements along the half length), `2x8` (through the wall x along), or `2x8:2` with the grading;
@@ -47,6 +49,7 @@ impl MeshSpec {
         let bounds = [
             ("through", through as f64, 1.0, MOST_THROUGH as f64),
             ("along", along as f64, 1.0, MOST_ALONG as f64),
+            ("the number of elements", through.saturating_mul(along) as f64, 1.0, MOST as f64),
             ("grading", grading, 0.5, 8.0),
         ];
         for (name, value, low, high) in bounds {

@@ -174,11 +174,17 @@ impl BrickMesh {
         Ok(())
     }
 
-    /// Divides one eighth of a tube of inner and outer radius and half length (mm) with strands at `angle` (radians).
+    /// Bricks through the wall, around and along, and the last over the insertion, of a tube that is divided so.
     ///
     /// # Errors
     /// [`FemError::Mesh`] where numbers make no mesh.
-    pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
+    pub fn count(
+        inner: f64,
+        outer: f64,
+        half: f64,
+        angle: f64,
+        spec: &BrickSpec,
+    ) -> Result<[usize; 4], FemError> {
         let order = spec.brick.order();
         Self::check(spec)?;
         let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
@@ -186,10 +192,35 @@ impl BrickMesh {
         // Where the bond begins the wall bends: one brick through it is too stiff.
         let through = spec.through.unwrap_or(if insertion > 0.0 { 2 } else { 1 });
         let around = spec.around.unwrap_or_else(|| spec.choose_around(outer, half, angle));
-        let (chord, height) = spec.cell(outer, angle, around * order);
+        let (_, height) = spec.cell(outer, angle, around * order);
         let natural = (half / (height * order as f64)).round();
         let along = spec.along.unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
         Self::check(&BrickSpec { along: Some(along), ..*spec })?;
+        // Rows over the insertion are as high as the others.
+        let height = if spec.keep == Match::Length && (spec.along.is_some() || along == 1) {
+            half / (along * order) as f64
+        } else {
+            height
+        };
+        let bonded = if insertion > 0.0 {
+            (insertion / (height * order as f64)).round().clamp(1.0, 2.0 * MOST[2]) as usize
+        } else {
+            0
+        };
+        Self::check(&BrickSpec { along: Some(along + bonded), ..*spec })?;
+        Ok([through, around, along, bonded])
+    }
+
+    /// Divides one eighth of a tube of inner and outer radius and half length (mm) with strands at `angle` (radians).
+    ///
+    /// # Errors
+    /// [`FemError::Mesh`] where numbers make no mesh.
+    pub fn new(inner: f64, outer: f64, half: f64, angle: f64, spec: &BrickSpec) -> Result<Self, FemError> {
+        let order = spec.brick.order();
+        let [through, around, along, bonded] = Self::count(inner, outer, half, angle, spec)?;
+        let measures = spec.plug.map(|p| p.measures(inner, half)).transpose()?;
+        let insertion = measures.map_or(0.0, |m| m.0);
+        let (chord, height) = spec.cell(outer, angle, around * order);
         let rows = (along * order) as f64;
         // Height of the rows, and of the last ones at the terminal.
         let (height, last) = match (spec.keep, spec.along) {
@@ -202,12 +233,6 @@ impl BrickMesh {
         let half = if spec.keep == Match::Length { half } else { height * rows };
         let wide = spec.ring().width(around * order);
         let free = along * order;
-        let bonded = if insertion > 0.0 {
-            (insertion / (height * order as f64)).round().clamp(1.0, 2.0 * MOST[2]) as usize
-        } else {
-            0
-        };
-        Self::check(&BrickSpec { along: Some(along + bonded), ..*spec })?;
         let elements = [through, around, along + bonded];
         let grid = elements.map(|n| n * order + 1);
         let rows = (0..grid[2]).map(|k| match free.checked_sub(k) {

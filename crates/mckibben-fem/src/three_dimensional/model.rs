@@ -66,7 +66,10 @@ impl Discretised for ThreeDimensional {
         &self,
         workspace: &'w mut Workspace,
     ) -> Result<&'w mut Continuation<MuscleInBricks>, FemError> {
-        workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))
+        let budget = workspace.budget().clone();
+        let c = workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))?;
+        c.budget = budget;
+        Ok(c)
     }
 
     fn known<'w>(&self, workspace: &'w Workspace) -> Option<&'w Continuation<MuscleInBricks>> {
@@ -97,6 +100,10 @@ impl ForceModel for ThreeDimensional {
             true => Accuracy::UNKNOWN,
             false => Accuracy::share(0.0, Reference::Equations),
         }
+    }
+
+    fn companion(&self) -> Option<&dyn ForceModel> {
+        Some(&self.limit)
     }
 
     fn blocked_scale_n(&self, workspace: &mut Workspace, pressure_mpa: f64) -> Result<f64, ModelError> {

@@ -18,6 +18,8 @@ use crate::muscle::Direction;
 const HIGHEST_PRESSURE_MPA: f64 = 20.0;
 /// Steps in which the falling branch is searched for the first crossing.
 const SCAN: usize = 80;
+/// A model and its companion differ by less than this share of the pull.
+const NEARLY: f64 = 0.05;
 /// A pressure in MPa or a contraction is known to this.
 const TOLERANCE: f64 = 1e-13;
 
@@ -42,6 +44,14 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         nearest_force_n,
         nearest_pressure_mpa,
     };
+    if let Some(companion) = model.companion() {
+        let found = pressure_at(companion, &mut Workspace::within(workspace.budget().clone()), force_n, contraction, options);
+        if let Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. }) = found
+            && (force_n - nearest_force_n).abs() > NEARLY * nearest_force_n.abs()
+        {
+            return Err(none(nearest_pressure_mpa, nearest_force_n));
+        }
+    }
     let direct = match friction(model, options.direction) {
         Some(_) => None,
         None => match model.exact_pressure(force_n, contraction) {

@@ -162,6 +162,11 @@ pub trait ForceModel: Send + Sync {
         None
     }
 
+    /// A model with nearly the same answers at a fraction of the cost, by which a pull that no pressure gives is refused at once.
+    fn companion(&self) -> Option<&dyn ForceModel> {
+        None
+    }
+
     /// The pressure in MPa of the equilibrium under a pull of `force_n`, for a model that solves equilibria with the load
     /// held in place of the pressure; `None` where it has none or finds none.
     fn pressure_under_load(

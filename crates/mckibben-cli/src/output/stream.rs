@@ -1,0 +1,52 @@
+//! JSON to standard output, row by row: what does not fit into memory.
+
+use super::json;
+use crate::failure::Failure;
+use mckibben_app::{Problem, ProblemKind};
+use serde::Serialize;
+use serde_json::Value;
+use std::io::{BufWriter, Error, Write};
+
+/// Takes a row.
+pub type Row<'a, R> = &'a mut dyn FnMut(&R) -> Result<(), Problem>;
+
+/// Prints an answer whose list named `rows` is made while it is printed: `make` hands over each row and returns the answer without them,
+/// with something for the caller.
+pub fn streamed<R: Serialize, A: Serialize, T>(
+    rows: &str,
+    make: impl FnOnce(Row<'_, R>) -> Result<(A, T), Problem>,
+) -> Result<T, Failure> {
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    let mut failed: Option<Error> = None;
+    let mut count = 0_usize;
+    let mut row = |row: &R| {
+        // Nothing is printed before the first row: the request may be wrong.
+        let before = if count == 0 { format!("{{\n\"{rows}\": [\n") } else { ",\n".to_owned() };
+        count += 1;
+        let text = serde_json::to_string(row).map_err(Error::from);
+        text.and_then(|text| write!(out, "{before}{text}")).map_err(|error| {
+            failed = Some(error);
+            Problem::new(ProblemKind::Output, "standard output cannot be written", "")
+        })
+    };
+    let made = make(&mut row);
+    if let Some(error) = failed {
+        return Err(Failure::stdout(&error));
+    }
+    let (answer, more) = made?;
+    let mut rest = || -> Result<(), Error> {
+        if count == 0 {
+            write!(out, "{{\n\"{rows}\": [")?;
+        }
+        write!(out, "\n]")?;
+        let answer = json(&answer).map_err(|_| Error::other("no JSON"))?;
+        let fields = answer.as_object().into_iter().flatten().filter(|(key, _)| *key != rows);
+        for (key, value) in fields {
+            write!(out, ",\n{}: {value}", Value::from(key.as_str()))?;
+        }
+        writeln!(out, "\n}}")?;
+        out.flush()
+    };
+    rest().map_err(|error| Failure::stdout(&error))?;
+    Ok(more)
+}
