@@ -3,7 +3,10 @@
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::progress::Progress;
-use mckibben_campaign::campaign::{self, CampaignError, Merged, Outcome, Plan, RunOptions, Shard, Summary};
+use mckibben::threads::Threads;
+use mckibben_campaign::campaign::{
+    self, CampaignError, Cost, Merged, Outcome, Plan, RunOptions, Shard, Summary,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -22,6 +25,8 @@ pub struct CampaignRequest {
     pub threads: Option<usize>,
     /// What stands at `output` and is not of this plan is replaced.
     pub overwrite: bool,
+    /// A plan of more than 10 GB or a day is begun.
+    pub yes: bool,
 }
 
 /// Runs a plan, or what is missing of it. A cancelled run ends well, with a valid store that is not complete.
@@ -29,13 +34,38 @@ pub struct CampaignRequest {
 /// # Errors
 /// [`Problem`]; the store is valid whatever happens.
 pub fn campaign(request: &CampaignRequest, progress: &dyn Progress) -> Result<Outcome, Problem> {
-    let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+    let plan = request.read()?;
     let out = request.output.as_ref().ok_or_else(|| Problem::missing("output", "a file or a folder"))?;
-    let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
-    let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
-    let shard = request.shard.as_deref().map(str::parse::<Shard>).transpose().map_err(wrong)?;
-    let options = RunOptions { shard, threads: request.threads, overwrite: request.overwrite };
+    let shard = request.shard()?;
+    let options =
+        RunOptions { shard, threads: request.threads, overwrite: request.overwrite, yes: request.yes };
     Ok(campaign::run(&plan, out, &options, progress)?)
+}
+
+/// About what a plan costs, before it is begun.
+///
+/// # Errors
+/// [`Problem`] where it is none.
+pub fn campaign_cost(request: &CampaignRequest) -> Result<Cost, Problem> {
+    let plan = request.read()?;
+    let threads = request.threads.unwrap_or_else(|| Threads::shared().count());
+    let muscles = match request.shard()? {
+        Some(shard) => plan.muscles().div_ceil(shard.count()),
+        None => plan.muscles(),
+    };
+    Ok(plan.cost(muscles, threads))
+}
+
+impl CampaignRequest {
+    fn read(&self) -> Result<Plan, Problem> {
+        let file = self.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+        Ok(Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?)
+    }
+
+    fn shard(&self) -> Result<Option<Shard>, Problem> {
+        let wrong = |e| Problem::new(ProblemKind::Usage, e, "").in_field("shard");
+        self.shard.as_deref().map(str::parse::<Shard>).transpose().map_err(wrong)
+    }
 }
 
 /// A campaign to be summarised.
@@ -81,6 +111,7 @@ impl From<CampaignError> for Problem {
             CampaignError::OtherPlan { .. }
             | CampaignError::OtherVersion { .. }
             | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
+            CampaignError::Large(_) => ProblemKind::Budget,
             CampaignError::Locked { .. } => ProblemKind::Locked,
             CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
             CampaignError::Incomplete { .. } => ProblemKind::Incomplete,

@@ -201,7 +201,8 @@ pub fn curve_by_curve(
         progress.report(i, fixed.len());
         for &direction in branches {
             let options = Options { direction, ..question.options };
-            let found = curves(&*question.model, &mut question.workspace, request.test, &[value], &along, options);
+            let found =
+                curves(&*question.model, &mut question.workspace, request.test, &[value], &along, options);
             budget.ended()?;
             for curve in found {
                 if progress.cancelled() {

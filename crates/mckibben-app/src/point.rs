@@ -155,7 +155,8 @@ fn answered(
     let mut all = || -> Result<(Answer, Vec<Answer>), Problem> {
         let point = on(options)?;
         let both = Direction::BRANCHES.into_iter().filter(|_| both);
-        let branches = both.map(|direction| on(Options { direction, ..options })).collect::<Result<_, _>>()?;
+        let branches =
+            both.map(|direction| on(Options { direction, ..options })).collect::<Result<_, _>>()?;
         Ok((point, branches))
     };
     let found = all();

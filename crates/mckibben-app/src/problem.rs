@@ -197,7 +197,11 @@ impl From<Exceeded> for Problem {
             Resource::Elements | Resource::Bytes => "take a coarser mesh, or",
             Resource::Factorisations | Resource::Seconds => "ask for less, or",
         };
-        Self::new(ProblemKind::Budget, exceeded.to_string(), format!("{hint} raise the `limit` of {resource}"))
+        Self::new(
+            ProblemKind::Budget,
+            exceeded.to_string(),
+            format!("{hint} raise the `limit` of {resource}"),
+        )
     }
 }
 

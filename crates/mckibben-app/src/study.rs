@@ -9,10 +9,10 @@ use crate::problem::Problem;
 use crate::units::Units;
 use crate::warnings;
 use mckibben::curve::Test;
+use mckibben::progress::Progress;
 use mckibben::study::{Finding, Study, thickness};
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
-use mckibben::progress::Progress;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

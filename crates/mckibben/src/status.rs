@@ -60,7 +60,8 @@ mod tests {
         use Status::*;
         let all = [Ok, OutOfRange, NoAnswer, NotConverged, Collapsed, OtherBranch, NoMuscle];
         let words = all.map(|s| s.to_string());
-        let said = ["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"];
+        let said =
+            ["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"];
         assert_eq!(words, said);
         assert!(words.iter().all(|w| w.parse::<Status>().unwrap().to_string() == *w));
         assert!("slack".parse::<Status>().unwrap_err().to_string().contains("unknown variant `slack`"));

@@ -41,6 +41,11 @@ impl Threads {
         &shared().0
     }
 
+    /// How many they are.
+    pub fn count(&self) -> usize {
+        self.0.as_ref().map_or(1, ThreadPool::current_num_threads)
+    }
+
     /// `f` of every item, in their order.
     pub fn map<T: Sync, R: Send>(&self, items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
         let side_by_side = || items.par_iter().map(&f).collect();
@@ -90,8 +95,7 @@ pub fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> 
 /// A sentence where the process has fewer threads than it wanted; `None` also before any work.
 pub fn shortage() -> Option<String> {
     let (threads, error) = SHARED.get()?;
-    let count = threads.0.as_ref().map_or(1, ThreadPool::current_num_threads);
-    error.as_ref().map(|e| format!("{e}; the work is done by {count}"))
+    error.as_ref().map(|e| format!("{e}; the work is done by {}", threads.count()))
 }
 
 static SHARED: OnceLock<(Threads, Option<ThreadsError>)> = OnceLock::new();

@@ -6,6 +6,7 @@
 //! whatever the number of threads, shards and interruptions. Without the feature `store` there are no files:
 //! [`compute`] gives the rows of a plan in memory.
 
+mod cost;
 mod error;
 #[cfg(feature = "store")]
 mod merge;
@@ -27,6 +28,7 @@ mod summary;
 #[cfg(all(test, feature = "store"))]
 mod tests;
 
+pub use cost::Cost;
 pub use error::CampaignError;
 #[cfg(feature = "store")]
 pub use merge::{Merged, merge};

@@ -25,6 +25,8 @@ pub struct RunOptions {
     pub threads: Option<usize>,
     /// What stands there and is not of this plan is replaced.
     pub overwrite: bool,
+    /// A plan of more than 10 GB or a day is begun.
+    pub yes: bool,
 }
 
 /// How far a run came.
@@ -158,6 +160,11 @@ pub fn run(
     let report = |c: &Counts| progress.report(c.muscles as usize, c.of as usize);
     report(&counts);
 
+    let left: u64 = missing.iter().map(|&p| muscles(p)).sum();
+    let cost = plan.cost(left, threads.count());
+    if cost.is_large() && !options.yes {
+        return Err(CampaignError::Large(cost));
+    }
     let mut pending = vec![];
     let mut error = None;
     let mut flushed = Instant::now();

@@ -16,6 +16,11 @@ impl Shard {
         block % self.count == self.index - 1
     }
 
+    /// Shares in all.
+    pub fn count(self) -> u64 {
+        self.count
+    }
+
     /// A name for files.
     pub(super) fn file_name(self) -> String {
         format!("{}-of-{}", self.index, self.count)

@@ -34,9 +34,10 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, Campaig
 pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
     let inputs = plan.inputs(number);
     let testing = plan.testing();
-    let model = inputs.muscle(plan.base()).map_err(|e| e.to_string()).and_then(|muscle| {
-        testing.elements.build(&muscle).map_err(|e| e.to_string())
-    });
+    let model = inputs
+        .muscle(plan.base())
+        .map_err(|e| e.to_string())
+        .and_then(|muscle| testing.elements.build(&muscle).map_err(|e| e.to_string()));
     let workspace = &mut Workspace::new();
     let mut out = Vec::with_capacity(plan.points_per_muscle());
     for &e in &testing.contractions {
@@ -57,11 +58,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
                     &Silent,
                 );
                 out.extend(
-                    testing
-                        .pressures_mpa
-                        .iter()
-                        .zip(curve)
-                        .map(|(&p, point)| filled(blank(p), point)),
+                    testing.pressures_mpa.iter().zip(curve).map(|(&p, point)| filled(blank(p), point)),
                 );
             }
         }

@@ -12,6 +12,7 @@ use clap::{Args, Subcommand};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
 use mckibben_campaign::campaign::{Outcome, Shard};
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
@@ -54,6 +55,9 @@ pub struct CampaignRunArgs {
     /// Threads [as many as cores]; the table does not depend on them
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
+    /// Begin a plan of more than 10 GB or a day
+    #[arg(long)]
+    pub yes: bool,
     /// Neither progress nor summary
     #[arg(short, long)]
     pub quiet: bool,
@@ -122,7 +126,18 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         shard: args.shard.map(|shard| shard.to_string()),
         threads: args.threads.map(usize::from),
         overwrite: args.replace.overwrite,
+        yes: args.yes,
     };
+    if !args.quiet && format == Format::Text {
+        let cost = mckibben_app::campaign_cost(&request)?;
+        let _ = writeln!(
+            std::io::stderr(),
+            "{} points: about {} and {}",
+            cost.points,
+            size(cost.bytes),
+            duration(cost.seconds)
+        );
+    }
     let outcome = mckibben_app::campaign(&request, &bar)?;
     let interrupted = bar.cancelled() && !outcome.complete;
     drop(bar);
@@ -140,6 +155,30 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
     } else {
         0
     })
+}
+
+fn size(bytes: f64) -> String {
+    let (unit, name) = if bytes < 1e6 {
+        (1e3, "kB")
+    } else if bytes < 1e9 {
+        (1e6, "MB")
+    } else {
+        (1e9, "GB")
+    };
+    format!("{} {name}", number((bytes / unit).max(1.0), 2))
+}
+
+fn duration(seconds: f64) -> String {
+    let (unit, name) = if seconds < 120.0 {
+        (1.0, "s")
+    } else if seconds < 7200.0 {
+        (60.0, "min")
+    } else if seconds < 172_800.0 {
+        (3600.0, "h")
+    } else {
+        (86_400.0, "days")
+    };
+    format!("{} {name}", number((seconds / unit).max(1.0), 2))
 }
 
 fn as_text(outcome: &Outcome, time: Duration) -> String {

@@ -73,40 +73,49 @@ pub struct ContractionArgs {
 
 /// F(P, ε).
 pub fn force(args: &ForceArgs, format: Format) -> Result<u8, Failure> {
-    let answer = mckibben_app::force(&ForceRequest {
-        muscle: args.muscle.fields()?,
-        model: args.model.fields()?,
-        asking: args.model.asking.fields(),
-        pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
-        contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
-        both: args.both,
-    }, &Bar::hidden())?;
+    let answer = mckibben_app::force(
+        &ForceRequest {
+            muscle: args.muscle.fields()?,
+            model: args.model.fields()?,
+            asking: args.model.asking.fields(),
+            pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+            contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
+            both: args.both,
+        },
+        &Bar::hidden(),
+    )?;
     print(&answer, Asked::Force, format, &args.output, [&args.pressure, &None, &args.muscle.outer_diameter])
 }
 
 /// P(F, ε).
 pub fn pressure(args: &PressureArgs, format: Format) -> Result<u8, Failure> {
-    let answer = mckibben_app::pressure(&PressureRequest {
-        muscle: args.muscle.fields()?,
-        model: args.model.fields()?,
-        asking: args.model.asking.fields(),
-        force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
-        contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
-        both: args.both,
-    }, &Bar::hidden())?;
+    let answer = mckibben_app::pressure(
+        &PressureRequest {
+            muscle: args.muscle.fields()?,
+            model: args.model.fields()?,
+            asking: args.model.asking.fields(),
+            force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
+            contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
+            both: args.both,
+        },
+        &Bar::hidden(),
+    )?;
     print(&answer, Asked::Pressure, format, &args.output, [&None, &args.force, &args.muscle.outer_diameter])
 }
 
 /// ε(F, P).
 pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure> {
-    let answer = mckibben_app::contraction(&ContractionRequest {
-        muscle: args.muscle.fields()?,
-        model: args.model.fields()?,
-        asking: args.model.asking.fields(),
-        force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
-        pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
-        both: args.both,
-    }, &Bar::hidden())?;
+    let answer = mckibben_app::contraction(
+        &ContractionRequest {
+            muscle: args.muscle.fields()?,
+            model: args.model.fields()?,
+            asking: args.model.asking.fields(),
+            force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
+            pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+            both: args.both,
+        },
+        &Bar::hidden(),
+    )?;
     print(
         &answer,
         Asked::Contraction,

@@ -136,7 +136,8 @@ fn a_formula_that_was_changed_says_so_in_every_answer() {
     let value = text.find("\"value\": ").unwrap() + 9;
     let last = value + text[value..].find('\n').unwrap() - 1;
     let other = if text.as_bytes()[last] == b'5' { '6' } else { '5' };
-    fs::write(dir.path().join("edited.json"), format!("{}{other}{}", &text[..last], &text[last + 1..])).unwrap();
+    fs::write(dir.path().join("edited.json"), format!("{}{other}{}", &text[..last], &text[last + 1..]))
+        .unwrap();
     let mut bare: Value = serde_json::from_str(&text).unwrap();
     assert!(bare.as_object_mut().unwrap().remove("seal").is_some());
     fs::write(dir.path().join("bare.json"), bare.to_string()).unwrap();
@@ -169,7 +170,11 @@ fn a_formula_whose_numbers_make_no_sense_is_refused() {
     for line in ANSWERS.iter().filter(|line| !line.starts_with("compare")) {
         let line = line.replace('X', "wild.json");
         let result = run_in(dir.path(), &line.split(' ').collect::<Vec<_>>());
-        assert!(result.code == 2 && result.err.contains("its numbers make no sense"), "{line}: {}", result.err);
+        assert!(
+            result.code == 2 && result.err.contains("its numbers make no sense"),
+            "{line}: {}",
+            result.err
+        );
     }
 }
 
@@ -268,8 +273,11 @@ fn names_do_not_steer_the_terminal() {
     let toml = format!("{STEERS}.toml");
     fs::write(dir.path().join(&toml), "[tube]\nlength = \"x\"\n").unwrap();
     let csv = format!("{STEERS}.csv");
-    fs::write(dir.path().join(&csv), format!("pressure_mpa,contraction,force_n,\"{STEERS}\"\n0.1,0,200,1\n0.2,0,400,1\n"))
-        .unwrap();
+    fs::write(
+        dir.path().join(&csv),
+        format!("pressure_mpa,contraction,force_n,\"{STEERS}\"\n0.1,0,200,1\n0.2,0,400,1\n"),
+    )
+    .unwrap();
     let out = format!("{STEERS}-winner.toml");
     let design = [&DESIGN.split_whitespace().collect::<Vec<_>>()[..], &[&out]].concat();
     for words in [
@@ -289,7 +297,11 @@ fn names_do_not_steer_the_terminal() {
         assert!(!steers(&result), "{words:?}: {result:?}");
     }
     let result = run_in(dir.path(), &["muscle", "show", &toml]);
-    assert!(result.err.starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"), "{}", result.err);
+    assert!(
+        result.err.starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"),
+        "{}",
+        result.err
+    );
     // Programs get the name as it is.
     let error = run_in(dir.path(), &["muscle", "show", &toml, "--format", "json"]).error();
     assert!(error["message"].as_str().unwrap().starts_with(STEERS), "{error}");

@@ -107,7 +107,11 @@ fn order_of_newton() -> Row {
         let mut residuals = Vec::new();
         w.body.control = Control::Length(-0.10 * 142.5);
         let options = NewtonOptions { small: 0.0, tolerance: 1e-13, ..NewtonOptions::default() };
-        newton::solve(&mut w.body, &options, &mut w.effort, |r| { residuals.push(r); Ok(()) }).ok()?;
+        newton::solve(&mut w.body, &options, &mut w.effort, |r| {
+            residuals.push(r);
+            Ok(())
+        })
+        .ok()?;
         // The last three above rounding.
         let seen: Vec<f64> = residuals.into_iter().filter(|r| *r > 3e-13).collect();
         let [.., a, b, c] = seen.as_slice() else { return None };

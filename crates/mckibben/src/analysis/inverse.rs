@@ -45,7 +45,13 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         nearest_pressure_mpa,
     };
     if let Some(companion) = model.companion() {
-        let found = pressure_at(companion, &mut Workspace::within(workspace.budget().clone()), force_n, contraction, options);
+        let found = pressure_at(
+            companion,
+            &mut Workspace::within(workspace.budget().clone()),
+            force_n,
+            contraction,
+            options,
+        );
         if let Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. }) = found
             && (force_n - nearest_force_n).abs() > NEARLY * nearest_force_n.abs()
         {

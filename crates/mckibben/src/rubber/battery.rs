@@ -146,6 +146,8 @@ fn constants_without_stiffness_are_refused() {
     let law = Law::NeoHookean(NeoHookean { mu_mpa: f64::NAN });
     assert!(matches!(law.validated(), Err(LawError::NotFinite { .. })));
     assert!(matches!(Law::Ogden(Ogden { terms: vec![] }).validated(), Err(LawError::Terms)));
+    let many = Law::Ogden(Ogden { terms: vec![(1e-3, 2.0); 2000] });
+    assert!(matches!(many.validated(), Err(LawError::TooManyTerms { most: 20, .. })));
 }
 
 /// Constants are told apart by their place: each change arrives where [`Law::constants`] shows it, and nowhere else.

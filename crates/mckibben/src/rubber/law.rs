@@ -58,7 +58,18 @@ pub enum LawError {
     /// An Ogden exponent of zero, or no terms.
     #[error("an ogden law needs one alpha other than zero for each mu")]
     Terms,
+    /// More terms than any rubber needs.
+    #[error("an {law} law has at most {most} terms")]
+    TooManyTerms {
+        /// The law's name.
+        law: &'static str,
+        /// Most terms.
+        most: usize,
+    },
 }
+
+/// Most terms of a sum; published laws have up to six.
+const MOST_TERMS: usize = 20;
 
 fn between((low, high): (f64, f64)) -> String {
     let low = if low == 0.0 { "zero".to_owned() } else { low.to_string() };
@@ -74,7 +85,7 @@ impl LawError {
                 Law::kind_named(law).and_then(first)
             }
             LawError::Limit { name, .. } => Some(name),
-            LawError::Terms => Some("alpha"),
+            LawError::Terms | LawError::TooManyTerms { .. } => Some("alpha"),
             LawError::NotFinite { .. } => None,
         }
     }
@@ -126,6 +137,9 @@ impl Law {
     /// [`LawError`] where a constant is not finite or the rubber has no stiffness at rest.
     pub fn validated(self) -> Result<Self, LawError> {
         let (law, constants) = (self.name(), self.constants());
+        if self.kind().is_sum && constants.len() > MOST_TERMS * self.kind().constants.len() {
+            return Err(LawError::TooManyTerms { law, most: MOST_TERMS });
+        }
         if let Some(ConstantValue { name, value, .. }) = constants.iter().find(|c| !c.value.is_finite()) {
             return Err(LawError::NotFinite { law, name: name.clone(), value: *value });
         }

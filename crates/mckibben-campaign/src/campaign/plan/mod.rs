@@ -122,27 +122,13 @@ impl Plan {
 
     /// Number of rows.
     pub fn points(&self) -> u64 {
-        self.muscles() * self.points_per_muscle() as u64
+        self.muscles().saturating_mul(self.points_per_muscle() as u64)
     }
 
     /// Muscles of one part of the store. It follows from the plan alone: about a hundredth of the plan, and not more
     /// points than are computed in a good second.
     pub fn block(&self) -> u64 {
-        let most: u64 = match self.testing.elements {
-            // Time grows with the elements along and with the square of those through the wall.
-            Elements::Axisymmetric(mesh) => {
-                let most = if self.testing.sensitivities { 512 } else { 4096 };
-                let through = mesh.through.unwrap_or(1) as u64;
-                6 * most / (through * through * mesh.along.unwrap_or(6) as u64).max(6)
-            }
-            // A hundred points of 600 bricks.
-            Elements::ThreeDimensional(spec) => {
-                let through = spec.through.unwrap_or(1) as u64;
-                let sheet = spec.around.unwrap_or(14) * spec.along.unwrap_or(45);
-                60_000 / (through * through * sheet as u64).max(60)
-            }
-        };
-        let heavy = (most / self.points_per_muscle().max(1) as u64).max(1);
+        let heavy = (self.points_per_second() / self.points_per_muscle().max(1) as u64).max(1);
         (self.muscles() / 100).clamp(1, heavy)
     }
 

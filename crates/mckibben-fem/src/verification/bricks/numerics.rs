@@ -147,7 +147,11 @@ fn order_of_newton(brick: Brick) -> Option<f64> {
     body.control = Control::Length(-0.09 * half);
     body.tolerance = 1e-11;
     let mut seen = Vec::new();
-    newton::solve(body, &tight(), &mut Effort::default(), |r| { seen.push(r); Ok(()) }).ok()?;
+    newton::solve(body, &tight(), &mut Effort::default(), |r| {
+        seen.push(r);
+        Ok(())
+    })
+    .ok()?;
     // Rounding begins at 1e-12.
     let above: Vec<f64> = seen.into_iter().filter(|r| *r > 1e-10).collect();
     let [.., a, b, c] = above.as_slice() else { return None };
