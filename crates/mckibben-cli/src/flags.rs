@@ -2,8 +2,8 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::output::Target;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
+use crate::output::Target;
 use crate::quantities::{quantity, ratio};
 use crate::word::word;
 use clap::{Args, ValueEnum};

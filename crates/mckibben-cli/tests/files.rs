@@ -79,7 +79,7 @@ fn a_hole_of_twenty_gigabytes_is_refused_at_once() {
     file.write_all_at(b"PAR1", 0).unwrap();
     file.write_all_at(b"\xff\xff\xff\x7fPAR1", (20 << 30) - 8).unwrap();
     let result = bounded(dir.path(), "campaign show hole.parquet");
-    assert!(result.code == 2 && result.err.contains("bytes of metadata are not in it"), "{}", result.err);
+    assert!(result.code == 2 && result.err.contains("holds no campaign"), "{}", result.err);
 }
 
 #[cfg(target_os = "linux")]
@@ -114,7 +114,7 @@ fn fitted(dir: &Path) -> String {
 const ANSWERS: [&str; 7] = [
     "force -D 40 -s 2 -p 0.2 -e 0.1 --model X",
     "pressure -D 40 -s 2 -F 300 -e 0.1 --model X",
-    "contraction -D 40 -s 2 -F 300 -p 0.2 --model X",
+    "contraction -D 40 -s 2 -F 500 -p 0.2 --model X",
     "curve isobaric -D 40 -s 2 -p 0.2 -e 0,0.1 --model X",
     "compare -D 40 -s 2 -p 0.2 -e 0,0.1 --models paper,X",
     "design -F 300 -e 10% --max-pressure 2.5bar -D 30..50:10 -s 1,2 --verify none --model X",
@@ -139,7 +139,8 @@ fn a_formula_that_was_changed_says_so_in_every_answer() {
     let value = text.find("\"value\": ").unwrap() + 9;
     let last = value + text[value..].find('\n').unwrap() - 1;
     let other = if text.as_bytes()[last] == b'5' { '6' } else { '5' };
-    fs::write(dir.path().join("edited.json"), format!("{}{other}{}", &text[..last], &text[last + 1..])).unwrap();
+    fs::write(dir.path().join("edited.json"), format!("{}{other}{}", &text[..last], &text[last + 1..]))
+        .unwrap();
     let mut bare: Value = serde_json::from_str(&text).unwrap();
     assert!(bare.as_object_mut().unwrap().remove("seal").is_some());
     fs::write(dir.path().join("bare.json"), bare.to_string()).unwrap();
@@ -172,7 +173,11 @@ fn a_formula_whose_numbers_make_no_sense_is_refused() {
     for line in ANSWERS.iter().filter(|line| !line.starts_with("compare")) {
         let line = line.replace('X', "wild.json");
         let result = run_in(dir.path(), &line.split(' ').collect::<Vec<_>>());
-        assert!(result.code == 2 && result.err.contains("its numbers make no sense"), "{line}: {}", result.err);
+        assert!(
+            result.code == 2 && result.err.contains("its numbers make no sense"),
+            "{line}: {}",
+            result.err
+        );
     }
 }
 
@@ -271,8 +276,11 @@ fn names_do_not_steer_the_terminal() {
     let toml = format!("{STEERS}.toml");
     fs::write(dir.path().join(&toml), "[tube]\nlength = \"x\"\n").unwrap();
     let csv = format!("{STEERS}.csv");
-    fs::write(dir.path().join(&csv), format!("pressure_mpa,contraction,force_n,\"{STEERS}\"\n0.1,0,200,1\n0.2,0,400,1\n"))
-        .unwrap();
+    fs::write(
+        dir.path().join(&csv),
+        format!("pressure_mpa,contraction,force_n,\"{STEERS}\"\n0.1,0,200,1\n0.2,0,400,1\n"),
+    )
+    .unwrap();
     let out = format!("{STEERS}-winner.toml");
     let design = [&DESIGN.split_whitespace().collect::<Vec<_>>()[..], &[&out]].concat();
     for words in [
@@ -292,7 +300,11 @@ fn names_do_not_steer_the_terminal() {
         assert!(!steers(&result), "{words:?}: {result:?}");
     }
     let result = run_in(dir.path(), &["muscle", "show", &toml]);
-    assert!(result.err.starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"), "{}", result.err);
+    assert!(
+        result.err.starts_with("error: a\\u{1b}[31m\\u{202e}b\\nc.toml:2:10: tube.length"),
+        "{}",
+        result.err
+    );
     // Programs get the name as it is.
     let error = run_in(dir.path(), &["muscle", "show", &toml, "--format", "json"]).error();
     assert!(error["message"].as_str().unwrap().starts_with(STEERS), "{error}");

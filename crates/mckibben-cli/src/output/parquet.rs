@@ -87,7 +87,8 @@ pub fn is_ours(path: &Path) -> bool {
         Ok(bytes)
     };
     let has = |tail: &[u8], text: &str| tail.windows(text.len()).any(|w| w == text.as_bytes());
-    tail().is_ok_and(|tail| tail.ends_with(b"PAR1") && has(&tail, "mckibben ") && !has(&tail, "mckibben.plan"))
+    tail()
+        .is_ok_and(|tail| tail.ends_with(b"PAR1") && has(&tail, "mckibben ") && !has(&tail, "mckibben.plan"))
 }
 
 fn encoded(list: &[Value]) -> Result<Vec<u8>> {

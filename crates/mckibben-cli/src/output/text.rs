@@ -3,9 +3,9 @@
 use super::clean::line;
 use comfy_table::{CellAlignment, Table, presets};
 use mckibben_app::UnderstoodTable;
-use std::path::Path;
 pub use mckibben_app::units::Units;
 pub use mckibben_app::words::{aligned, braid_name, law_text, number, percent, rubber_name};
+use std::path::Path;
 
 /// The name of a file.
 pub fn place(path: &Path) -> String {

@@ -44,7 +44,8 @@ const HINT: Style = AnsiColor::Cyan.on_default();
 
 /// A line for the user beside the result; nothing better can be done if nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
-    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
+    let _ =
+        writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
 }
 
 /// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).

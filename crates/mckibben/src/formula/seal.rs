@@ -22,8 +22,7 @@ use std::sync::Arc;
 /// The key of a file that holds its seal.
 const KEY: &str = "seal";
 /// The keys that are sealed.
-const SEALED: [&str; 8] =
-    ["kind", "form", "scales", "terms", "made_for", "range", "errors", "provenance"];
+const SEALED: [&str; 8] = ["kind", "form", "scales", "terms", "made_for", "range", "errors", "provenance"];
 /// How far the force at the check point may be off, as a share: what the libraries of systems differ by.
 const TOLERANCE: f64 = 1e-6;
 /// No muscle pulls or pushes so many times as hard as the ideal one.
@@ -97,13 +96,18 @@ impl fmt::Display for SealState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Sealed => f.write_str("is as it was written"),
-            Self::Absent => f.write_str(
-                "carries no seal: nothing shows that its numbers and its ± are those of a fit",
-            ),
+            Self::Absent => {
+                f.write_str("carries no seal: nothing shows that its numbers and its ± are those of a fit")
+            }
             Self::Changed { check_n } => {
-                f.write_str("was changed after it was written: its seal does not match, and no ± can be vouched for")?;
+                f.write_str(
+                    "was changed after it was written: its seal does not match, and no ± can be vouched for",
+                )?;
                 match check_n {
-                    Some((then, now)) => write!(f, " (at its check point it gives {now:.4} N; when it was written {then:.4} N)"),
+                    Some((then, now)) => write!(
+                        f,
+                        " (at its check point it gives {now:.4} N; when it was written {then:.4} N)"
+                    ),
                     None => Ok(()),
                 }
             }
@@ -192,7 +196,13 @@ impl Formula {
             let (pressure_mpa, contraction) = (end(2, r.pressure_mpa), end(3, r.contraction));
             let force_n = self.force_n(d, s, pressure_mpa, contraction);
             if !(force_n.abs() <= most(d)) {
-                return Err(Problem::Senseless { force_n, outer_diameter_mm: d, wall_mm: s, pressure_mpa, contraction });
+                return Err(Problem::Senseless {
+                    force_n,
+                    outer_diameter_mm: d,
+                    wall_mm: s,
+                    pressure_mpa,
+                    contraction,
+                });
             }
         }
         Ok(())
@@ -246,7 +256,8 @@ impl UniversalFormula {
     fn check_sense(&self) -> Result<(), Problem> {
         let Some(c) = self.check_point() else { return Ok(()) };
         let CheckPoint { outer_diameter_mm, wall_mm, pressure_mpa, contraction, force_n, .. } = c;
-        if force_n.abs() <= SENSELESS * ideal_n(outer_diameter_mm, middle(self.range.angle_deg), pressure_mpa) {
+        if force_n.abs() <= SENSELESS * ideal_n(outer_diameter_mm, middle(self.range.angle_deg), pressure_mpa)
+        {
             return Ok(());
         }
         Err(Problem::Senseless { force_n, outer_diameter_mm, wall_mm, pressure_mpa, contraction })

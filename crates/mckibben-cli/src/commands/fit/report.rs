@@ -3,8 +3,8 @@
 use super::text::errors_row;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::Format;
-use crate::output::{Target, show};
 use crate::output::text::{number, table};
+use crate::output::{Target, show};
 use crate::progress::Bar;
 use mckibben_app::{FitReportAnswer, FitReportRequest, fit_report};
 use mckibben_campaign::fit::constants::Constants;

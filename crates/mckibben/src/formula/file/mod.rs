@@ -49,11 +49,7 @@ pub(super) enum File {
 }
 
 /// The seal of a file that is as it was written.
-fn sealed(
-    state: SealState,
-    file: &impl Serialize,
-    check: Option<seal::CheckPoint>,
-) -> Option<seal::Seal> {
+fn sealed(state: SealState, file: &impl Serialize, check: Option<seal::CheckPoint>) -> Option<seal::Seal> {
     (state == SealState::Sealed).then(|| seal::Seal::of(file, check)).flatten()
 }
 

@@ -4,8 +4,8 @@ use super::check::{is_zero, name, up_to};
 use super::{File, Format, Kind, Problem, Read, read, sealed};
 use crate::formula::seal::Seal;
 use crate::formula::{
-    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales, SealState, Term,
-    paper_terms,
+    Body, Coefficients, Formula, FormulaErrors, FormulaRange, GlobalTerms, Made, Provenance, Scales,
+    SealState, Term, paper_terms,
 };
 use serde::{Deserialize, Serialize};
 

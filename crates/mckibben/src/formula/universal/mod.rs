@@ -6,9 +6,9 @@ mod range;
 pub use form::{Deficit, Form, UniversalTerm};
 pub use range::UniversalRange;
 
-use super::{Provenance, SealState};
 use super::file::File;
 use super::file::check::share;
+use super::{Provenance, SealState};
 use serde::{Deserialize, Serialize};
 use std::sync::{Arc, LazyLock};
 
