@@ -195,7 +195,7 @@ impl Formula {
             let (d, s) = (end(0, r.outer_diameter_mm), end(1, r.wall_mm));
             let (pressure_mpa, contraction) = (end(2, r.pressure_mpa), end(3, r.contraction));
             let force_n = self.force_n(d, s, pressure_mpa, contraction);
-            if !(force_n.abs() <= most(d)) {
+            if force_n.is_nan() || force_n.abs() > most(d) {
                 return Err(Problem::Senseless {
                     force_n,
                     outer_diameter_mm: d,
