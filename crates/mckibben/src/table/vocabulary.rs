@@ -39,8 +39,8 @@ impl Meaning {
     /// where it is known what they mean.
     pub(crate) fn most(self) -> f64 {
         match self {
-            // Muscles on oil and water bear some 5 MPa.
-            Meaning::Pressure | Meaning::PressureError => 20.0,
+            // Far above muscles on oil and water; what lies below is compared with the muscle (`identify::advice`).
+            Meaning::Pressure | Meaning::PressureError => 100.0,
             Meaning::Force | Meaning::ForceError | Meaning::Weight => 1e6,
             Meaning::Angle => 90.0,
             Meaning::OuterDiameter | Meaning::Wall | Meaning::Length | Meaning::RestLength => 1e5,
