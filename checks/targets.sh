@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-target=aarch64-pc-windows-msvc
+target=aarch64-pc-windows-gnullvm
 if ! rustup target add "$target" >/dev/null 2>&1; then
     echo "$target: no standard library here, not checked"
     exit 0

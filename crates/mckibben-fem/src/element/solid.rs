@@ -4,6 +4,7 @@
 //!
 //! r: residual ∂Π/∂u, g_k = ∂Π/∂p_k = ∫ ψ_k (J − 1) dV − p_k V/K, B = ∂²Π/∂u∂p. K → ∞ for incompressible rubber.
 
+#[cfg(target_arch = "x86_64")]
 use super::lanes::Width;
 use super::plane::{Gradient, PlaneLaw};
 use super::q2::{Geometry, MODES, NODES, PADDED, Point};

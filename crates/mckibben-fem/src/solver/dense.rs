@@ -1,5 +1,6 @@
 //! Partial LDLᵀ of small dense symmetric matrices.
 
+#[cfg(target_arch = "x86_64")]
 use crate::element::lanes::Width;
 
 /// Eliminates the first `eliminated` unknowns of a symmetric matrix of which the upper triangle is stored by rows.
