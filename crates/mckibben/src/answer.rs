@@ -93,18 +93,34 @@ pub fn point<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<Answer, ModelError> {
+    point_beyond(model, workspace, pressure_mpa, contraction, options, None)
+}
+
+/// The same where the free contraction at this pressure is known already: beyond it a muscle that is not asked for its push is slack,
+/// and the model is not asked.
+pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+    options: Options,
+    free: Option<f64>,
+) -> Result<Answer, ModelError> {
     let said = check_range(model, pressure_mpa, contraction, options)?;
     let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
     warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
     warnings.extend(model.notes(workspace).into_iter().map(Warning::from));
-    let (mut response, free_contraction) =
-        match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
+    let free = free.filter(|free| contraction > *free && !options.two_sided);
+    let (mut response, free_contraction) = match free {
+        Some(free) => (Response::default(), Some(free)),
+        None => match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
             Ok(response) => (response, None),
             Err(error) => match hanging_at(model, workspace, pressure_mpa, contraction, options) {
                 Some(free) => (Response::default(), Some(free)),
                 None => return Err(error),
             },
-        };
+        },
+    };
     // What rounding leaves of no pull is none.
     let thrust = pressure_mpa * std::f64::consts::PI * model.muscle().tube().outer_radius_mm().powi(2);
     if response.force_n.abs() <= 1e-9 * thrust {

@@ -4,7 +4,7 @@
 //! - isotonic: F fixed, ε(P);
 //! - isobaric: P fixed, F(ε).
 
-use crate::analysis::AnalysisError;
+use crate::analysis::{AnalysisError, free_contraction};
 use crate::answer::{self, Answer, Options};
 use crate::model::{ForceModel, Workspace};
 use serde::{Deserialize, Serialize};
@@ -66,9 +66,17 @@ pub fn curves<M: ForceModel + ?Sized>(
     along: &[f64],
     options: Options,
 ) -> Vec<Curve> {
-    let curve = |&fixed: &f64| Curve {
-        fixed,
-        points: along.iter().map(|&x| point(model, workspace, test, fixed, x, options)).collect(),
+    let curve = |&fixed: &f64| {
+        // Along an isobaric curve the free contraction is sought once, at the first slack point.
+        let mut free = None;
+        let mut one = |&x: &f64| {
+            let point = point(model, workspace, test, fixed, x, options, free);
+            if test == Test::Isobaric && free.is_none() && point.answer.as_ref().is_ok_and(|a| a.slack) {
+                free = free_contraction(model, workspace, fixed, options).ok();
+            }
+            point
+        };
+        Curve { fixed, points: along.iter().map(&mut one).collect() }
     };
     fixed.iter().map(curve).collect()
 }
@@ -80,6 +88,7 @@ fn point<M: ForceModel + ?Sized>(
     fixed: f64,
     x: f64,
     options: Options,
+    free: Option<f64>,
 ) -> CurvePoint {
     match test {
         Test::Isotonic => CurvePoint {
@@ -90,7 +99,8 @@ fn point<M: ForceModel + ?Sized>(
         },
         Test::Isometric | Test::Isobaric => {
             let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
-            let answer = answer::point(model, workspace, p, e, options).map_err(AnalysisError::from);
+            let answer =
+                answer::point_beyond(model, workspace, p, e, options, free).map_err(AnalysisError::from);
             CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
         }
     }
