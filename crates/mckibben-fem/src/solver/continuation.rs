@@ -212,14 +212,15 @@ impl<B: Body> Continuation<B> {
     pub fn reach(&mut self, pressure: f64, contraction: f64) -> Result<(), FemError> {
         self.question(pressure, contraction)?;
         let terminal = -contraction * self.body.half_length();
-        if self.near_kept(pressure, terminal) {
+        // Along a descent that was begun its next stations are near.
+        let descending = self.descent.terminal == Some(terminal);
+        if !descending && self.near_kept(pressure, terminal) {
             self.note();
             self.keep();
             return Ok(());
         }
         self.within(pressure, contraction, |c| {
-            // Along a descent that was begun its next stations are near.
-            if c.descent.terminal == Some(terminal) && c.from_taut(pressure, terminal).is_ok() {
+            if descending && c.from_taut(pressure, terminal).is_ok() {
                 return Ok(());
             }
             let other_n = match c.guessed(pressure, terminal) {

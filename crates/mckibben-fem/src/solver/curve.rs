@@ -130,7 +130,8 @@ pub(crate) fn run<B: Body, T: Clone>(
         if gone_on {
             c.trail_here();
         } else {
-            running = point.is_ok();
+            // Where strands are slack the next point is none of this path.
+            running = point.is_ok() && (B::SETTINGS.take_unstable || c.body.certain());
             if running {
                 c.begin_trail();
             }
