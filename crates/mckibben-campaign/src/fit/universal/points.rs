@@ -62,19 +62,9 @@ pub fn samples(rows: &[Row]) -> Result<Vec<Sample>, FitError> {
             .filter(|r| r.contraction == 0.0)
             .filter_map(|r| Some((r.pressure_mpa, r.force_n.filter(|f| *f > 0.0)?)))
             .collect();
-        // Where a muscle pulls again after it had ceased to, its tube has collapsed: another branch of equilibria.
-        let ends = |r: &&Row| r.force_n.is_none_or(|f| f <= 0.0);
-        let end = |p: f64| {
-            let stops = group.iter().filter(ends).filter(|r| r.pressure_mpa == p).map(|r| r.contraction);
-            stops.fold(f64::INFINITY, f64::min)
-        };
-        let blocked: Vec<(f64, f64, f64)> = blocked.into_iter().map(|(p, f)| (p, f, end(p))).collect();
         let point = |r: &Row| {
             let force_n = r.force_n.filter(|f| *f > 0.0)?;
-            let &(_, blocked_n, end) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
-            if r.contraction >= end {
-                return None;
-            }
+            let &(_, blocked_n) = blocked.iter().find(|b| b.0 == r.pressure_mpa)?;
             let (pressure_mpa, contraction, volume_mm3) = (r.pressure_mpa, r.contraction, r.volume_mm3);
             Some(PullPoint { pressure_mpa, contraction, force_n, blocked_n, volume_mm3 })
         };
