@@ -16,7 +16,7 @@ fn asked(command: &str, request: Value) -> Value {
 #[test]
 fn a_request_in_json_is_the_request_in_rust() {
     let request = ForceRequest { pressure_mpa: Some(0.2), contraction: Some(0.1), ..Default::default() };
-    let answer = force(&request).unwrap();
+    let answer = force(&request, &Silent).unwrap();
     let text = ask("force", &serde_json::to_string(&request).unwrap(), &Silent).unwrap();
     assert_eq!(text, serde_json::to_string(&answer).unwrap());
     assert_eq!(answer.point.model, "fe");
