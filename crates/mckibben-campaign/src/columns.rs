@@ -116,7 +116,7 @@ pub static COLUMNS: [Column; 22] = {
             Note,
             "status",
             "",
-            "`ok`; `collapsed` (no equilibrium where the infinitely long muscle would push), `not_converged`, `no_muscle` (no muscle has such dimensions)",
+            "`ok`; `collapsed` (no equilibrium where the infinitely long muscle would push), `other_branch` (only one that does not continue the taut muscle, such as that of a folded tube), `not_converged`, `no_muscle` (no muscle has such dimensions)",
             |r| Slot::Status(&mut r.status),
         ),
         column(Note, "cause", "", "why there is no answer", |r| Text(&mut r.cause)),

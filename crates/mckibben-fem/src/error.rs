@@ -107,7 +107,7 @@ fn ended(
     other_n: Option<f64>,
 ) -> String {
     let begins = match (status, other_n) {
-        (Status::Collapsed, _) => "the tube has collapsed, or no equilibrium was found,".into(),
+        (Status::Collapsed, _) => "no equilibrium found (the tube may have collapsed)".into(),
         (_, Some(force)) => format!("only an equilibrium of another branch was found ({force:.1} N)"),
         _ => "no equilibrium found".to_owned(),
     };

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use crate::output::text::{Units, columns, percent, percents};
-use crate::output::{show, streamed, warn};
+use crate::output::{is_json, show, streamed, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, pressures};
@@ -79,8 +79,8 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     };
     let bar = Bar::new("curves");
     let target = args.output.target();
-    if format == Format::Json && target.path.is_none() && request.figure.is_none() {
-        let problem = streamed("points", |row| {
+    if request.figure.is_none() && is_json(target, format)? {
+        let problem = streamed("points", target, |row| {
             let rows = |curve: Curve, _| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
             let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;
             let problem = answer.problem.take();

@@ -74,6 +74,11 @@ pub fn show<T: Serialize>(
     emit(&out, target.path)
 }
 
+/// Whether an answer is wanted as JSON.
+pub fn is_json(target: Target<'_>, format: Format) -> Result<bool, Failure> {
+    Ok(form(target.path, format)? == Form::Json)
+}
+
 /// The form of a file by its ending; without one, or for standard output, that of `--format`.
 fn form(path: Option<&Path>, format: Format) -> Result<Form, Failure> {
     let asked = match format {

@@ -1,6 +1,6 @@
-//! JSON to standard output, row by row: what does not fit into memory.
+//! JSON row by row: to standard output what does not fit into memory.
 
-use super::json;
+use super::{Content, Target, check, emit, json};
 use crate::failure::Failure;
 use mckibben_app::{Problem, ProblemKind};
 use serde::Serialize;
@@ -14,9 +14,16 @@ pub type Row<'a, R> = &'a mut dyn FnMut(&R) -> Result<(), Problem>;
 /// with something for the caller.
 pub fn streamed<R: Serialize, A: Serialize, T>(
     rows: &str,
+    target: Target<'_>,
     make: impl FnOnce(Row<'_, R>) -> Result<(A, T), Problem>,
 ) -> Result<T, Failure> {
-    let mut out = BufWriter::new(std::io::stdout().lock());
+    check(target, Content::Json)?;
+    // A file appears whole: its text is collected.
+    let mut file = vec![];
+    let mut out: Box<dyn Write> = match target.path {
+        Some(_) => Box::new(&mut file),
+        None => Box::new(BufWriter::new(std::io::stdout().lock())),
+    };
     let mut failed: Option<Error> = None;
     let mut count = 0_usize;
     let mut row = |row: &R| {
@@ -48,5 +55,9 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
         out.flush()
     };
     rest().map_err(|error| Failure::stdout(&error))?;
+    drop(out);
+    if target.path.is_some() {
+        emit(&file, target.path)?;
+    }
     Ok(more)
 }

@@ -348,7 +348,7 @@ impl<B: Body> Continuation<B> {
             (Some(from), end) if end.is_none_or(|_| self.descent.lowest() <= pressure) => {
                 self.body.state_mut().copy_from(&self.descent.stations[from]);
                 self.follow(pressure, terminal)?;
-                self.lowered().map_err(|reason| self.interrupted(reason))
+                self.lowered(from + 1).map_err(|reason| self.interrupted(reason))
             }
             (_, Some(end)) => Err(end),
             _ => Err(self.interrupted(Stopped::Branch)),
@@ -377,7 +377,7 @@ impl<B: Body> Continuation<B> {
             match self
                 .solve(Control::Length(terminal))
                 .and_then(|()| self.continued())
-                .and_then(|()| self.lowered())
+                .and_then(|()| self.lowered(usize::MAX))
             {
                 Ok(()) => {
                     self.descent.push(self.body.state(), self.body.totals().pull);
@@ -525,9 +525,9 @@ impl<B: Body> Continuation<B> {
         }
     }
 
-    /// Less pressure does not make a muscle pull that pushes: where it does, its tube has folded.
-    fn lowered(&self) -> Result<(), Stopped> {
-        if self.descent.pushes && self.pull() > 0.0 && !self.body.certain() {
+    /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it does, its tube has folded.
+    fn lowered(&self, stations: usize) -> Result<(), Stopped> {
+        if self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain() {
             Err(Stopped::Branch)
         } else {
             Ok(())

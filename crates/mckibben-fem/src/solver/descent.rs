@@ -11,8 +11,8 @@ pub(super) struct Descent {
     /// Displacement of the terminal in mm at which it runs.
     pub(super) terminal: Option<f64>,
     pub(super) stations: Vec<State>,
-    /// Whether the muscle pushes at one of them.
-    pub(super) pushes: bool,
+    /// Pull in N at each of them.
+    pulls: Vec<f64>,
     /// Why it goes no lower.
     pub(super) end: Option<super::continuation::Interrupted>,
 }
@@ -26,7 +26,12 @@ impl Descent {
     /// Adds a station with its pull in N.
     pub(super) fn push(&mut self, state: &State, pull: f64) {
         self.stations.push(state.clone());
-        self.pushes |= pull < 0.0;
+        self.pulls.push(pull);
+    }
+
+    /// Whether the muscle pushes at one of the first stations.
+    pub(super) fn pushes(&self, first: usize) -> bool {
+        self.pulls.iter().take(first).any(|pull| *pull < 0.0)
     }
 
     /// Pressure in MPa of the taut muscle.
