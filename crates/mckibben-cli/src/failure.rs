@@ -91,6 +91,8 @@ const FIELDS: &[&str] = &[
     "shard",
     "output",
     "overwrite",
+    "limit",
+    "yes",
 ];
 
 /// The flag of a request's field.

@@ -220,7 +220,7 @@ impl<B: Body> Continuation<B> {
             return Ok(());
         }
         self.within(pressure, contraction, |c| {
-            if descending && c.from_taut(pressure, terminal).is_ok() {
+            if descending && c.lead_down(pressure, terminal).is_ok() {
                 return Ok(());
             }
             let other_n = match c.guessed(pressure, terminal) {
@@ -232,7 +232,7 @@ impl<B: Body> Continuation<B> {
                 let found = c.long_way(pressure, terminal, true);
                 found.or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
             } else {
-                c.from_taut(pressure, terminal)
+                c.lead_down(pressure, terminal)
             };
             found.map_err(|end| (end, other_n))
         })
@@ -324,7 +324,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// From the taut muscle, continuously.
-    fn from_taut(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+    fn lead_down(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
         if self.descent.terminal != Some(terminal) {
             self.begin_descent(terminal);
         }
