@@ -138,9 +138,8 @@ impl From<&CurvePoint> for PointRow {
 /// # Errors
 /// [`Problem`] for a wrong request; points without an answer carry their own status and cause.
 pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAnswer, Problem> {
-    let (budget, mut list) = (progress.budget(), vec![]);
-    let mut answer = curve_by_curve(request, progress, &mut |curve, all| {
-        budget.admit(Resource::Bytes, POINT_BYTES * all as f64)?;
+    let mut list = vec![];
+    let mut answer = each(request, progress, POINT_BYTES, &mut |curve| {
         list.push(curve);
         Ok(())
     })?;
@@ -155,15 +154,25 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
 /// Memory of a point with its row and their text, in bytes.
 const POINT_BYTES: f64 = 5e3;
 
-/// The same without holding all points at once: `take` gets each curve as it is finished, and the number of all points. What is returned
-/// has no points, no curves and no figure.
+/// The same without holding all points at once: `take` gets each curve as it is finished. What is returned has no points, no curves and
+/// no figure.
 ///
 /// # Errors
 /// [`Problem`] for a wrong request, or that of `take`.
 pub fn curve_by_curve(
     request: &CurveRequest,
     progress: &dyn Progress,
-    take: &mut dyn FnMut(Curve, usize) -> Result<(), Problem>,
+    take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
+) -> Result<CurveAnswer, Problem> {
+    each(request, progress, 0.0, take)
+}
+
+/// Curve by curve, where the caller holds so many bytes of each point.
+fn each(
+    request: &CurveRequest,
+    progress: &dyn Progress,
+    held_bytes: f64,
+    take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
 ) -> Result<CurveAnswer, Problem> {
     let budget = progress.budget();
     let mut question = Question::new(&request.muscle, &request.model, request.asking, &budget)?;
@@ -195,6 +204,7 @@ pub fn curve_by_curve(
     let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
     check_count(&[all], MAX_POINTS)?;
     budget.admit(Resource::Points, all as f64)?;
+    budget.admit(Resource::Bytes, held_bytes * all as f64)?;
     let mut gravest: Option<Problem> = None;
     let (mut said, mut answers) = (vec![], false);
     for (i, &value) in fixed.iter().enumerate() {
@@ -214,7 +224,7 @@ pub fn curve_by_curve(
                 if !answers {
                     gravest = all_failed(&curve, gravest);
                 }
-                take(curve, all)?;
+                take(curve)?;
             }
         }
     }

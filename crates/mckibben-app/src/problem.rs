@@ -171,7 +171,7 @@ impl Problem {
 
     /// The caller wanted the work to end.
     pub fn cancelled() -> Self {
-        Self::new(ProblemKind::Cancelled, "cancelled before the end", "")
+        Self::new(ProblemKind::Cancelled, Exceeded::Cancelled.to_string(), "")
     }
 }
 

@@ -4,7 +4,7 @@
 //! longer ends inside of the solver. A front end makes a [`Budget`] for each request and hands it over with its
 //! [`Progress`](crate::progress::Progress); models find it in their [`Workspace`](crate::model::Workspace).
 
-use serde::{Deserialize, Serialize};
+use crate::units::MAX_POINTS;
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -12,8 +12,7 @@ use std::time::{Duration, Instant};
 use thiserror::Error;
 
 /// What is limited.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Resource {
     /// Points of curves, tests and plans that are held at once.
     Points,
@@ -69,7 +68,7 @@ impl Default for Limits {
     /// A million points, 250,000 elements, 4 GB; work and time are not limited.
     fn default() -> Self {
         Self {
-            points: 1e6,
+            points: MAX_POINTS as f64,
             elements: 250e3,
             bytes: 4e9,
             factorisations: f64::INFINITY,

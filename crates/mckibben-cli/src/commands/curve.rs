@@ -81,7 +81,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     let target = args.output.target();
     if request.figure.is_none() && is_json(target, format)? {
         let problem = streamed("points", target, |row| {
-            let rows = |curve: Curve, _| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
+            let rows = |curve: Curve| curve.points.iter().try_for_each(|p| row(&PointRow::from(p)));
             let mut answer = curve_by_curve(&request, &bar, &mut { rows })?;
             let problem = answer.problem.take();
             Ok((answer, problem))

@@ -27,8 +27,6 @@ const TIGHTENING: f64 = 1.3;
 const CONTINUOUS: f64 = 0.05;
 /// Smallest share of a leg that is tried where steps must be continuous.
 const SMALLEST_CONTINUOUS: f64 = 1e-5;
-/// Factorisations on the way to the end of what a muscle can carry.
-pub(super) const BUDGET_TO_THE_END: usize = 250;
 /// Equilibria that are not stable and are noted.
 const NOTED: usize = 16;
 /// Contractions lie between ± this.
@@ -220,7 +218,8 @@ impl<B: Body> Continuation<B> {
             return Ok(());
         }
         self.within(pressure, contraction, |c| {
-            if descending && c.lead_down(pressure, terminal).is_ok() {
+            let led = descending.then(|| c.lead_down(pressure, terminal));
+            if led.is_some_and(|led| led.is_ok()) {
                 return Ok(());
             }
             let other_n = match c.guessed(pressure, terminal) {
@@ -228,11 +227,13 @@ impl<B: Body> Continuation<B> {
                 Guessed::Uncertain(pull) => Some(pull),
                 Guessed::Nothing => None,
             };
-            let found = if B::SETTINGS.take_unstable {
-                let found = c.long_way(pressure, terminal, true);
-                found.or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
-            } else {
-                c.lead_down(pressure, terminal)
+            let found = match led {
+                Some(led) => led,
+                None if B::SETTINGS.take_unstable => {
+                    let found = c.long_way(pressure, terminal, true);
+                    found.or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
+                }
+                None => c.lead_down(pressure, terminal),
             };
             found.map_err(|end| (end, other_n))
         })
@@ -335,7 +336,10 @@ impl<B: Body> Continuation<B> {
             self.tighten(pressure, 0.0)?;
             return self.follow(pressure, terminal);
         }
-        while self.descent.lowest() > pressure && self.descent.end.is_none() {
+        while self.descent.lowest() > pressure {
+            if let Some(end) = self.descent.end {
+                return Err(end);
+            }
             if let Err(end) = self.descend(terminal) {
                 if end.reason.is_final() {
                     return Err(end);
@@ -343,16 +347,10 @@ impl<B: Body> Continuation<B> {
                 self.descent.end = Some(end);
             }
         }
-        let from = self.descent.stations.iter().rposition(|s| s.pressure >= pressure);
-        match (from, self.descent.end) {
-            (Some(from), end) if end.is_none_or(|_| self.descent.lowest() <= pressure) => {
-                self.body.state_mut().copy_from(&self.descent.stations[from]);
-                self.follow(pressure, terminal)?;
-                self.lowered(from + 1).map_err(|reason| self.interrupted(reason))
-            }
-            (_, Some(end)) => Err(end),
-            _ => Err(self.interrupted(Stopped::Branch)),
-        }
+        let from = self.descent.above(pressure);
+        self.body.state_mut().copy_from(&self.descent.stations[from]);
+        self.follow(pressure, terminal)?;
+        self.lowered(from + 1).map_err(|reason| self.interrupted(reason))
     }
 
     /// Finds the pressure that tightens all strands at a displacement of the terminal in mm: where a descent begins.
@@ -477,8 +475,8 @@ impl<B: Body> Continuation<B> {
         self.go(pressure, terminal, first, B::SETTINGS.smallest_step, false)
     }
 
-    /// The same in steps of at least the share `smallest` of the way, where it is wanted each to a stable equilibrium near to what the
-    /// steps before predict.
+    /// The same in steps of at least the share `smallest` of the way; where it is wanted, each ends near to where the steps before
+    /// predict it.
     fn go(
         &mut self,
         pressure: f64,

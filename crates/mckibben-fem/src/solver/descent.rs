@@ -44,6 +44,11 @@ impl Descent {
         self.stations.last().map_or(f64::INFINITY, |s| s.pressure)
     }
 
+    /// The last station whose pressure is not below one in MPa; the first where there is none.
+    pub(super) fn above(&self, pressure: f64) -> usize {
+        self.stations.iter().rposition(|s| s.pressure >= pressure).unwrap_or(0)
+    }
+
     /// The step in MPa that is tried next: twice the last one.
     pub(super) fn step(&self) -> f64 {
         match &self.stations[..] {

@@ -3,7 +3,7 @@
 //! Single equilibria at given pressures and contractions lead near; from there Newton's method runs with the pull held.
 
 use super::body::{Body, Control};
-use super::continuation::{BUDGET_TO_THE_END, Continuation, Interrupted, LARGEST_CONTRACTION};
+use super::continuation::{Continuation, Interrupted, LARGEST_CONTRACTION};
 use super::newton::Stopped;
 use crate::error::FemError;
 
@@ -13,6 +13,8 @@ const SEARCH_STEPS: usize = 12;
 const SEARCH_CONTRACTION: f64 = 0.05;
 /// A contraction or a pressure without an equilibrium is followed by this share of it, or its reciprocal.
 const NEARER: f64 = 0.75;
+/// Factorisations on the way to the end of what a muscle can carry.
+const BUDGET_TO_THE_END: usize = 250;
 /// Two pulls are one if they differ by less than this share.
 const SAME_PULL: f64 = 1e-6;
 /// Why a search ended that came to no answer and met no reason.
