@@ -20,13 +20,6 @@ use mckibben::status::Status;
 
 /// Strands are taut at this multiple of the pressure at which the muscle is expected to begin to pull.
 pub(crate) const TAUT: f64 = 1.3;
-/// How often the pressure is raised, and by what factor, where the strands are not taut yet.
-const TIGHTENINGS: usize = 8;
-const TIGHTENING: f64 = 1.3;
-/// A step is continuous if Newton's method moves no node further than this share of the radius from where the steps before predict it.
-const CONTINUOUS: f64 = 0.05;
-/// Smallest share of a leg that is tried where steps must be continuous.
-const SMALLEST_CONTINUOUS: f64 = 1e-5;
 /// Equilibria that are not stable and are noted.
 const NOTED: usize = 16;
 /// Contractions lie between ± this.
@@ -78,15 +71,15 @@ pub struct Continuation<B: Body> {
     allowed: Option<(usize, usize)>,
     kept: Vec<State>,
     oldest: usize,
-    trail: Trail,
+    pub(super) trail: Trail,
     /// Along what the last increment went.
-    direction: Option<Along>,
-    base: State,
-    before: State,
+    pub(super) direction: Option<Along>,
+    pub(super) base: State,
+    pub(super) before: State,
     /// Steps of the present walk from rest.
-    steps: Option<usize>,
+    pub(super) steps: Option<usize>,
     unstable: Vec<Unstable>,
-    descent: Descent,
+    pub(super) descent: Descent,
 }
 
 impl<B: Body> Continuation<B> {
@@ -143,7 +136,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// Notes an equilibrium that is not stable.
-    fn note(&mut self) {
+    pub(super) fn note(&mut self) {
         let directions = self.body.unstable_directions();
         if directions > 0 && self.unstable.len() < NOTED {
             let (step, pressure_mpa) = (self.steps.unwrap_or(0), self.body.state().pressure);
@@ -189,7 +182,12 @@ impl<B: Body> Continuation<B> {
     /// # Errors
     /// [`Stopped`]; the body then holds no equilibrium.
     pub fn solve(&mut self, control: Control) -> Result<(), Stopped> {
-        let mut options = self.newton;
+        self.solve_within(control, self.newton.reach)
+    }
+
+    /// The same, where no more than this share of the radius may lie between the iterate and the equilibrium.
+    pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
+        let mut options = NewtonOptions { reach, ..self.newton };
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;
             if factorisations >= budget {
@@ -212,6 +210,7 @@ impl<B: Body> Continuation<B> {
         let terminal = -contraction * self.body.half_length();
         // Along a descent that was begun its next stations are near.
         let descending = self.descent.terminal == Some(terminal);
+        eprintln!("q 0 {pressure} {contraction}");
         if !descending && self.near_kept(pressure, terminal) {
             self.note();
             self.keep();
@@ -324,217 +323,10 @@ impl<B: Body> Continuation<B> {
         Guessed::Nothing
     }
 
-    /// From the taut muscle, continuously.
-    fn lead_down(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        if self.descent.terminal != Some(terminal) {
-            self.begin_descent(terminal);
-        }
-        if self.descent.top().is_none_or(|top| top < pressure) {
-            if self.tighten(pressure, terminal).is_ok() && self.body.certain() {
-                return Ok(());
-            }
-            self.tighten(pressure, 0.0)?;
-            return self.follow(pressure, terminal);
-        }
-        while self.descent.lowest() > pressure {
-            if let Some(end) = self.descent.end {
-                return Err(end);
-            }
-            if let Err(end) = self.descend(terminal) {
-                if end.reason.is_final() {
-                    return Err(end);
-                }
-                self.descent.end = Some(end);
-            }
-        }
-        let from = self.descent.above(pressure);
-        self.body.state_mut().copy_from(&self.descent.stations[from]);
-        self.follow(pressure, terminal)?;
-        self.lowered(from + 1).map_err(|reason| self.interrupted(reason))
-    }
-
-    /// Finds the pressure that tightens all strands at a displacement of the terminal in mm: where a descent begins.
-    fn begin_descent(&mut self, terminal: f64) {
-        self.descent.begin(terminal);
-        let lowest = self.body.taut_pressure(-terminal / self.body.half_length());
-        let pressures = || std::iter::successors(Some(lowest), |p| Some(TIGHTENING * p)).take(TIGHTENINGS);
-        let found = pressures().any(|taut| self.tight_guess(taut, terminal))
-            || pressures().step_by(2).any(|taut| self.tighten(taut, terminal).is_ok());
-        if found {
-            self.descent.push(self.body.state(), self.body.totals().pull);
-        }
-    }
-
-    /// The next station of a descent, by the largest step that is continuous. Its stations depend on the length alone.
-    fn descend(&mut self, terminal: f64) -> Result<(), Interrupted> {
-        let smallest = SMALLEST_CONTINUOUS * self.descent.top().unwrap_or(0.0);
-        let (from, mut step) = (self.descent.lowest(), self.descent.step());
-        loop {
-            let next = (from - step).max(0.0);
-            self.descent.predict(next, self.body.state_mut());
-            match self
-                .solve(Control::Length(terminal))
-                .and_then(|()| self.continued())
-                .and_then(|()| self.lowered(usize::MAX))
-            {
-                Ok(()) => {
-                    self.descent.push(self.body.state(), self.body.totals().pull);
-                    return Ok(());
-                }
-                Err(reason) => {
-                    step = 0.5 * (from - next);
-                    if step < smallest || reason.is_final() {
-                        if let Some(last) = self.descent.stations.last() {
-                            self.body.state_mut().copy_from(last);
-                        }
-                        return Err(self.interrupted(reason));
-                    }
-                }
-            }
-        }
-    }
-
     /// That the path ends at the present equilibrium.
-    fn interrupted(&mut self, reason: Stopped) -> Interrupted {
+    pub(super) fn interrupted(&mut self, reason: Stopped) -> Interrupted {
         self.base.copy_from(self.body.state());
         Interrupted { reason, last: self.last() }
-    }
-
-    /// An equilibrium with all strands in tension, from a guess.
-    fn tight_guess(&mut self, pressure: f64, terminal: f64) -> bool {
-        self.body.guess_taut(pressure, terminal)
-            && self.solve(Control::Length(terminal)).is_ok()
-            && self.stable()
-            && self.body.taut()
-    }
-
-    /// An equilibrium with all strands in tension: from a guess, else from rest.
-    fn tighten(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        if self.tight_guess(pressure, terminal) {
-            return Ok(());
-        }
-        self.reset();
-        self.steps = Some(0);
-        self.walk(pressure, 0.0, B::SETTINGS.first_step)?;
-        self.walk(pressure, terminal, B::SETTINGS.first_step)?;
-        if self.stable() && self.body.taut() {
-            return Ok(());
-        }
-        Err(self.interrupted(Stopped::Unstable))
-    }
-
-    /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
-    fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.go(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, true)?;
-        if self.stable() { Ok(()) } else { Err(self.interrupted(Stopped::Unstable)) }
-    }
-
-    fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        self.reset();
-        self.walk(pressure, terminal, B::SETTINGS.first_step)
-    }
-
-    /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the pressure down.
-    fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Result<(), Interrupted> {
-        let pulling = self.body.pulling_pressure(-terminal / self.body.half_length());
-        let taut = pulling.map_or(pressure, |p| pressure.max(TAUT * p));
-        let there = guess
-            && taut > pressure
-            && self.body.guess_taut(taut, terminal)
-            && self.solve(Control::Length(terminal)).is_ok()
-            && self.stable();
-        if !there {
-            self.reset();
-            self.steps = Some(0);
-            self.walk(taut, 0.0, B::SETTINGS.first_step)?;
-            self.walk(taut, terminal, B::SETTINGS.first_step)?;
-        }
-        // Strands go slack one after the other: small steps.
-        if taut > pressure { self.walk(pressure, terminal, B::SETTINGS.first_step_down) } else { Ok(()) }
-    }
-
-    /// Back to the last equilibrium, and a summary of it.
-    fn last(&mut self) -> LastConverged {
-        self.body.state_mut().copy_from(&self.base);
-        // What cannot be assembled has no totals: it was an equilibrium, so it can.
-        let totals = self.body.residual().map(|_| self.body.totals()).unwrap_or_default();
-        LastConverged {
-            pressure_mpa: self.base.pressure,
-            contraction: self.contraction(),
-            force_n: totals.pull,
-            smallest_j: totals.smallest_j,
-        }
-    }
-
-    /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal in mm; `first` is the
-    /// share of the way that is tried first.
-    ///
-    /// # Errors
-    /// [`Interrupted`]; the body then is back at the last equilibrium.
-    pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Interrupted> {
-        self.go(pressure, terminal, first, B::SETTINGS.smallest_step, false)
-    }
-
-    /// The same in steps of at least the share `smallest` of the way; where it is wanted, each ends near to where the steps before
-    /// predict it.
-    fn go(
-        &mut self,
-        pressure: f64,
-        terminal: f64,
-        first: f64,
-        smallest: f64,
-        continuous: bool,
-    ) -> Result<(), Interrupted> {
-        self.base.copy_from(self.body.state());
-        let (p0, w0) = (self.base.pressure, self.base.terminal);
-        let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.u.iter().all(|x| *x == 0.0);
-        let (mut done, mut step, mut step_before) = (0.0_f64, first, 0.0_f64);
-        loop {
-            let next = (done + step).min(1.0);
-            let w = w0 + next * (terminal - w0);
-            let ratio = if done > 0.0 { (next - done) / step_before } else { 0.0 };
-            self.body.state_mut().extrapolate(&self.base, &self.before, ratio);
-            self.body.state_mut().pressure = p0 + next * (pressure - p0);
-            if done == 0.0 && at_rest {
-                self.body.guess_loads();
-            }
-            let solved = self.solve(Control::Length(w));
-            match solved.and_then(|()| if continuous { self.continued() } else { Ok(()) }) {
-                Ok(()) => {
-                    self.steps = self.steps.map(|n| n + 1);
-                    self.note();
-                    if next >= 1.0 {
-                        return Ok(());
-                    }
-                    std::mem::swap(&mut self.before, &mut self.base);
-                    self.base.copy_from(self.body.state());
-                    step_before = next - done;
-                    done = next;
-                    step = if continuous && self.effort.moved > 0.25 * CONTINUOUS { 1.0 } else { 2.0 }
-                        * step_before;
-                }
-                Err(reason) => {
-                    step = 0.5 * (next - done);
-                    if step < smallest || reason.is_final() {
-                        return Err(Interrupted { reason, last: self.last() });
-                    }
-                }
-            }
-        }
-    }
-
-    /// Less pressure does not make a muscle pull that pushes at one of the first stations: where it does, its tube has folded.
-    fn lowered(&self, stations: usize) -> Result<(), Stopped> {
-        if self.descent.pushes(stations) && self.pull() > 0.0 && !self.body.certain() {
-            Err(Stopped::Branch)
-        } else {
-            Ok(())
-        }
-    }
-
-    /// Whether the last solve ended near to where it began.
-    fn continued(&self) -> Result<(), Stopped> {
-        if self.effort.moved < CONTINUOUS { Ok(()) } else { Err(Stopped::Branch) }
     }
 
     /// Solves with the terminal at `w` from the present iterate, as step number `step` of a walk from rest.
@@ -546,61 +338,5 @@ impl<B: Body> Continuation<B> {
         }
         self.steps = None;
         found
-    }
-
-    /// Begins a path at the present equilibrium.
-    pub fn begin_trail(&mut self) {
-        self.trail.clear();
-        self.trail.push(self.body.state());
-    }
-
-    /// Goes on to a pressure in MPa and a displacement of the terminal in mm in one increment, predicted from those before it in the
-    /// same direction; in smaller ones where that does not lead to an equilibrium.
-    ///
-    /// # Errors
-    /// [`Interrupted`]; the body then is back at the last equilibrium.
-    pub fn increment(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
-        let now = self.body.state();
-        let along = if now.terminal == terminal { Along::Pressure } else { Along::Length };
-        if self.trail.last() != Some(now) || self.direction != Some(along) {
-            self.begin_trail();
-            self.direction = Some(along);
-        }
-        let value = if along == Along::Pressure { pressure } else { terminal };
-        if self.trail.predict(along, value, self.body.state_mut()) {
-            self.body.state_mut().pressure = pressure;
-            if self.solve(Control::Length(terminal)).is_ok() {
-                self.note();
-                self.trail_here();
-                return Ok(());
-            }
-        }
-        if let Some(last) = self.trail.last() {
-            self.body.state_mut().copy_from(last);
-        }
-        let walked = self.walk(pressure, terminal, 0.5);
-        self.begin_trail();
-        walked
-    }
-
-    /// Solves for the next point of a path from what its last points predict.
-    ///
-    /// # Errors
-    /// [`Stopped`]; the body then holds no equilibrium.
-    pub fn advance(&mut self, along: Along, value: f64, control: Control) -> Result<(), Stopped> {
-        if !self.trail.predict(along, value, self.body.state_mut()) {
-            return Err(Stopped::Diverged { correction: f64::INFINITY });
-        }
-        self.solve(control)
-    }
-
-    /// Adds the present equilibrium to the path.
-    pub fn trail_here(&mut self) {
-        self.trail.push(self.body.state());
-    }
-
-    /// Pressure of the last point of the path in MPa.
-    pub fn pressure_of_trail(&self) -> f64 {
-        self.trail.last().map_or(0.0, |s| s.pressure)
     }
 }

@@ -11,6 +11,7 @@ pub mod newton;
 mod search;
 pub mod sparse;
 pub mod trail;
+mod walk;
 
 use thiserror::Error;
 

@@ -100,6 +100,8 @@ pub struct NewtonOptions {
     pub small: f64,
     /// Above this correction the iteration is given up.
     pub large: f64,
+    /// Above this sum of corrections too: the answer would not continue where the iteration began.
+    pub reach: f64,
     /// A correction below this is rounding: the residual may then stand at `rounding_residual`.
     pub rounding: f64,
     /// See `rounding`.
@@ -115,6 +117,7 @@ impl NewtonOptions {
         iterations: 20,
         small: 2e-3,
         large: 50.0,
+        reach: f64::INFINITY,
         rounding: 1e-11,
         rounding_residual: 1e-8,
         factorisations: usize::MAX,
@@ -173,6 +176,9 @@ pub fn solve<S: NewtonSystem>(
         effort.moved += size;
         if size.is_nan() || size >= options.large {
             return Err(Stopped::Diverged { correction: size });
+        }
+        if effort.moved > options.reach {
+            return Err(Stopped::Branch);
         }
         if size < options.small {
             effort.residuals += 1;

@@ -1,0 +1,111 @@
+//! Walks between equilibria, as large a step at a time as Newton's method allows.
+
+use super::body::{Body, Control};
+use super::continuation::{Continuation, Interrupted, TAUT};
+use crate::error::LastConverged;
+
+/// Of what a step may miss of its prediction, the share that the next one aims at.
+const AIM: f64 = 0.5;
+/// By what factor a step may be larger than the one before.
+const GROWTH: f64 = 4.0;
+
+/// By what factor the next step is larger where the last one `missed` its prediction: that grows with the square of a step.
+pub(super) fn growth_of_step(missed: f64, reach: f64) -> f64 {
+    (AIM * reach / missed).sqrt().clamp(1.0, GROWTH)
+}
+
+impl<B: Body> Continuation<B> {
+    /// From rest in a straight line of pressure and length.
+    pub(super) fn straight(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+        self.reset();
+        self.walk(pressure, terminal, B::SETTINGS.first_step)
+    }
+
+    /// Goes to where the strands are taut, if `guess` from a guess, else from rest; then lets the pressure down.
+    pub(super) fn long_way(&mut self, pressure: f64, terminal: f64, guess: bool) -> Result<(), Interrupted> {
+        let pulling = self.body.pulling_pressure(-terminal / self.body.half_length());
+        let taut = pulling.map_or(pressure, |p| pressure.max(TAUT * p));
+        let there = guess
+            && taut > pressure
+            && self.body.guess_taut(taut, terminal)
+            && self.solve(Control::Length(terminal)).is_ok()
+            && self.stable();
+        if !there {
+            self.reset();
+            self.steps = Some(0);
+            self.walk(taut, 0.0, B::SETTINGS.first_step)?;
+            self.walk(taut, terminal, B::SETTINGS.first_step)?;
+        }
+        // Strands go slack one after the other: small steps.
+        if taut > pressure { self.walk(pressure, terminal, B::SETTINGS.first_step_down) } else { Ok(()) }
+    }
+
+    /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal in mm; `first` is the
+    /// share of the way that is tried first.
+    ///
+    /// # Errors
+    /// [`Interrupted`]; the body then is back at the last equilibrium.
+    pub fn walk(&mut self, pressure: f64, terminal: f64, first: f64) -> Result<(), Interrupted> {
+        self.go(pressure, terminal, first, B::SETTINGS.smallest_step, f64::INFINITY)
+    }
+
+    /// The same in steps of at least the share `smallest` of the way, each of which ends within `reach` (share of the radius) of where the
+    /// steps before predict it.
+    pub(super) fn go(
+        &mut self,
+        pressure: f64,
+        terminal: f64,
+        first: f64,
+        smallest: f64,
+        reach: f64,
+    ) -> Result<(), Interrupted> {
+        self.base.copy_from(self.body.state());
+        let (p0, w0) = (self.base.pressure, self.base.terminal);
+        let at_rest = p0 == 0.0 && w0 == 0.0 && self.base.u.iter().all(|x| *x == 0.0);
+        let (mut done, mut step, mut step_before) = (0.0_f64, first, 0.0_f64);
+        loop {
+            let next = (done + step).min(1.0);
+            let w = w0 + next * (terminal - w0);
+            let ratio = if done > 0.0 { (next - done) / step_before } else { 0.0 };
+            self.body.state_mut().extrapolate(&self.base, &self.before, ratio);
+            self.body.state_mut().pressure = p0 + next * (pressure - p0);
+            if done == 0.0 && at_rest {
+                self.body.guess_loads();
+            }
+            match self.solve_within(Control::Length(w), reach) {
+                Ok(()) => {
+                    self.steps = self.steps.map(|n| n + 1);
+                    self.note();
+                    if next >= 1.0 {
+                        return Ok(());
+                    }
+                    std::mem::swap(&mut self.before, &mut self.base);
+                    self.base.copy_from(self.body.state());
+                    step_before = next - done;
+                    done = next;
+                    step = if reach.is_finite() { growth_of_step(self.effort.moved, reach) } else { 2.0 }
+                        * step_before;
+                }
+                Err(reason) => {
+                    step = 0.5 * (next - done);
+                    if step < smallest || reason.is_final() {
+                        return Err(Interrupted { reason, last: self.last() });
+                    }
+                }
+            }
+        }
+    }
+
+    /// Back to the last equilibrium, and a summary of it.
+    pub(super) fn last(&mut self) -> LastConverged {
+        self.body.state_mut().copy_from(&self.base);
+        // What cannot be assembled has no totals: it was an equilibrium, so it can.
+        let totals = self.body.residual().map(|_| self.body.totals()).unwrap_or_default();
+        LastConverged {
+            pressure_mpa: self.base.pressure,
+            contraction: self.contraction(),
+            force_n: totals.pull,
+            smallest_j: totals.smallest_j,
+        }
+    }
+}
