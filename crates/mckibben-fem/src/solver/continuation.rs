@@ -210,7 +210,6 @@ impl<B: Body> Continuation<B> {
         let terminal = -contraction * self.body.half_length();
         // Along a descent that was begun its next stations are near.
         let descending = self.descent.terminal == Some(terminal);
-        eprintln!("q 0 {pressure} {contraction}");
         if !descending && self.near_kept(pressure, terminal) {
             self.note();
             self.keep();
