@@ -2,6 +2,7 @@
 //!
 //! plan → rows (one a point, in Parquet) → fit → formula → design.
 
+#![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod campaign;

@@ -3,6 +3,8 @@
 //! In: [`open`] and [`read`] take regular files alone, up to the length that the caller allows for a file of its kind. Out:
 //! [`replace`] and [`Unfinished`] write beside the place and rename, so that a file appears whole or not at all.
 
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
 mod read;
 #[cfg(feature = "write")]
 mod write;

@@ -9,6 +9,8 @@
 //! Features, both on by default: `png` adds `to_png`, `files` adds `save`. Without them the crate needs no operating
 //! system and builds for `wasm32-unknown-unknown`.
 
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
 mod axes;
 mod curve;
 mod error;
