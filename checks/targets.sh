@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The program is checked for Windows on ARM, which is neither Unix nor x86-64, where rustup has its standard library. Nothing is
-# linked, so that no compiler of C for that system is needed.
+# linked.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,7 +9,6 @@ if ! rustup target add "$target" >/dev/null 2>&1; then
     echo "$target: no standard library here, not checked"
     exit 0
 fi
-name=${target//-/_}
-env "CC_$name=true" "AR_$name=true" RUSTFLAGS="-D warnings" \
+RUSTFLAGS="-D warnings" \
     cargo check --quiet --locked --package mckibben-cli --target "$target" --target-dir "${CARGO_TARGET_DIR:-target}/other"
 echo "$target: checked"

@@ -1,6 +1,6 @@
 //! `compare`: several models, and measured points, with the errors of each.
 
-use crate::curve::{check_count, contractions, list, steps};
+use crate::curve::{contractions, list, steps};
 use crate::fields::{AskFields, Columns, Direction, MeshFields, MuscleFields, TextFile, UnderstoodTable};
 use crate::figure;
 use crate::model::Model;
@@ -10,6 +10,7 @@ use crate::units::Units;
 use crate::warnings;
 use crate::words::number;
 use mckibben::answer::{Options, point};
+use mckibben::budget::{Budget, Resource};
 use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
 use mckibben::identify::{
     DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
@@ -193,7 +194,7 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
     if measured.is_none() && !request.fit.is_empty() {
         return Err(Problem::missing("data", "measured points to fit to"));
     }
-    let (pressures, contractions) = grid(request, measured.as_deref())?;
+    let (pressures, contractions) = grid(request, measured.as_deref(), &progress.budget())?;
     let mut reference = measured.clone();
     let (mut compared, mut skipped, mut first) = (vec![], vec![], None);
     for (i, model) in models.iter().enumerate() {
@@ -311,11 +312,12 @@ impl CompareRequest {
 fn grid(
     request: &CompareRequest,
     measured: Option<&[MeasuredPoint]>,
+    budget: &Budget,
 ) -> Result<(Vec<f64>, Vec<f64>), Problem> {
     let Some(points) = measured else {
         let pressures = list("pressures_mpa", &request.pressures_mpa, || steps(5, 0.05, 0.25))?;
         let contractions = contractions(&request.contractions, || steps(21, 0.0, 0.2))?;
-        check_count(&[pressures.len(), contractions.len()], mckibben::units::MAX_POINTS)?;
+        budget.admit(Resource::Points, pressures.len() as f64 * contractions.len() as f64)?;
         return Ok((pressures, contractions));
     };
     let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();

@@ -17,7 +17,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
 use mckibben::status::Status;
-use mckibben::units::{MAX_POINTS, Values};
+use mckibben::units::Values;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -202,7 +202,6 @@ fn each(
         &[question.options.direction]
     };
     let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
-    check_count(&[all], MAX_POINTS)?;
     budget.admit(Resource::Points, all as f64)?;
     budget.admit(Resource::Bytes, held_bytes * all as f64)?;
     let mut gravest: Option<Problem> = None;

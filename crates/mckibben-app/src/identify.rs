@@ -224,6 +224,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         loss: request.loss.into(),
         two_sided: request.two_sided,
     };
+    model.admit(&muscle, &progress.budget())?;
     let build = |m: &Muscle| model.build(m);
     let found = if free.is_empty() {
         identify_default(&asked, build, progress)?

@@ -152,8 +152,8 @@ impl Model {
     /// Refuses what would not fit into a budget with this muscle.
     ///
     /// # Errors
-    /// [`Problem`] of kind `budget`, or of a mesh that cannot be made.
-    pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), Problem> {
+    /// [`ModelError::Exceeded`], or that of a mesh that cannot be made.
+    pub fn admit(&self, muscle: &Muscle, budget: &Budget) -> Result<(), ModelError> {
         match self {
             Self::Elements(elements) => Ok(elements.admit(muscle, budget)?),
             _ => Ok(()),

@@ -31,7 +31,10 @@ const DRAWN: usize = 3;
 /// [`Problem`] for a specification that cannot be searched; that nothing fits is an answer.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
     let Search { spec, model } = request.search()?;
-    let (look, decide) = (|m: &Muscle| model.look(m), |m: &Muscle| model.decide(m));
+    let budget = progress.budget();
+    // A mesh that one muscle has no room for is no reason against each of them.
+    model.decide(&spec.base, &budget)?;
+    let (look, decide) = (|m: &Muscle| model.look(m, &budget), |m: &Muscle| model.decide(m, &budget));
     let settle: Option<&Build<'_>> = if matches!(model, Searching::Named(_)) { None } else { Some(&decide) };
     let outcome = design_with(&spec, Models { search: &look, settle }, progress)?;
     let spreads = spreads(request, &decide, &outcome)?;
@@ -41,7 +44,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         _ => None,
     };
     let figure = match &request.figure {
-        Some(unit) if winner.is_some() => Some(draw(&spec, &model, &outcome, unit)?),
+        Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
     Ok(DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure))
@@ -84,13 +87,13 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
 
 fn draw(
     spec: &Spec,
-    model: &Searching,
+    build: &Build<'_>,
     outcome: &Outcome,
     unit: &crate::units::Units,
 ) -> Result<mckibben_report::Figure, Problem> {
     let options = spec.options();
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =
-        drawn.map(|c| Ok((c, model.decide(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
+        drawn.map(|c| Ok((c, build(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
     Ok(figure::design(&drawn, &spec.points, spec.max_pressure_mpa, options, unit))
 }

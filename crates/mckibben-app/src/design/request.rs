@@ -6,6 +6,7 @@ use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
+use mckibben::budget::Budget;
 use mckibben::design::{
     BraidChoice, Limits, Objective, OperatingPoint, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
 };
@@ -206,20 +207,18 @@ impl Searching {
     }
 
     /// The model that looks at a muscle in the search.
-    pub(super) fn look(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    pub(super) fn look(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
         match self {
-            Self::Named(model) => model.build(muscle),
-            Self::Fastest { universal, elements } => {
-                if near_the_box(muscle) { universal } else { elements }.build(muscle)
-            }
+            Self::Fastest { universal, .. } if near_the_box(muscle) => universal.build(muscle),
+            _ => self.decide(muscle, budget),
         }
     }
 
     /// The model that decides of a muscle.
-    pub(super) fn decide(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        match self {
-            Self::Named(model) | Self::Fastest { elements: model, .. } => model.build(muscle),
-        }
+    pub(super) fn decide(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
+        let (Self::Named(model) | Self::Fastest { elements: model, .. }) = self;
+        model.admit(muscle, budget)?;
+        model.build(muscle)
     }
 }
 

@@ -282,7 +282,7 @@ fn judged(
 
 /// Where every point fails: the first reason.
 fn all_failed(points: &[Simulated]) -> Option<Problem> {
-    if points.iter().any(|q| q.status.is_ok() || q.status == Status::Collapsed) {
+    if points.iter().any(|q| q.status.is_ok()) {
         return None;
     }
     let first = points.iter().find_map(|q| q.solution.as_ref().err())?;
