@@ -197,6 +197,17 @@ impl Body {
         -b
     }
 
+    /// Half of ∂V/∂P at fixed length in mm³/MPa, of the last tangent, and ∂F/∂P as [`Self::force_per_pressure`] has it.
+    pub fn by_pressure(&mut self) -> (f64, f64) {
+        let mut rhs = std::mem::take(&mut self.second);
+        rhs.copy_from_slice(&self.assembled.volume);
+        let b = self.condense(&mut rhs);
+        self.backward(&mut rhs, 0.0);
+        let volume = rhs.iter().zip(&self.assembled.volume).map(|(u, v)| u * v).sum();
+        self.second = rhs;
+        (volume, -b)
+    }
+
     /// ∂F at fixed length for a change of the residual: `change` = ∂(∂Π/∂x); its last station counts as a change of the
     /// reaction. Overwrites `change`.
     pub fn force_change(&mut self, change: &mut [f64]) -> f64 {
@@ -207,6 +218,10 @@ impl Body {
     /// Solves with the last tangent and the terminal moved by `dw`; the right-hand side becomes the solution.
     pub fn solve_linear(&mut self, rhs: &mut [f64], dw: f64) {
         self.condense(rhs);
+        self.backward(rhs, dw);
+    }
+
+    fn backward(&mut self, rhs: &mut [f64], dw: f64) {
         let last = self.discretisation.layout.end();
         self.end.backward(&mut rhs[last..], dw);
         self.assembled.chain.backward(rhs);

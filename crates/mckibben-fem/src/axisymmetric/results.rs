@@ -44,7 +44,7 @@ pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> 
 /// [`FemError::Force`] where the tangent is singular.
 pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> {
     let totals = body.factorise().map_err(|reason| FemError::Force { force_n: body.totals.pull, reason })?;
-    let force_per_pressure = body.force_per_pressure();
+    let (half_volume_per_pressure, force_per_pressure) = body.by_pressure();
     let (d, s) = (&body.discretisation, &body.state);
     let l = d.layout;
     let outer = |j: usize| d.mesh.node(2 * l.through, j)[0] + s.u[l.at(j) + 4 * l.through];
@@ -58,6 +58,8 @@ pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> 
         contraction: 0.0 - s.terminal / d.half_length(),
         force_n: totals.pull,
         volume_mm3: Some(2.0 * totals.volume),
+        volume_per_pressure_mm3_per_mpa: Some(2.0 * half_volume_per_pressure),
+        volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
         stiffness_n_per_mm: Some(0.5 * body.terminal_stiffness()),
         force_per_pressure_mm2: Some(force_per_pressure),
         braid_tension_n: Some(all),

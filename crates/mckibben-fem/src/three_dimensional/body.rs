@@ -214,6 +214,13 @@ impl Body {
         (4.0 * change, -4.0 * volume)
     }
 
+    /// ∂V/∂P of the whole cavity at fixed length in mm³/MPa, of the last tangent.
+    pub fn volume_per_pressure(&mut self) -> f64 {
+        let mut out = self.state.clone();
+        self.respond(Cause::Pressure, &mut out, TIGHT);
+        8.0 * dot(&self.assembled.cavity, &out.u)
+    }
+
     /// The size of nodal forces in N against which residuals are measured.
     pub fn force_scale(&self) -> f64 {
         let d = &self.discretisation;

@@ -65,6 +65,7 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
     let totals = body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
     // By Maxwell's relation ∂F/∂P = −∂V/∂L.
     let (stiffness, force_per_pressure) = body.terminal_response();
+    let volume_per_pressure = body.volume_per_pressure();
     let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
     let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;
@@ -74,6 +75,8 @@ pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Re
         contraction: 0.0 - body.state.terminal / body.discretisation.half,
         force_n: totals.pull,
         volume_mm3: Some(8.0 * totals.volume),
+        volume_per_pressure_mm3_per_mpa: Some(volume_per_pressure),
+        volume_per_contraction_mm3: Some(muscle.length_mm() * force_per_pressure),
         stiffness_n_per_mm: Some(0.5 * stiffness),
         force_per_pressure_mm2: Some(force_per_pressure),
         braid_tension_n: Some(all),

@@ -2,6 +2,7 @@
 
 use mckibben::budget::Exceeded;
 use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
 use mckibben::progress::{Progress, Silent};
 use mckibben_fem::axisymmetric::study::mesh_study;
@@ -230,4 +231,29 @@ fn threads_share_a_model() {
         (pull(0.2), other.join().unwrap())
     });
     assert_eq!((a, b), (pull(0.2), pull(0.1)));
+}
+
+/// A muscle that holds 10 kg at 0.3 MPa: numbers of an independent derivation of small oscillations (∂V/∂P is that of differences as well).
+#[test]
+fn slopes_at_a_hanging_mass_are_those_of_an_independent_derivation() {
+    let muscle = parse_muscle(
+        "tube.outer_diameter = '20 mm'\ntube.wall_thickness = '1.5 mm'\ntube.length = '220 mm'\n\
+         tube.material = { law = 'mooney-rivlin', c10 = '0.1 MPa', c01 = '0 MPa' }\n\
+         braid = { angle = '24 deg', stiffness = '900 N/mm' }",
+    )
+    .unwrap();
+    let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
+    let found = model.at_force(w, 10.0 * 9.80665, 0.3).unwrap().response;
+    assert!((found.contraction - 0.265_946_0).abs() < 1e-7, "{found:?}");
+    for (ours, theirs, digits) in [
+        (found.volume_mm3, 144_362.0, 1e-5),
+        (found.stiffness_n_per_mm, 8.14683, 1e-6),
+        (found.force_per_pressure_mm2, 482.352, 2e-6),
+        (found.volume_per_pressure_mm3_per_mpa, 12_771.0, 5e-5),
+    ] {
+        assert!((ours.unwrap() / theirs - 1.0).abs() < digits, "{ours:?} {theirs}");
+    }
+    let mut volume = |p: f64| model.response(w, p, found.contraction).unwrap().volume_mm3.unwrap();
+    let by_pressure = (volume(0.3001) - volume(0.2999)) / 2e-4;
+    assert!((found.volume_per_pressure_mm3_per_mpa.unwrap() / by_pressure - 1.0).abs() < 1e-6);
 }

@@ -30,7 +30,7 @@ fn curves_agree_with_single_answers_and_cost_less() {
 
 /// ∂F/∂P of the response is that of differences, though it comes from the terminal's displacement (Maxwell).
 #[test]
-fn stiffness_and_force_per_pressure_are_those_of_differences() {
+fn slopes_of_pull_and_volume_are_those_of_differences() {
     let (model, w) = (coarse(), &mut Workspace::new());
     let r = model.response(w, 0.2, 0.1).unwrap();
     let mut force = |p: f64, e: f64| model.force_n(w, p, e).unwrap();
@@ -38,6 +38,11 @@ fn stiffness_and_force_per_pressure_are_those_of_differences() {
     assert!((r.force_per_pressure_mm2.unwrap() / by_pressure - 1.0).abs() < 1e-5, "{r:?} {by_pressure}");
     let by_length = (force(0.2, 0.1 - 1e-4) - force(0.2, 0.1 + 1e-4)) / (2e-4 * 285.0);
     assert!((r.stiffness_n_per_mm.unwrap() / by_length - 1.0).abs() < 1e-4, "{r:?} {by_length}");
+    let mut volume = |p: f64, e: f64| model.response(w, p, e).unwrap().volume_mm3.unwrap();
+    let by_pressure = (volume(0.2 + 1e-4, 0.1) - volume(0.2 - 1e-4, 0.1)) / 2e-4;
+    assert!((r.volume_per_pressure_mm3_per_mpa.unwrap() / by_pressure - 1.0).abs() < 1e-4, "{by_pressure}");
+    let by_contraction = (volume(0.2, 0.1 + 1e-4) - volume(0.2, 0.1 - 1e-4)) / 2e-4;
+    assert!((r.volume_per_contraction_mm3.unwrap() / by_contraction - 1.0).abs() < 1e-4, "{by_contraction}");
 }
 
 #[test]

@@ -93,6 +93,8 @@ impl ForceModel for Ideal {
             contraction,
             force_n,
             volume_mm3: Some(self.volume(contraction)),
+            volume_per_pressure_mm3_per_mpa: Some(0.0),
+            volume_per_contraction_mm3: Some(self.muscle.length_mm() * self.pull(1.0, contraction)),
             stiffness_n_per_mm: Some(
                 6.0 * self.area * pressure_mpa * l * self.cos2 / self.muscle.length_mm(),
             ),

@@ -16,6 +16,12 @@ pub struct Response {
     /// Volume of the whole cavity between the terminals in mm³.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_mm3: Option<f64>,
+    /// ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume_per_pressure_mm3_per_mpa: Option<f64>,
+    /// ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub volume_per_contraction_mm3: Option<f64>,
     /// ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stiffness_n_per_mm: Option<f64>,

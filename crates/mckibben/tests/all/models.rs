@@ -66,7 +66,7 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
 }
 
 #[test]
-fn stiffness_and_slope_in_pressure_are_those_of_finite_differences() {
+fn slopes_of_pull_and_volume_are_those_of_finite_differences() {
     for model in every_model() {
         let (length, name) = (model.muscle().length_mm(), model.name().to_owned());
         for (p, e) in grid(&*model) {
@@ -83,6 +83,15 @@ fn stiffness_and_slope_in_pressure_are_those_of_finite_differences() {
             if let Some(k) = r.force_per_pressure_mm2 {
                 let fd = (f(p + h, e) - f(p - h, e)) / (2.0 * h);
                 assert!((fd - k).abs() < 1e-6 * (k.abs() + scale / p), "{name} {p} {e}: {fd} {k}");
+            }
+            let v = |p: f64, e: f64| model.response(&mut Workspace::new(), p, e).unwrap().volume_mm3.unwrap();
+            if let Some(k) = r.volume_per_contraction_mm3 {
+                let fd = (v(p, e + h) - v(p, e - h)) / (2.0 * h);
+                assert!((fd - k).abs() < 1e-5 * v(p, e), "{name} {p} {e}: {fd} {k}");
+            }
+            if let Some(k) = r.volume_per_pressure_mm3_per_mpa {
+                let fd = (v(p + h, e) - v(p - h, e)) / (2.0 * h);
+                assert!((fd - k).abs() < 1e-5 * v(p, e) / p, "{name} {p} {e}: {fd} {k}");
             }
         }
     }

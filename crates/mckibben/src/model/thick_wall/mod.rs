@@ -170,11 +170,14 @@ impl ForceModel for ThickWall {
         let (l, l_eps, l_p) = self.stretch(pressure_mpa, contraction);
         let s = self.state(pressure_mpa, l)?;
         let length = self.muscle.length_mm();
+        let by_stretch = PI * length * (s.r * s.r + 2.0 * s.r * s.r_by[0] * l);
         let response = Response {
             pressure_mpa,
             contraction,
             force_n: s.force,
             volume_mm3: Some(PI * (s.r * s.r * l - self.wall.section()) * length),
+            volume_per_pressure_mm3_per_mpa: Some(PI * length * 2.0 * s.r * s.r_by[1] * l + by_stretch * l_p),
+            volume_per_contraction_mm3: Some(by_stretch * l_eps),
             stiffness_n_per_mm: Some(-s.force_l * l_eps / length),
             force_per_pressure_mm2: Some(s.force_p + s.force_l * l_p),
             bulged_diameter_mm: Some(2.0 * s.r),

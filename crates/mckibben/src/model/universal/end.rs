@@ -46,7 +46,7 @@ pub(super) struct End<const N: usize = 2> {
     /// δ in mm
     pub deficit: Dual<N>,
     /// ∫ π r² z' − π b² λ dZ in mm³
-    pub volume_mm3: f64,
+    pub volume_mm3: Dual<N>,
     /// λs − λ at the terminal
     pub excess: Dual<N>,
     /// sinφ at the terminal
@@ -93,7 +93,7 @@ struct Point<const N: usize> {
     /// (λs cosφ − λ)/(λs sinφ)
     shortening: Dual<N>,
     /// The same of the volume
-    volume: f64,
+    volume: Dual<N>,
     sin: Dual<N>,
     /// λs sinφ
     per_r: Dual<N>,
@@ -166,7 +166,7 @@ impl EndZone {
         let deficit = (start.shortening * weight + on.shortening * weight_1) * length * meeting;
         deficit.is_finite().then_some(End {
             deficit,
-            volume_mm3: (start.volume * weight + on.volume * weight_1) * length.v * meeting.v,
+            volume_mm3: (start.volume * weight + on.volume * weight_1) * length * meeting,
             excess: first.stretch - middle.stretch,
             slope: start.sin,
             tension: start.tension * (1.0 / self.scale),
@@ -189,7 +189,7 @@ impl EndZone {
         let sin = (turn * (Dual::constant(2.0) - turn)).sqrt();
         let per_r = stretch * sin;
         let shortening = (stretch * cos - lambda) / per_r;
-        let volume = PI * (r.v * r.v * stretch.v * cos.v - b.v * b.v * lambda.v) / per_r.v;
+        let volume = (r.squared() * stretch * cos - b.squared() * lambda) * PI / per_r;
         Point { shortening, volume, sin, per_r, tension }
     }
 
@@ -199,7 +199,7 @@ impl EndZone {
         let length = if length > 0.0 { length * (MEETING * self.half / length).tanh() } else { 0.0 };
         End {
             deficit: way * (-state.stretch_by_r * length),
-            volume_mm3: 0.0,
+            volume_mm3: Dual::constant(0.0),
             excess: way * (-state.stretch_by_r),
             slope: Dual::constant(0.0),
             tension: axial * (1.0 / self.scale),

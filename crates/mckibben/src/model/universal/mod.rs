@@ -30,10 +30,11 @@ use super::{
 use crate::formula::UniversalFormula;
 use crate::muscle::{Bulk, Muscle};
 use crate::rubber::RubberLaw;
+use dual::Dual;
 use end::EndZone;
 use form::Bound;
 use pushing::Zero;
-use search::{ITERATIONS, Middle};
+use search::{ITERATIONS, Middle, Place};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -128,13 +129,22 @@ impl Universal {
         None
     }
 
-    /// Volume of the cavity in mm³: that of a uniform tube, and what the ends of a middle, as membranes, take from it.
-    fn volume(&self, p: f64, (l, r): (f64, f64), ends_of: &Middle) -> Option<f64> {
+    /// Volume of the cavity in mm³ with its derivatives in (ε, P): that of a uniform tube, and what the ends of a middle, as membranes,
+    /// take from it.
+    fn volume(&self, p: f64, place: &Place) -> Option<Dual> {
         let tube = self.muscle.tube();
         let section = tube.outer_radius_mm().powi(2) - tube.inner_radius_mm().powi(2);
-        let ends = self.zone.at(p, ends_of.l, &ends_of.state)?.volume_mm3;
-        let volume = PI * (r * r * l - section) * self.length + 2.0 * ends;
-        (volume.is_finite() && volume > 0.0).then_some(volume)
+        let ends = self.zone.at(p, place.ends.l, &place.ends.state)?.volume_mm3;
+        let (l, r) = (Dual::new(place.l, [1.0, 0.0]), Dual::new(place.state.r, place.state.r_by));
+        // The ends of a muscle that pushes are those of the contraction at which it ceases to pull.
+        let ends = match place.ends_by_pressure() {
+            Some(l_p) => Dual::new(ends.v, [0.0, ends.by[1] + ends.by[0] * l_p]),
+            None => ends,
+        };
+        let volume = (r.squared() * l - Dual::constant(section)) * (PI * self.length) + ends * 2.0;
+        let [by_l, by_p] = volume.by;
+        let volume = Dual::new(volume.v, [-by_l / place.slope, by_p + by_l * place.by_pressure]);
+        (volume.is_finite() && volume.v > 0.0).then_some(volume)
     }
 }
 
@@ -193,12 +203,14 @@ impl ForceModel for Universal {
     ) -> Result<Response, ModelError> {
         let p = pressure_mpa;
         let place = self.place(workspace, p, contraction)?;
-        let s = &place.state;
+        let (s, volume) = (&place.state, self.volume(p, &place));
         let response = Response {
             pressure_mpa,
             contraction,
             force_n: s.force,
-            volume_mm3: self.volume(p, (place.l, s.r), &place.ends),
+            volume_mm3: volume.map(|v| v.v),
+            volume_per_pressure_mm3_per_mpa: volume.map(|v| v.by[1]),
+            volume_per_contraction_mm3: volume.map(|v| v.by[0]),
             stiffness_n_per_mm: Some(s.force_l / (self.length * place.slope)),
             force_per_pressure_mm2: Some(s.force_p + s.force_l * place.by_pressure),
             bulged_diameter_mm: Some(2.0 * s.r.max(self.zone.ro)),

@@ -36,6 +36,14 @@ pub(super) struct Place {
     pub ends: Middle,
 }
 
+impl Place {
+    /// Of a muscle that pushes: dλ/dP of the middle whose ends it has, at which it ceases to pull.
+    pub(super) fn ends_by_pressure(&self) -> Option<f64> {
+        let kept = &self.ends.state;
+        (self.ends.l != self.l).then(|| -kept.force_p / kept.force_l)
+    }
+}
+
 impl Universal {
     pub(super) fn not_converged(p: f64, contraction: f64, residual: f64) -> ModelError {
         ModelError::NotConverged { pressure_mpa: p, contraction, iterations: ITERATIONS, residual }
