@@ -46,6 +46,7 @@ pub mod design;
 pub mod formula;
 pub mod identify;
 pub mod least_squares;
+pub mod load;
 pub mod measured;
 pub mod model;
 pub mod muscle;
