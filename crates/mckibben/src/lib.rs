@@ -45,6 +45,7 @@ pub mod curve;
 pub mod design;
 pub mod formula;
 pub mod identify;
+pub mod joint;
 pub mod least_squares;
 pub mod load;
 pub mod measured;
