@@ -41,7 +41,7 @@ pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figur
                 .title("reachable at rest");
         let at = |q: &mckibben::joint::MapPoint| (q.angle_deg, q.stiffness_nm_per_rad);
         let points: Vec<(f64, f64)> = map.points.iter().flatten().filter(|q| !q.at_limit).map(at).collect();
-        let border: Vec<(f64, f64)> = map.border.iter().filter(|q| !q.at_limit).map(at).collect();
+        let border: Vec<(f64, f64)> = map.border.iter().map(at).collect();
         panel =
             panel.series(Series::scatter("", points).colour(0)).series(Series::line("", border).neutral());
         let mut torques =
