@@ -4,8 +4,8 @@ use crate::common::{folder, json, mckibben};
 
 #[test]
 fn a_load_and_its_force_have_the_same_contraction() {
-    let load = json("contraction -p 0.25 --load mass:20kg --format json");
-    let force = json("contraction -p 0.25 -F 196.133N --format json");
+    let load = json("contraction -p 0.25 --load mass:20kg");
+    let force = json("contraction -p 0.25 -F 196.133N");
     let (a, b) = (load["contraction"].as_f64().unwrap(), force["contraction"].as_f64().unwrap());
     assert!((a - b).abs() < 1e-9, "{a} {b}");
     let at = &load["loaded"]["at"][0]["equilibria"][0];
@@ -19,7 +19,7 @@ fn a_load_and_its_force_have_the_same_contraction() {
 #[test]
 fn the_stroke_between_two_pressures_is_that_of_its_equilibria() {
     let found = json(
-        "curve isobaric -p 1bar,2bar,3bar -e 0..0.3:0.1 --load spring:5N/mm@50N --model universal --format json",
+        "curve isobaric -p 1bar,2bar,3bar -e 0..0.3:0.1 --load spring:5N/mm@50N --model universal",
     );
     let at = found["loaded"]["at"].as_array().unwrap();
     let x = |i: usize| at[i]["equilibria"][0]["shortening_mm"].as_f64().unwrap();
@@ -36,8 +36,8 @@ fn a_table_is_a_load() {
     let path = dir.path().join("load.csv");
     std::fs::write(&path, "Weg [mm];Kraft [N]\n-10;100\n100;100\n").unwrap();
     let table =
-        json(&format!("contraction -p 0.2 --model universal --load table:{} --format json", path.display()));
-    let force = json("contraction -p 0.2 --model universal -F 100N --format json");
+        json(&format!("contraction -p 0.2 --model universal --load table:{} ", path.display()));
+    let force = json("contraction -p 0.2 --model universal -F 100N");
     let of = |v: &serde_json::Value| v["contraction"].as_f64().unwrap();
     assert!((of(&table) - of(&force)).abs() < 1e-9);
 }
@@ -45,7 +45,7 @@ fn a_table_is_a_load() {
 #[test]
 fn a_joint_says_torques_rests_and_pressures() {
     let torques =
-        json("joint examples/elbow.toml -p 2bar,1bar --angle 10deg --model universal --format json");
+        json("joint examples/elbow.toml -p 2bar,1bar --angle 10deg --model universal");
     let point = &torques["points"][0];
     for key in [
         "angle_deg",
@@ -67,14 +67,14 @@ fn a_joint_says_torques_rests_and_pressures() {
     assert!((n("torque_nm") - (0.025 * (n("force_1_n") - n("force_2_n")) - weight)).abs() < 1e-9);
     // The pressures that were asked come back.
     let back = json(&format!(
-        "joint examples/elbow.toml --angle 10deg --torque {} --stiffness {} --model universal --format json",
+        "joint examples/elbow.toml --angle 10deg --torque {} --stiffness {} --model universal",
         n("torque_nm"),
         n("stiffness_nm_per_rad")
     ));
     let back = &back["points"][0];
     assert!((back["pressure_1_mpa"].as_f64().unwrap() - 0.2).abs() < 1e-7, "{back}");
     assert!((back["pressure_2_mpa"].as_f64().unwrap() - 0.1).abs() < 1e-7, "{back}");
-    let rest = json("joint examples/elbow.toml -p 2bar,1bar --model universal --format json");
+    let rest = json("joint examples/elbow.toml -p 2bar,1bar --model universal");
     assert_eq!(rest["points"][0]["rest"], "stable");
     assert!(rest["points"][0]["torque_nm"].as_f64().unwrap().abs() < 1e-9);
 }
@@ -112,7 +112,7 @@ fn what_no_joint_or_load_can_do_is_an_error_with_its_words() {
         (format!("joint {lone} -p 2bar"), 2, "file", "none.toml"),
         ("joint examples/prototype.toml -p 2bar".into(), 2, "file", "unknown key"),
     ] {
-        let ran = mckibben(&format!("{line} --format json"));
+        let ran = mckibben(&format!("{line}"));
         let error = ran.error();
         assert_eq!((ran.code, error["kind"].as_str()), (code, Some(kind)), "{line}: {error}");
         assert!(error["message"].as_str().unwrap().contains(said), "{line}: {error}");
