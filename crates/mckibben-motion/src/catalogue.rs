@@ -17,7 +17,8 @@ pub struct NamedValve {
     pub source: String,
 }
 
-static VALVES: LazyLock<Vec<NamedValve>> = LazyLock::new(|| read(include_str!("../data/valves.toml")).unwrap_or_default());
+static VALVES: LazyLock<Vec<NamedValve>> =
+    LazyLock::new(|| read(include_str!("../data/valves.toml")).unwrap_or_default());
 
 /// C in L/(s bar) of a standard nominal flow in l/min: the flow from 6 bar to 5 bar gauge (VDI 3290), p1 = 7.01325 bar, at the critical
 /// ratio b, in litres at the reference of ISO 8778: Q = C p1 ψ(6.01325/7.01325).
@@ -44,19 +45,25 @@ pub fn valve_named(name: &str) -> Option<&'static NamedValve> {
 /// The file's rows; those that state a rated flow have C by [`conductance_of_rated_flow`].
 fn read(text: &str) -> Option<Vec<NamedValve>> {
     let document: toml_edit::DocumentMut = text.parse().ok()?;
-    let number = |item: Option<&toml_edit::Item>| item.and_then(|i| i.as_float().or(i.as_integer().map(|v| v as f64)));
-    document.get("valve")?.as_array_of_tables()?.iter().map(|row| {
-        let word = |key: &str| row.get(key).and_then(|i| i.as_str()).map(str::to_owned);
-        let b = number(row.get("critical_ratio"))?;
-        let c = match number(row.get("sonic_conductance_l_per_s_bar")) {
-            Some(c) => c,
-            None => conductance_of_rated_flow(number(row.get("rated_flow_l_per_min"))?, b).ok()?,
-        };
-        Some(NamedValve {
-            name: word("name")?,
-            what: word("what")?,
-            orifice: Orifice::new(c, b).ok()?,
-            source: word("source")?,
+    let number =
+        |item: Option<&toml_edit::Item>| item.and_then(|i| i.as_float().or(i.as_integer().map(|v| v as f64)));
+    document
+        .get("valve")?
+        .as_array_of_tables()?
+        .iter()
+        .map(|row| {
+            let word = |key: &str| row.get(key).and_then(|i| i.as_str()).map(str::to_owned);
+            let b = number(row.get("critical_ratio"))?;
+            let c = match number(row.get("sonic_conductance_l_per_s_bar")) {
+                Some(c) => c,
+                None => conductance_of_rated_flow(number(row.get("rated_flow_l_per_min"))?, b).ok()?,
+            };
+            Some(NamedValve {
+                name: word("name")?,
+                what: word("what")?,
+                orifice: Orifice::new(c, b).ok()?,
+                source: word("source")?,
+            })
         })
-    }).collect()
+        .collect()
 }

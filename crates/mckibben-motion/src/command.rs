@@ -106,7 +106,11 @@ impl Command {
                     if let [before, after] = pair
                         && after.0 <= before.0
                     {
-                        return Err(CommandError::Order { point: i + 2, time_s: after.0, before_s: before.0 });
+                        return Err(CommandError::Order {
+                            point: i + 2,
+                            time_s: after.0,
+                            before_s: before.0,
+                        });
                     }
                 }
                 Ok(())

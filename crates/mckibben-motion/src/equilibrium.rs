@@ -101,7 +101,9 @@ pub(crate) fn at_pressures(
             return match root {
                 Ok(coordinate) => Ok(found(coordinate, None)),
                 Err(RootError::Function(error)) => Err(error),
-                Err(RootError::NotBracketed { .. }) => Err(MotionError::NoEquilibrium { position: q, net: before }),
+                Err(RootError::NotBracketed { .. }) => {
+                    Err(MotionError::NoEquilibrium { position: q, net: before })
+                }
             };
         }
         (q, before) = (next, after);
@@ -139,9 +141,7 @@ pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equi
         Target::Opening(c) => {
             let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
                 let least = match m.actuator {
-                    Actuator::Valve(v)
-                        if matches!(v.kind, ValveKind::OnOff { closed_centre: true, .. }) =>
-                    {
+                    Actuator::Valve(v) if matches!(v.kind, ValveKind::OnOff { closed_centre: true, .. }) => {
                         0.5
                     }
                     _ => 0.0,

@@ -42,13 +42,17 @@ pub enum MotionError {
     #[error(transparent)]
     Command(#[from] CommandError),
     /// A model without volume.
-    #[error("the {model} model has no volume, without which there is no air; take fe, universal or thick-wall")]
+    #[error(
+        "the {model} model has no volume, without which there is no air; take fe, universal or thick-wall"
+    )]
     NoVolume {
         /// The model's name.
         model: String,
     },
     /// A regulator has no opening that could be commanded.
-    #[error("an opening is commanded, and muscle {muscle} is on a regulator; command its pressure, or give it a valve")]
+    #[error(
+        "an opening is commanded, and muscle {muscle} is on a regulator; command its pressure, or give it a valve"
+    )]
     NoOpening {
         /// Which muscle, from 1.
         muscle: usize,
@@ -76,7 +80,9 @@ pub enum MotionError {
         pressure_mpa: f64,
     },
     /// A model has no answer on the way.
-    #[error("the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa} MPa and contraction {contraction}: {error}")]
+    #[error(
+        "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa} MPa and contraction {contraction}: {error}"
+    )]
     Model {
         /// When.
         time_s: f64,
@@ -110,7 +116,9 @@ pub enum MotionError {
         what: &'static str,
     },
     /// Events that follow each other without time in between.
-    #[error("{count} events within {span_s} s before {time_s} s, the last of them: {kind}; damp the load or widen the valve's hysteresis")]
+    #[error(
+        "{count} events within {span_s} s before {time_s} s, the last of them: {kind}; damp the load or widen the valve's hysteresis"
+    )]
     Chatter {
         /// When.
         time_s: f64,
@@ -122,7 +130,9 @@ pub enum MotionError {
         kind: String,
     },
     /// No conductance is large enough.
-    #[error("a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) it is {reached_s:?} s; raise the supply or lower the mass")]
+    #[error(
+        "a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) it is {reached_s:?} s; raise the supply or lower the mass"
+    )]
     NoValve {
         /// What was wanted.
         wanted_s: f64,
@@ -155,7 +165,8 @@ impl MotionError {
         if value >= low && value <= high {
             return Ok(());
         }
-        let must = if high == f64::MAX { format!("at least {low}") } else { format!("from {low} to {high:.3}") };
+        let must =
+            if high == f64::MAX { format!("at least {low}") } else { format!("from {low} to {high:.3}") };
         Err(Self::Value { what, must, value })
     }
 }

@@ -31,6 +31,10 @@ pub(crate) struct Hanging {
 const STEP_MPA: f64 = 1e-4;
 const STEP: f64 = 1e-4;
 
+/// Below 1 Pa force and volume go on linearly in the pressure: at none the strands are slack, the volume has a kink, and below it no model
+/// is made.
+const LEAST_MPA: f64 = 1e-6;
+
 pub(crate) struct Member<'a> {
     pub model: &'a dyn ForceModel,
     pub length_mm: f64,
@@ -62,9 +66,9 @@ impl<'a> Member<'a> {
         force_n - self.ideal.pull(pressure_mpa, contraction)
     }
 
-    /// F and V with their derivatives. Below the atmosphere both go on linearly in the pressure: no model is made for it.
+    /// F and V with their derivatives.
     pub fn answer(&self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
-        let p = pressure_mpa.max(0.0);
+        let p = pressure_mpa.max(LEAST_MPA);
         let known = self.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
         let at = match known {
             Some(at) => at,
@@ -97,8 +101,8 @@ impl<'a> Member<'a> {
             Ok::<_, ModelError>((r, volume))
         };
         let (r, volume_mm3) = at(p, e)?;
-        // At no pressure only its own side is asked.
-        let low = (p - STEP_MPA).max(0.0);
+        // At the least pressure only its own side is asked.
+        let low = (p - STEP_MPA).max(LEAST_MPA);
         let (mut force_p, mut volume_p) = (r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa);
         if force_p.is_none() || volume_p.is_none() {
             let (above, below) = (at(p + STEP_MPA, e)?, at(low, e)?);
@@ -129,7 +133,7 @@ impl<'a> Member<'a> {
 
     /// The slack muscle at a pressure: Newton's method from where it hung last, else a search.
     pub fn hanging(&self, pressure_mpa: f64) -> Result<Hanging, ModelError> {
-        let p = pressure_mpa.max(0.0);
+        let p = pressure_mpa.max(LEAST_MPA);
         let mut found = None;
         if let Some((_, last)) = self.hung.get() {
             let mut e = last;
@@ -151,7 +155,9 @@ impl<'a> Member<'a> {
             None => {
                 let w = &mut *self.workspace.borrow_mut();
                 free_contraction(self.model, w, p, Options::extrapolating()).map_err(|error| {
-                    ModelError::NoEquilibrium { reason: format!("a slack muscle has no free contraction: {error}") }
+                    ModelError::NoEquilibrium {
+                        reason: format!("a slack muscle has no free contraction: {error}"),
+                    }
                 })?
             }
         };

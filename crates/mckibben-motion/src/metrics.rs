@@ -74,8 +74,7 @@ impl Track<'_> {
 
 /// The time from 10 % to 90 % of the way between two positions after a time.
 pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, after: f64, until: f64) -> Option<f64> {
-    let track =
-        Track { time: &motion.time_s, value: &motion.coordinate, slope: Some(&motion.velocity) };
+    let track = Track { time: &motion.time_s, value: &motion.coordinate, slope: Some(&motion.velocity) };
     let tenth = track.reaches(from + 0.1 * (to - from), after, until)?;
     let most = track.reaches(from + 0.9 * (to - from), tenth, until)?;
     Some(most - tenth)

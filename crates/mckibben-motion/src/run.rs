@@ -141,6 +141,8 @@ struct Course<'s, 'd> {
     t: f64,
     y: Vec<f64>,
     first: Vec<f64>,
+    /// Internal energy of the air at the start in mJ.
+    internal: f64,
     motion: Motion,
     outputs: usize,
     steps: usize,
@@ -165,13 +167,14 @@ impl<'s, 'd> Course<'s, 'd> {
         let until = system.drive.until_s;
         let cycle = period.filter(|p| *p <= until).map(|p| (until - p, 0.0));
         let motion = Motion { muscles, ..Motion::default() };
-        let first = y.clone();
+        let (first, internal) = (y.clone(), system.internal_mj(&y)?);
         Ok(Self {
             system,
             progress,
             t: 0.0,
             y,
             first,
+            internal,
             motion,
             outputs: 0,
             steps: 0,
@@ -183,7 +186,8 @@ impl<'s, 'd> Course<'s, 'd> {
 
     fn go(&mut self) -> Result<(), MotionError> {
         let until = self.system.drive.until_s;
-        let mut ends: Vec<f64> = self.system.drive.target.commands().iter().flat_map(|c| c.breakpoints()).collect();
+        let mut ends: Vec<f64> =
+            self.system.drive.target.commands().iter().flat_map(|c| c.breakpoints()).collect();
         ends.extend(self.cycle.map(|c| c.0));
         ends.retain(|t| *t > 0.0 && *t < until);
         ends.push(until);
@@ -230,12 +234,19 @@ impl<'s, 'd> Course<'s, 'd> {
 
     /// Up to the end of a piece of the command.
     fn piece(&mut self, end: f64) -> Result<(), MotionError> {
+        let mut early = 0;
         while self.t < end {
             self.settle()?;
             match self.smooth(end, true)? {
                 Some((guard, at)) => {
-                    // The step before the event again, to its very time.
+                    // The step before the event again, to its very time; where dense output saw it too early, it comes again.
                     self.smooth(at, false)?;
+                    let guards = self.system.guards(at, &self.y, true)?;
+                    if early < 2 && guards.iter().any(|(g, value)| *g == guard && *value > 0.0) {
+                        early += 1;
+                        continue;
+                    }
+                    early = 0;
                     self.pass(guard)?;
                 }
                 None => self.t = end,
@@ -330,7 +341,8 @@ impl<'s, 'd> Course<'s, 'd> {
         let mut before = from;
         for i in 1..=INSIDE {
             let time = if i == INSIDE { t } else { from + (t - from) * i as f64 / INSIDE as f64 };
-            let state = if i == INSIDE { y.to_vec() } else { method.within(time).unwrap_or_else(|| y.to_vec()) };
+            let state =
+                if i == INSIDE { y.to_vec() } else { method.within(time).unwrap_or_else(|| y.to_vec()) };
             let guards = self.system.guards(time, &state, i == INSIDE)?;
             if let (Some(standing), true) = (&mut self.standing, i == INSIDE)
                 && let Some((_, g)) = guards.iter().find(|g| g.0 == Guard::Release)
@@ -415,7 +427,7 @@ impl<'s, 'd> Course<'s, 'd> {
             return Err(MotionError::NeverLifted { net, time_s, pressure_mpa });
         }
         let totals = Totals::from_slice(self.y.get(system.totals..).unwrap_or_default());
-        let (now, before) = (system.internal_mj(&self.y)?, system.internal_mj(&self.first)?);
+        let now = system.internal_mj(&self.y)?;
         let at = |y: &[f64], i: usize| y.get(i).copied().unwrap_or(0.0);
         let kinetic = |y: &[f64]| {
             let v = at(y, 1);
@@ -438,7 +450,7 @@ impl<'s, 'd> Course<'s, 'd> {
             enthalpy_in_j: 1e-3 * totals.enthalpy_in,
             enthalpy_out_j: 1e-3 * totals.enthalpy_out,
             heat_j: 1e-3 * totals.heat,
-            internal_j: 1e-3 * (now - before),
+            internal_j: 1e-3 * (now - self.internal),
             gas_work_j: 1e-3 * totals.gas_work,
             static_work_j: 1e-3 * totals.static_work,
             friction_j: 1e-3 * totals.friction,
@@ -482,7 +494,11 @@ impl System<'_> {
     pub fn initial_state(&self) -> Result<Vec<f64>, MotionError> {
         let drive = self.drive;
         for member in &self.members {
-            let p = if member.model.range().pressure_mpa.0 > 0.0 { member.model.range().pressure_mpa.0 } else { 0.0 };
+            let p = if member.model.range().pressure_mpa.0 > 0.0 {
+                member.model.range().pressure_mpa.0
+            } else {
+                0.0
+            };
             let response = member.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
             if response.is_ok_and(|r| r.volume_mm3.is_none()) {
                 return Err(MotionError::NoVolume { model: member.model.name().into() });

@@ -262,8 +262,9 @@ impl<'a> System<'a> {
                 let stretch = h.answer.volume_p + h.answer.volume_e * h.contraction_p;
                 (h.contraction, h.answer, lever.contraction - h.contraction, 0.0, stretch)
             } else {
-                let a =
-                    member.answer(gauge, lever.contraction).map_err(|e| failed(gauge, lever.contraction, e))?;
+                let a = member
+                    .answer(gauge, lever.contraction)
+                    .map_err(|e| failed(gauge, lever.contraction, e))?;
                 (lever.contraction, a, 0.0, a.volume_e * lever.per_coordinate * v, a.volume_p)
             };
             let volume = answer.volume_mm3 + muscle.outside_mm3();

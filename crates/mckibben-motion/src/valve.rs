@@ -34,7 +34,12 @@ impl Orifice {
     /// [`MotionError::Value`] unless C > 0 and 0 ≤ b < 0.99.
     pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self, MotionError> {
         MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance_l_per_s_bar)?;
-        MotionError::within("the valve's critical pressure ratio", critical_ratio, 0.0, 1.0 - LINEAR_SHARE - 1e-9)?;
+        MotionError::within(
+            "the valve's critical pressure ratio",
+            critical_ratio,
+            0.0,
+            1.0 - LINEAR_SHARE - 1e-9,
+        )?;
         Ok(Self { conductance_l_per_s_bar, critical_ratio })
     }
 

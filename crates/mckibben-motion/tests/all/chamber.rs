@@ -14,7 +14,8 @@ fn run_vessel(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Motion {
     let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
     muscle.air.heat = heat;
     muscle.initial_pressure_mpa = Some(from_mpa);
-    let mut drive = Drive::new(&held, vec![muscle], Target::Opening(vec![Command::Constant(opening)]), until_s);
+    let mut drive =
+        Drive::new(&held, vec![muscle], Target::Opening(vec![Command::Constant(opening)]), until_s);
     drive.tolerance.relative = 1e-11;
     drive.output_step_s = until_s;
     ran(&drive)

@@ -1,5 +1,8 @@
 //! Motion against closed forms, identities and rates of convergence.
 
 mod chamber;
+mod control;
+mod frequency;
 mod mechanics;
+mod refusals;
 mod support;

@@ -7,7 +7,7 @@ use mckibben_motion::*;
 /// A vessel of a fixed volume that does not pull.
 pub struct Vessel {
     pub muscle: Muscle,
-    pub volume_mm3: f64,
+    pub volume_mm3: Option<f64>,
 }
 
 impl ForceModel for Vessel {
@@ -30,7 +30,7 @@ impl ForceModel for Vessel {
         Ok(Response {
             pressure_mpa: p,
             contraction: e,
-            volume_mm3: Some(self.volume_mm3),
+            volume_mm3: self.volume_mm3,
             stiffness_n_per_mm: Some(1.0),
             force_per_pressure_mm2: Some(0.0),
             volume_per_pressure_mm3_per_mpa: Some(0.0),
@@ -41,7 +41,7 @@ impl ForceModel for Vessel {
 }
 
 pub fn vessel() -> Vessel {
-    Vessel { muscle: Muscle::prototype(), volume_mm3: 0.2e6 }
+    Vessel { muscle: Muscle::prototype(), volume_mm3: Some(0.2e6) }
 }
 
 /// Runs, or says why not.
@@ -56,4 +56,62 @@ pub fn close(a: f64, b: f64, relative: f64) {
 /// The last value of a list.
 pub fn last(list: &[f64]) -> f64 {
     *list.last().unwrap()
+}
+
+/// The muscle of the design note: D0 20, s 1.5, L0 220, 24°, C10 0.1 MPa, k 900 N/mm.
+pub fn note_muscle() -> Muscle {
+    use mckibben::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
+    use mckibben::rubber::{Law, MooneyRivlin};
+    let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.0 }));
+    let tube = Tube { outer_diameter_mm: 20.0, wall_mm: 1.5, length_mm: 220.0, rubber };
+    let stiffness = BraidStiffness::NewtonPerMm(900.0);
+    let braid = Braid { angle_deg: 24.0, stiffness, ..Braid::paper() };
+    Muscle::new(tube, braid, Terminals::default(), None).unwrap()
+}
+
+/// Two muscles over a pulley, against each other.
+pub struct Pulley {
+    pub radius_mm: f64,
+    pub length_mm: f64,
+    pub neutral: f64,
+    pub inertia_kg_m2: f64,
+    pub damping: f64,
+}
+
+impl Mechanism for Pulley {
+    fn muscles(&self) -> usize {
+        2
+    }
+    fn lever(&self, muscle: usize, q: f64) -> Lever {
+        let per = if muscle == 0 { self.radius_mm } else { -self.radius_mm } / self.length_mm;
+        Lever { contraction: self.neutral + per * q, per_coordinate: per }
+    }
+    fn load(&self, _: f64) -> f64 {
+        0.0
+    }
+    fn load_energy_mj(&self, _: f64) -> f64 {
+        0.0
+    }
+    fn inertia(&self) -> f64 {
+        1e3 * self.inertia_kg_m2
+    }
+    fn damping(&self) -> f64 {
+        self.damping
+    }
+    fn check(&self) -> Result<(), MotionError> {
+        Ok(())
+    }
+}
+
+/// A proportional valve of 0.5 L/(s bar).
+pub fn valve() -> Actuator {
+    Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap()))
+}
+
+pub fn regulator(time_constant_s: f64) -> Actuator {
+    Actuator::Regulator { time_constant_s }
+}
+
+pub fn steps(points: &[(f64, f64)]) -> Target {
+    Target::Pressure(vec![Command::Steps(points.to_vec())])
 }
