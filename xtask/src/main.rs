@@ -157,7 +157,7 @@ fn script(program: &str, path: &str) -> Done {
 }
 
 fn benches(_: bool) -> Done {
-    run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem"]))
+    run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem", "-p", "mckibben-motion"]))
 }
 
 fn peers(_: bool) -> Done {

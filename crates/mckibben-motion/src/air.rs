@@ -6,7 +6,7 @@ pub const GAS_CONSTANT_J_PER_KG_K: f64 = 287.05;
 pub const HEAT_RATIO: f64 = 1.4;
 /// The atmosphere in MPa, absolute.
 pub const ATMOSPHERE_MPA: f64 = 0.101_325;
-/// Density of a normal litre: ISO 8778's reference atmosphere (20 °C, 1 bar, 65 % humidity), ρ0 of \[iso6358\].
+/// Density of a normal litre: ISO 8778's reference atmosphere (20 °C, 1 bar, 65 % humidity), ρ0 of \[iso2013\].
 pub const NORMAL_DENSITY_G_PER_L: f64 = 1.185;
 
 /// cp in J/(kg K).

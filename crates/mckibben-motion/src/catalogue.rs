@@ -11,8 +11,10 @@ pub struct NamedValve {
     pub name: String,
     /// What it is.
     pub what: String,
-    /// C and b.
-    pub orifice: Orifice,
+    /// From the supply into the muscle.
+    pub supply: Orifice,
+    /// From the muscle into the atmosphere.
+    pub exhaust: Orifice,
     /// Where the numbers come from, and how they were converted.
     pub source: String,
 }
@@ -47,10 +49,8 @@ fn read(text: &str) -> Option<Vec<NamedValve>> {
     let document: toml_edit::DocumentMut = text.parse().ok()?;
     let number =
         |item: Option<&toml_edit::Item>| item.and_then(|i| i.as_float().or(i.as_integer().map(|v| v as f64)));
-    document
-        .get("valve")?
-        .as_array_of_tables()?
-        .iter()
+    let rows = document.get("valve")?.as_array_of_tables()?;
+    rows.iter()
         .map(|row| {
             let word = |key: &str| row.get(key).and_then(|i| i.as_str()).map(str::to_owned);
             let b = number(row.get("critical_ratio"))?;
@@ -58,10 +58,16 @@ fn read(text: &str) -> Option<Vec<NamedValve>> {
                 Some(c) => c,
                 None => conductance_of_rated_flow(number(row.get("rated_flow_l_per_min"))?, b).ok()?,
             };
+            let supply = Orifice::new(c, b).ok()?;
+            let exhaust = match number(row.get("exhaust_conductance_l_per_s_bar")) {
+                Some(c) => Orifice::new(c, number(row.get("exhaust_critical_ratio"))?).ok()?,
+                None => supply,
+            };
             Some(NamedValve {
                 name: word("name")?,
                 what: word("what")?,
-                orifice: Orifice::new(c, b).ok()?,
+                supply,
+                exhaust,
                 source: word("source")?,
             })
         })

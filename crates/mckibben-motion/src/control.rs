@@ -23,7 +23,7 @@ pub enum PidOutput {
 /// ```
 ///
 /// y position (contraction, or angle in rad). The derivative acts on y alone, so a step of the command gives no kick; the integral is
-/// led back while u is limited. Source: Åström & Hägglund (2006) \[astrom2006\], ch. 3.
+/// led back while u is limited. Source: Visioli (2006) \[visioli2006\], ch. 3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pid {
     /// k_p, output per unit of position.

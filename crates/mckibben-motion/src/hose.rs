@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 /// C = 0.029 d² / √(L/d^1.25 + 510),   b = 474 C/d²      d, L in m, C in m³/(s Pa)
 /// ```
 ///
-/// d inner diameter, L length; smooth hoses of 2–20 mm, L/d below some thousand. Source: \[beater2007\], sec. 4; ISO 6358-3:2014 \[iso6358-3\].
+/// d inner diameter, L length; smooth hoses of 2–20 mm, L/d below some thousand. Source: \[beater2007\], sec. 4; ISO 6358-3:2014 \[iso2014\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hose {
     inner_diameter_mm: f64,

@@ -68,7 +68,7 @@ impl Track<'_> {
     fn leaves(&self, level: f64, band: f64, from: f64, until: f64) -> Option<f64> {
         let inside = |t: f64| t >= from && t <= until;
         let far = self.time.iter().zip(self.value).filter(|(t, v)| inside(**t) && (**v - level).abs() > band);
-        far.last().map(|(t, _)| *t)
+        far.map(|(t, _)| *t).reduce(f64::max)
     }
 }
 

@@ -20,7 +20,7 @@ pub const LINEAR_SHARE: f64 = 0.01;
 /// The root has an infinite slope at r = 1: for r > 0.99, ψ is the parabola s (A + B s), s = (1 − r)/0.01, that has the root's value and
 /// slope at r = 0.99 and is zero at r = 1; ψ rises there with a finite slope, so the flow is C¹ in both pressures, also through
 /// their equality where the temperatures are equal. Reverse flow by exchange of 1 and 2. Real valves: b 0.1–0.5; ±5 % in G as a rule.
-/// Source: ISO 6358-1:2013 \[iso6358\].
+/// Source: ISO 6358-1:2013 \[iso2013\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orifice {
     conductance_l_per_s_bar: f64,
@@ -89,7 +89,7 @@ impl Orifice {
 
 /// Several restrictions one after the other: 1/C³ = Σ 1/Cᵢ³, (1 − b)/C² = Σ (1 − bᵢ)/Cᵢ².
 ///
-/// An approximation: within some per cent of G. `None` for an empty list. Source: ISO 6358-3:2014 \[iso6358-3\]; \[beater2007\].
+/// An approximation: within some per cent of G. `None` for an empty list. Source: ISO 6358-3:2014 \[iso2014\]; \[beater2007\].
 pub fn in_series(orifices: &[Orifice]) -> Option<Orifice> {
     let cubes: f64 = orifices.iter().map(|o| o.conductance_l_per_s_bar.powi(-3)).sum();
     let squares: f64 =
