@@ -2,6 +2,7 @@
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
+use crate::load::{LoadAnswer, LoadFields, loaded};
 use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, no_ratio, pull};
@@ -47,6 +48,9 @@ pub struct CurveRequest {
     /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forces_n: Option<Vec<f64>>,
+    /// A load that the muscle meets in an isobaric test: its equilibria at each pressure, and its line in the figure.
+    #[serde(flatten)]
+    pub load: LoadFields,
     /// Each curve shall be given on both branches of the friction's hysteresis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub both: bool,
@@ -71,6 +75,9 @@ pub struct CurveAnswer {
     pub warnings: Vec<Warning>,
     /// The points, curve after curve; all curves have the same number of points.
     pub points: Vec<PointRow>,
+    /// The equilibria with the load, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loaded: Option<LoadAnswer>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -144,8 +151,7 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
         Ok(())
     })?;
     let figure = request.figure.as_ref();
-    answer.figure = figure
-        .map(|unit| figure::curves(&answer.model, &answer.muscle, request.test, &list, request.both, unit));
+    answer.figure = figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
     answer.points = list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect();
     answer.curves = list;
     Ok(answer)
@@ -204,6 +210,15 @@ fn each(
     let all = fixed.len().saturating_mul(along.len()).saturating_mul(branches.len());
     budget.admit(Resource::Points, all as f64)?;
     budget.admit(Resource::Bytes, held_bytes * all as f64)?;
+    let (model, workspace) = (&*question.model, &mut question.workspace);
+    let loaded = match (&request.load.load, isobaric) {
+        (None, _) => None,
+        (Some(_), true) => loaded(&request.load, model, workspace, &fixed, question.options)?,
+        (Some(_), false) => {
+            let message = "`load` goes with an isobaric test, where the pressure is the same along a curve";
+            return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
+        }
+    };
     let mut gravest: Option<Problem> = None;
     let (mut said, mut answers) = (vec![], false);
     for (i, &value) in fixed.iter().enumerate() {
@@ -233,6 +248,7 @@ fn each(
         muscle: MuscleSummary::from(&question.muscle),
         fixed,
         points: vec![],
+        loaded,
         warnings: said,
         figure: None,
         problem: gravest.filter(|_| !answers),

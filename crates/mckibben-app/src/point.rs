@@ -1,12 +1,14 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
 use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::load::{LoadAnswer, LoadFields, loaded};
 use crate::model::check_both;
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
+use mckibben::load::balances;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
@@ -70,6 +72,9 @@ pub struct ContractionRequest {
     pub asking: AskFields,
     /// Pull F in N; 0 where it is left out.
     pub force_n: Option<f64>,
+    /// A load in place of the pull: the contraction at which muscle and load are in balance.
+    #[serde(flatten)]
+    pub load: LoadFields,
     /// Gauge pressure P in MPa.
     pub pressure_mpa: Option<f64>,
     /// The answer shall hold both branches of the friction's hysteresis too.
@@ -85,6 +90,9 @@ pub struct PointAnswer {
     /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
+    /// Every equilibrium with the load, where there is one; the point is the first that is stable, or the first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loaded: Option<LoadAnswer>,
     /// The muscle.
     pub muscle: MuscleSummary,
     /// The model.
@@ -136,9 +144,30 @@ pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Res
     let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
     let force_n = finite("force_n", request.force_n.unwrap_or(0.0))?;
     pull(force_n, request.asking)?;
-    answered(question, request.both, |model, workspace, options| {
-        Ok(answer::contraction(model, workspace, force_n, pressure_mpa, options)?)
-    })
+    if request.load.load.is_none() {
+        return answered(question, request.both, |model, workspace, options| {
+            Ok(answer::contraction(model, workspace, force_n, pressure_mpa, options)?)
+        });
+    }
+    if request.force_n.is_some() {
+        let message = "`force_n` and `load` exclude one another: give the load, or the pull";
+        return Err(Problem::new(ProblemKind::Usage, message, "`load` takes `force:300N` as well"));
+    }
+    let load = request.load.resolve(question.muscle.length_mm())?;
+    let mut said: Option<LoadAnswer> = None;
+    let mut answer = answered(question, request.both, |model, workspace, options| {
+        // What is wrong is told once, by the first that asks.
+        if let Some(load) = &load {
+            balances(model, workspace, load, pressure_mpa, options)?;
+        }
+        let found = loaded(&request.load, model, workspace, &[pressure_mpa], options)?;
+        let list = found.iter().flat_map(|f| &f.at).flat_map(|at| &at.equilibria);
+        let best = list.clone().find(|e| e.stable).or(list.clone().next()).map(|e| e.answer.clone());
+        said = said.take().or(found.clone());
+        best.ok_or_else(|| Problem::new(ProblemKind::NoAnswer, "there is no equilibrium with the load", ""))
+    })?;
+    answer.loaded = said;
+    Ok(answer)
 }
 
 /// The point with its muscle, and where the model's numbers come from; with both branches where they are asked for.
@@ -166,7 +195,7 @@ fn answered(
         source: source_of(&*question.model, options.direction),
         uncertainty_basis: question.model.accuracy().basis(),
     };
-    Ok(PointAnswer { point, branches, muscle: (&question.muscle).into(), about })
+    Ok(PointAnswer { point, branches, loaded: None, muscle: (&question.muscle).into(), about })
 }
 
 /// A number that must be there.

@@ -7,13 +7,33 @@ use crate::output::Target;
 use crate::quantities::{quantity, ratio};
 use crate::word::word;
 use clap::{Args, ValueEnum};
+use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::units::Units;
 use mckibben_app::{
-    AskFields, Columns, Direction, Keep, MeshFields, ModelFields, MuscleFields, NamedStiffness, ProblemKind,
-    Stiffness, Terminal, TerminalMaterial,
+    AskFields, Columns, Direction, Keep, LoadFields, MeshFields, ModelFields, MuscleFields, NamedStiffness,
+    ProblemKind, Stiffness, Terminal, TerminalMaterial, TextFile,
 };
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+
+/// What the muscle works against.
+#[derive(Debug, Clone, Default, Args)]
+pub struct LoadFlag {
+    /// Load: force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg, table:load.csv, several joined by +
+    #[arg(long, value_name = "LOAD")]
+    pub load: Option<String>,
+}
+
+impl LoadFlag {
+    /// As fields of a request; reads the tables.
+    pub fn fields(&self) -> Result<LoadFields, Failure> {
+        let names = self.load.iter().flat_map(|load| Load::tables(load));
+        let read = |name: &str| -> Result<TextFile, Failure> {
+            Ok(TextFile { name: name.into(), ..files::table(Path::new(name))? })
+        };
+        Ok(LoadFields { load: self.load.clone(), load_tables: names.map(read).collect::<Result<_, _>>()? })
+    }
+}
 
 /// The muscle: a file, and flags that override it.
 #[derive(Debug, Clone, Default, Args)]

@@ -1,7 +1,8 @@
 //! A family of curves of one test.
 
 use super::caption;
-use crate::muscle::MuscleSummary;
+use crate::curve::CurveAnswer;
+use crate::load::LoadAnswer;
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::curve::{Curve, Test};
@@ -44,15 +45,32 @@ pub(super) fn label(test: Test, fixed: f64, u: &Units) -> String {
     }
 }
 
+/// Points of a load's line.
+const LINE: usize = 101;
+
+/// The line of a load over the contraction, and its equilibria: filled where they are stable.
+fn load_line(loaded: &LoadAnswer, length_mm: f64, list: &[Curve], u: &Units) -> (Series, Series) {
+    let asked = list.iter().flat_map(|c| &c.points).filter_map(|p| p.contraction);
+    let found = loaded.at.iter().flat_map(|at| &at.equilibria);
+    let end = asked.chain(found.clone().map(|e| e.answer.response.contraction)).fold(0.0, f64::max);
+    let (low, high) = loaded.line.reach_mm();
+    let places = (0..LINE).map(|i| end * i as f64 / (LINE - 1) as f64);
+    let known = places.filter(|e| (low..=high).contains(&(e * length_mm)));
+    let line: Vec<(f64, f64)> =
+        known.map(|e| (e, u.force.value(loaded.line.force_n(e * length_mm)))).collect();
+    let points = found.map(|e| {
+        let r = &e.answer.response;
+        (r.contraction, u.force.value(r.force_n))
+    });
+    (
+        Series::new("", line).style(Style::Dashed).neutral(),
+        Series::new("", points.collect::<Vec<_>>()).style(Style::Points).neutral(),
+    )
+}
+
 /// The figure of `curve`.
-pub fn curves(
-    model: &str,
-    muscle: &MuscleSummary,
-    test: Test,
-    list: &[Curve],
-    both: bool,
-    u: &Units,
-) -> Figure {
+pub fn curves(answer: &CurveAnswer, test: Test, list: &[Curve], both: bool, u: &Units) -> Figure {
+    let CurveAnswer { model, muscle, loaded, .. } = answer;
     let (x, y) = axes(test, u);
     let mut panel = Panel::new(x, y);
     // Of two branches of one colour the muscle lengthens on the dashed one.
@@ -63,6 +81,10 @@ pub fn curves(
         let series = |name: &str| Series::new(name, line(curve, test, u)).style(style).colour(i / each);
         panel =
             panel.series(if list.len() <= 12 * each { series("").end_label(text) } else { series(&text) });
+    }
+    if let Some(loaded) = loaded {
+        let (line, balances) = load_line(loaded, muscle.length_mm, list, u);
+        panel = panel.series(line.end_label(loaded.load.as_str())).series(balances);
     }
     let title = match test {
         Test::Isometric => "Isometric curves",

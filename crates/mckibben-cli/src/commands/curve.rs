@@ -1,7 +1,8 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::output::loaded::loaded as text_of_load;
 use crate::output::text::{Units, columns, percent, percents};
 use crate::output::{is_json, show, streamed, warn};
 use crate::plot;
@@ -50,6 +51,8 @@ pub struct CurveArgs {
     /// Pulls of an isotonic test [20,80,150N]
     #[arg(short = 'F', long, value_name = "RANGE", allow_hyphen_values = true)]
     pub force: Option<String>,
+    #[command(flatten)]
+    pub load: LoadFlag,
     /// Both branches of the friction's hysteresis
     #[arg(long, conflicts_with = "study")]
     pub both: bool,
@@ -74,6 +77,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         pressures_mpa: pressures(args.pressure.as_deref(), 25)?,
         contractions: contractions(args.contraction.as_deref())?,
         forces_n: forces(args.force.as_deref())?,
+        load: args.load.fields()?,
         both: args.both,
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
@@ -97,7 +101,9 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     let text = || {
         warnings(&answer.warnings, &answer.curves);
         let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
-        head + &as_table(&answer, &unit) + &doubt(&answer.curves, &unit)
+        head + &as_table(&answer, &unit)
+            + &doubt(&answer.curves, &unit)
+            + &answer.loaded.as_ref().map_or_else(String::new, |loaded| text_of_load(loaded, &unit))
     };
     show(&answer, format, "points", text, target)?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))

@@ -1,7 +1,8 @@
 //! `force`, `pressure`, `contraction`: one point.
 
 use crate::failure::Failure;
-use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
+use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
+use crate::output::loaded::loaded;
 use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{show, warn};
 use crate::progress::Bar;
@@ -61,6 +62,8 @@ pub struct ContractionArgs {
     /// Pull wanted [0N: free contraction]
     #[arg(short = 'F', long, value_name = "FORCE", allow_hyphen_values = true)]
     pub force: Option<String>,
+    #[command(flatten)]
+    pub load: LoadFlag,
     /// Gauge pressure
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
@@ -111,6 +114,7 @@ pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure
             model: args.model.fields()?,
             asking: args.model.asking.fields(),
             force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
+            load: args.load.fields()?,
             pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
             both: args.both,
         },
@@ -216,5 +220,5 @@ fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
             format!("95 %, against a measured muscle: {of} {} (mckibben models {})", u.force.name, a.model),
         ));
     }
-    pairs(&list)
+    pairs(&list) + &answer.loaded.as_ref().map_or_else(String::new, |load| loaded(load, u))
 }

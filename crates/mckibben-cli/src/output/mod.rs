@@ -3,6 +3,7 @@
 pub mod clean;
 mod csv;
 mod guard;
+pub mod loaded;
 mod parquet;
 mod rows;
 mod stream;

@@ -5,9 +5,14 @@ use crate::model::{ForceModel, Workspace};
 use serde::Serialize;
 
 /// Atmospheric pressure in MPa (ISO 2533).
-const ATMOSPHERE_MPA: f64 = 0.101_325;
+pub const ATMOSPHERE_MPA: f64 = 0.101_325;
 /// Normal litres are counted at 0 °C and 101.325 kPa (DIN 1343); the air in the muscle is at 20 °C.
 const NORMAL_PER_ACTUAL: f64 = 273.15 / 293.15;
+
+/// A volume in mm³ at 20 °C and atmospheric pressure, in normal litres.
+pub fn normal_litres(volume_mm3: f64) -> f64 {
+    volume_mm3 * 1e-6 * NORMAL_PER_ACTUAL
+}
 
 /// Air in a muscle that was filled from rest to a working point.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -33,5 +38,5 @@ pub fn air_per_stroke<M: ForceModel + ?Sized>(
     let volume_mm3 = model.response(workspace, pressure_mpa, contraction)?.volume_mm3.ok_or_else(unknown)?;
     let rest = model.response(workspace, 0.0, 0.0)?.volume_mm3.ok_or_else(unknown)?;
     let free_mm3 = ((pressure_mpa + ATMOSPHERE_MPA) * volume_mm3 - ATMOSPHERE_MPA * rest) / ATMOSPHERE_MPA;
-    Ok(Air { volume_mm3, normal_litres: free_mm3 * 1e-6 * NORMAL_PER_ACTUAL })
+    Ok(Air { volume_mm3, normal_litres: normal_litres(free_mm3) })
 }

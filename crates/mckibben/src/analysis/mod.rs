@@ -8,7 +8,7 @@ mod golden;
 mod inverse;
 mod root;
 
-pub use air::{Air, air_per_stroke};
+pub use air::{ATMOSPHERE_MPA, Air, air_per_stroke, normal_litres};
 pub use ask::{Options, force_on, response_on, source_of};
 pub use characteristics::{
     blocked_force_n, burst_pressure_mpa, free_contraction, start_pressure_mpa, work_per_stroke_j,

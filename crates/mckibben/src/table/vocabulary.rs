@@ -151,6 +151,20 @@ const FORCE: &[&str] = &[
 const WAY: [&str; 8] =
     ["displacement", "delta_l", "dl", "δl", "weg", "deplacement", "desplazamiento", "spostamento"];
 
+/// A load over the shortening of the muscle that meets it.
+pub(crate) const LOADS: Vocabulary = Vocabulary {
+    what: "a load",
+    needed: &[
+        Need {
+            wanted: "shortenings",
+            any_of: &[Meaning::Shortening, Meaning::Contraction],
+            names: "Shortening [mm] or contraction",
+        },
+        Need { wanted: "forces", any_of: &[Meaning::Force], names: "force_n, Force [kN] or Force [lbf]" },
+    ],
+    entries: POINTS.entries,
+};
+
 /// Measured points of a muscle.
 pub(crate) const POINTS: Vocabulary = Vocabulary {
     what: "measured points",

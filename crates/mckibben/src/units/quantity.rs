@@ -20,6 +20,28 @@ pub enum Dimension {
     Stiffness,
     /// Areas, in mm².
     Area,
+    /// Masses, in kg.
+    Mass,
+    /// Torques, in N m.
+    Torque,
+    /// Stiffnesses of joints, in N m/rad.
+    AngularStiffness,
+    /// Moments of inertia, in kg m².
+    Inertia,
+    /// Times, in s.
+    Time,
+    /// Frequencies, in Hz.
+    Frequency,
+    /// Temperatures, in °C.
+    Temperature,
+    /// Sonic conductances (ISO 6358), in L/(s bar).
+    Conductance,
+    /// Damping constants, in N s/m.
+    Damping,
+    /// Damping constants of joints, in N m s/rad.
+    AngularDamping,
+    /// Volumes, in mm³.
+    Volume,
 }
 
 /// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it into the unit used
@@ -68,9 +90,68 @@ const AREAS: &[Spelled] = &[
     (&["cm2", "cm²", "cm^2"], 100.0, 1.0),
     (&["um2", "µm²", "um^2"], 1.0, 1_000_000.0),
 ];
+const MASSES: &[Spelled] =
+    &[(&["kg"], 1.0, 1.0), (&["g"], 1.0, 1_000.0), (&["t"], 1_000.0, 1.0), (&["lb", "lbm"], 0.45359237, 1.0)];
+const TORQUES: &[Spelled] = &[
+    (&["N m", "Nm", "N·m", "N*m"], 1.0, 1.0),
+    (&["N mm", "Nmm", "N·mm", "N*mm"], 1.0, 1_000.0),
+    (&["N cm", "Ncm", "N·cm"], 1.0, 100.0),
+    (&["kN m", "kNm"], 1_000.0, 1.0),
+    (&["lbf in", "in lbf"], 0.112984829027616, 1.0),
+    (&["lbf ft", "ft lbf"], 1.3558179483314, 1.0),
+];
+const ANGULAR_STIFFNESSES: &[Spelled] = &[
+    (&["N m/rad", "Nm/rad", "N·m/rad"], 1.0, 1.0),
+    (&["N m/deg", "Nm/deg", "N m/°", "N·m/deg"], 180.0, std::f64::consts::PI),
+    (&["N mm/rad", "Nmm/rad"], 1.0, 1_000.0),
+];
+const INERTIAS: &[Spelled] = &[
+    (&["kg m2", "kg m²", "kg m^2", "kgm2", "kgm²", "kg·m²"], 1.0, 1.0),
+    (&["kg cm2", "kg cm²", "kg cm^2", "kgcm2"], 1.0, 10_000.0),
+    (&["g cm2", "g cm²"], 1.0, 10_000_000.0),
+];
+const TIMES: &[Spelled] = &[
+    (&["s"], 1.0, 1.0),
+    (&["ms"], 1.0, 1_000.0),
+    (&["us", "µs", "μs"], 1.0, 1_000_000.0),
+    (&["min"], 60.0, 1.0),
+    (&["h"], 3_600.0, 1.0),
+];
+const FREQUENCIES: &[Spelled] =
+    &[(&["Hz", "1/s"], 1.0, 1.0), (&["kHz"], 1_000.0, 1.0), (&["mHz"], 1.0, 1_000.0)];
+const TEMPERATURES: &[Spelled] = &[(&["degC", "°C", "celsius"], 1.0, 1.0)];
+const CONDUCTANCES: &[Spelled] = &[
+    (
+        &[
+            "L/(s bar)",
+            "l/(s bar)",
+            "L/(s·bar)",
+            "l/(s·bar)",
+            "dm3/(s bar)",
+            "dm3/(s·bar)",
+            "dm³/(s·bar)",
+            "L/s/bar",
+            "l/s/bar",
+        ],
+        1.0,
+        1.0,
+    ),
+    (&["L/(min bar)", "l/(min bar)", "L/min/bar", "l/min/bar"], 1.0, 60.0),
+    (&["m3/(s Pa)", "m³/(s·Pa)"], 100_000_000.0, 1.0),
+];
+const DAMPINGS: &[Spelled] =
+    &[(&["N s/m", "Ns/m", "N·s/m"], 1.0, 1.0), (&["N s/mm", "Ns/mm", "N·s/mm"], 1_000.0, 1.0)];
+const ANGULAR_DAMPINGS: &[Spelled] = &[(&["N m s/rad", "Nms/rad", "N·m·s/rad", "N m s", "Nms"], 1.0, 1.0)];
+const VOLUMES: &[Spelled] = &[
+    (&["mm3", "mm³", "mm^3"], 1.0, 1.0),
+    (&["cm3", "cm³", "cm^3", "mL", "ml", "cc"], 1_000.0, 1.0),
+    (&["L", "l", "dm3", "dm³"], 1_000_000.0, 1.0),
+    (&["m3", "m³"], 1_000_000_000.0, 1.0),
+];
 
 impl Dimension {
-    const ALL: [Dimension; 7] = [
+    /// All of them.
+    pub const ALL: [Dimension; 18] = [
         Dimension::Length,
         Dimension::Pressure,
         Dimension::Angle,
@@ -78,6 +159,17 @@ impl Dimension {
         Dimension::Ratio,
         Dimension::Stiffness,
         Dimension::Area,
+        Dimension::Mass,
+        Dimension::Torque,
+        Dimension::AngularStiffness,
+        Dimension::Inertia,
+        Dimension::Time,
+        Dimension::Frequency,
+        Dimension::Temperature,
+        Dimension::Conductance,
+        Dimension::Damping,
+        Dimension::AngularDamping,
+        Dimension::Volume,
     ];
 
     pub(super) fn units(self) -> &'static [Spelled] {
@@ -89,6 +181,17 @@ impl Dimension {
             Dimension::Ratio => RATIOS,
             Dimension::Stiffness => STIFFNESSES,
             Dimension::Area => AREAS,
+            Dimension::Mass => MASSES,
+            Dimension::Torque => TORQUES,
+            Dimension::AngularStiffness => ANGULAR_STIFFNESSES,
+            Dimension::Inertia => INERTIAS,
+            Dimension::Time => TIMES,
+            Dimension::Frequency => FREQUENCIES,
+            Dimension::Temperature => TEMPERATURES,
+            Dimension::Conductance => CONDUCTANCES,
+            Dimension::Damping => DAMPINGS,
+            Dimension::AngularDamping => ANGULAR_DAMPINGS,
+            Dimension::Volume => VOLUMES,
         }
     }
 
@@ -102,6 +205,17 @@ impl Dimension {
             Dimension::Ratio => "a ratio",
             Dimension::Stiffness => "a strand-family stiffness",
             Dimension::Area => "an area",
+            Dimension::Mass => "a mass",
+            Dimension::Torque => "a torque",
+            Dimension::AngularStiffness => "a stiffness of a joint",
+            Dimension::Inertia => "a moment of inertia",
+            Dimension::Time => "a time",
+            Dimension::Frequency => "a frequency",
+            Dimension::Temperature => "a temperature",
+            Dimension::Conductance => "a sonic conductance",
+            Dimension::Damping => "a damping constant",
+            Dimension::AngularDamping => "a damping constant of a joint",
+            Dimension::Volume => "a volume",
         }
     }
 
@@ -117,6 +231,23 @@ impl Dimension {
             Dimension::Ratio => "a ratio such as 15% or 0.15",
             Dimension::Stiffness => "a stiffness such as 467N/mm (a bare number is N/mm)",
             Dimension::Area => "an area such as 0.3mm2 (a bare number is mm²)",
+            Dimension::Mass => "a mass such as 20kg or 500g (a bare number is kg)",
+            Dimension::Torque => "a torque such as 8Nm or \"8 N m\" (a bare number is N m)",
+            Dimension::AngularStiffness => {
+                "a stiffness of a joint such as 5Nm/rad (a bare number is N m/rad)"
+            }
+            Dimension::Inertia => "a moment of inertia such as \"0.02 kg m2\" (a bare number is kg m²)",
+            Dimension::Time => "a time such as 0.3s or 20ms (a bare number is s)",
+            Dimension::Frequency => "a frequency such as 2Hz (a bare number is Hz)",
+            Dimension::Temperature => "a temperature such as 20degC (a bare number is °C)",
+            Dimension::Conductance => {
+                "a sonic conductance such as \"0.5 L/(s bar)\" (a bare number is L/(s bar))"
+            }
+            Dimension::Damping => "a damping constant such as \"400 N s/m\" (a bare number is N s/m)",
+            Dimension::AngularDamping => {
+                "a damping constant of a joint such as \"0.2 N m s/rad\" (a bare number is N m s/rad)"
+            }
+            Dimension::Volume => "a volume such as 10cm3 or 0.2L (a bare number is mm³)",
         }
     }
 
@@ -290,6 +421,15 @@ mod tests {
             ("321 N/mm", Dimension::Stiffness, 321.0),
             ("30MM", Dimension::Length, 30.0),
             (".5", Dimension::Ratio, 0.5),
+            ("8 N m", Dimension::Torque, 8.0),
+            ("1 lbf ft", Dimension::Torque, 1.355_817_948_331_400_4),
+            ("1 Nm/deg", Dimension::AngularStiffness, 57.295_779_513_082_32),
+            ("30 L/(min bar)", Dimension::Conductance, 0.5),
+            ("5e-9 m3/(s Pa)", Dimension::Conductance, 0.5),
+            ("200 g", Dimension::Mass, 0.2),
+            ("0.2L", Dimension::Volume, 2e5),
+            ("20 ms", Dimension::Time, 0.02),
+            ("2 kg cm2", Dimension::Inertia, 2e-4),
         ];
         for (text, dimension, value) in cases {
             let got = parse_quantity(text, dimension).unwrap();

@@ -5,16 +5,6 @@ use mckibben::rubber::library;
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
 use proptest::prelude::*;
 
-const DIMENSIONS: [Dimension; 7] = [
-    Dimension::Length,
-    Dimension::Pressure,
-    Dimension::Angle,
-    Dimension::Force,
-    Dimension::Ratio,
-    Dimension::Stiffness,
-    Dimension::Area,
-];
-
 /// Anything, or pieces of quantities in any order.
 fn text() -> impl Strategy<Value = String> {
     let piece = prop::sample::select(vec![
@@ -31,7 +21,7 @@ fn text() -> impl Strategy<Value = String> {
 proptest! {
     #[test]
     fn quantities_are_finite_or_refused(text in text()) {
-        for dimension in DIMENSIONS {
+        for dimension in Dimension::ALL {
             match parse_quantity(&text, dimension) {
                 Ok(value) => prop_assert!(value.is_finite(), "{text:?}: {value}"),
                 Err(error) => prop_assert!(!error.to_string().is_empty()),
@@ -41,7 +31,7 @@ proptest! {
 
     #[test]
     fn ranges_and_lists_are_finite_ordered_or_refused(text in text()) {
-        for dimension in DIMENSIONS {
+        for dimension in Dimension::ALL {
             match parse_values(&text, dimension) {
                 Ok(Values::Interval(low, high)) => {
                     prop_assert!(low.is_finite() && high.is_finite() && low <= high, "{text:?}");

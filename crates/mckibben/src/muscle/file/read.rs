@@ -2,7 +2,7 @@
 
 use super::error::{FileError, Problem};
 use super::source::{Section, Source};
-use super::{MAX_BYTES, braid, material};
+use super::{braid, material};
 use crate::muscle::{EndFactor, Friction, Muscle, MuscleError, Terminals, Tube};
 use crate::rubber::Law;
 use crate::units::Dimension;
@@ -69,10 +69,7 @@ pub fn parse_muscle(text: &str) -> Result<Muscle, FileError> {
 /// # Errors
 /// As [`parse_muscle`].
 pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle, FileError> {
-    if text.len() > MAX_BYTES {
-        return Err(FileError::new(Problem::TooLarge { limit: MAX_BYTES }));
-    }
-    let source = Source::parse(text.strip_prefix('\u{feff}').unwrap_or(text))?;
+    let source = Source::parse(text)?;
     let root = source.root();
     root.only(&[TOP, others].concat(), &ALL)?;
     // For people; they have no meaning in a calculation.

@@ -1,5 +1,6 @@
 //! A parsed file that knows where everything stands: sections, and typed look-ups in them.
 
+use super::MAX_BYTES;
 use super::error::{FileError, Place, Problem};
 use super::values::{PLAIN, kind, shortened, to_number, to_quantity, value_kind};
 use crate::nearest::nearest;
@@ -34,8 +35,12 @@ impl<'t> Source<'t> {
     /// Parses a text.
     ///
     /// # Errors
-    /// [`FileError`] where it is no TOML.
+    /// [`FileError`] where it is no TOML, or longer than [`MAX_BYTES`].
     pub fn parse(text: &'t str) -> Result<Self, FileError> {
+        if text.len() > MAX_BYTES {
+            return Err(FileError::new(Problem::TooLarge { limit: MAX_BYTES }));
+        }
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         match Document::parse(text) {
             Ok(document) => Ok(Self { text, document }),
             Err(error) => Err(syntax(text, &error)),

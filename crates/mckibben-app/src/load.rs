@@ -1,0 +1,154 @@
+//! Loads in requests, and what a muscle does with them.
+
+use crate::fields::TextFile;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::answer::{Answer, Options};
+use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle, read_load};
+use mckibben::model::{ForceModel, Workspace};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// What a muscle works against.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct LoadFields {
+    /// A load: `force:300N`, `mass:20kg`, `spring:12N/mm@50N`, `lever:5kg@300mm/40mm/-30deg` (mass, its distance from the pivot, the
+    /// pulley's radius, the angle from the horizontal), `table:NAME`; several joined by `+`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub load: Option<String>,
+    /// The tables that it names.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub load_tables: Vec<TextFile>,
+}
+
+impl LoadFields {
+    /// The load, for a muscle of this length.
+    pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>, Problem> {
+        let Some(text) = &self.load else { return Ok(None) };
+        let read = |file: &TextFile| -> Result<(String, LoadTable), Problem> {
+            let table = read_load(file.text.as_bytes(), rest_length_mm).map_err(|error| {
+                Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "").in_field("load_tables")
+            })?;
+            Ok((file.name.clone(), table))
+        };
+        let tables = self.load_tables.iter().map(read).collect::<Result<BTreeMap<_, _>, _>>()?;
+        Load::parse(text, &|name| tables.get(name).cloned())
+            .map(Some)
+            .map_err(|error| Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("load"))
+    }
+}
+
+/// An equilibrium with the load.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Equilibrium {
+    /// The muscle there.
+    #[serde(flatten)]
+    pub answer: Answer,
+    /// How far it is shortened, mm.
+    pub shortening_mm: f64,
+    /// Stiffness of muscle and load together at this pressure, N/mm.
+    pub held_stiffness_n_per_mm: f64,
+    /// Whether the load comes back after a small step.
+    pub stable: bool,
+    /// Natural frequency at constant pressure in Hz, where a mass moves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub natural_frequency_hz: Option<f64>,
+}
+
+impl From<Balance> for Equilibrium {
+    fn from(balance: Balance) -> Self {
+        Self {
+            answer: balance.answer,
+            shortening_mm: balance.shortening_mm,
+            held_stiffness_n_per_mm: balance.stiffness_n_per_mm,
+            stable: balance.stable,
+            natural_frequency_hz: balance.frequency_hz,
+        }
+    }
+}
+
+impl From<LoadError> for Problem {
+    fn from(error: LoadError) -> Self {
+        match error {
+            LoadError::Analysis(error) => error.into(),
+            error => {
+                let hint = match error {
+                    LoadError::NotLifted { .. } => "`two_sided` says how far it stretches the muscle",
+                    _ => "",
+                };
+                Self::new(ProblemKind::NoAnswer, error.to_string(), hint)
+            }
+        }
+    }
+}
+
+/// The equilibria at pressures, and the stroke from the first to the last.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct LoadAnswer {
+    /// The load as it was written.
+    pub load: String,
+    /// At each pressure its equilibria, by rising contraction; none where the load is not lifted.
+    pub at: Vec<LoadedAt>,
+    /// From the lowest pressure to the highest, where the load is lifted at the highest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cycle: Option<Cycle>,
+    /// The load itself.
+    #[serde(skip)]
+    pub line: Load,
+}
+
+/// The equilibria at a pressure.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct LoadedAt {
+    /// The pressure, MPa.
+    pub pressure_mpa: f64,
+    /// The equilibria, by rising contraction.
+    pub equilibria: Vec<Equilibrium>,
+    /// Why there is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cause: Option<String>,
+}
+
+/// Equilibria of a model and a load at pressures.
+pub(crate) fn loaded(
+    fields: &LoadFields,
+    model: &dyn ForceModel,
+    workspace: &mut Workspace,
+    pressures_mpa: &[f64],
+    options: Options,
+) -> Result<Option<LoadAnswer>, Problem> {
+    let length = model.muscle().length_mm();
+    let Some(load) = fields.resolve(length)? else { return Ok(None) };
+    let mut stable: Vec<(f64, Option<Balance>)> = vec![];
+    let mut at = vec![];
+    for &pressure_mpa in pressures_mpa {
+        let found = balances(model, workspace, &load, pressure_mpa, options);
+        workspace.budget().ended()?;
+        let (found, cause) = match found {
+            Ok(found) => (found, None),
+            Err(error) => (vec![], Some(error.to_string())),
+        };
+        stable.push((pressure_mpa, found.iter().find(|b| b.stable).cloned()));
+        at.push(LoadedAt {
+            pressure_mpa,
+            equilibria: found.into_iter().map(Equilibrium::from).collect(),
+            cause,
+        });
+    }
+    let least = stable.iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    let most = stable.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let cycle = match (least, most) {
+        (Some((low, from)), Some((high, Some(to)))) if low < high => {
+            let (contraction, volume) = match from {
+                Some(from) => (from.answer.response.contraction, from.answer.response.volume_mm3),
+                // It stands on its stop.
+                None => (0.0, model.response(workspace, *low, 0.0).ok().and_then(|r| r.volume_mm3)),
+            };
+            Some(cycle(&load, length, (*low, contraction, volume), to))
+        }
+        _ => None,
+    };
+    let text = fields.load.clone().unwrap_or_default();
+    Ok(Some(LoadAnswer { load: text, at, cycle, line: load }))
+}

@@ -1,0 +1,61 @@
+//! Equilibria with a load, as text.
+
+use super::text::{Units, number, pairs, percent, table};
+use mckibben_app::LoadAnswer;
+
+/// A table of the equilibria, and the stroke between the lowest and the highest pressure.
+pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
+    let header = [
+        u.pressure.heading("P"),
+        "ε".into(),
+        u.length.heading("x"),
+        u.force.heading("F"),
+        format!("muscle and load [{}]", u.stiffness().name),
+        "balance".into(),
+        "f [Hz]".into(),
+    ];
+    let mut rows = vec![];
+    for at in &answer.at {
+        let pressure = u.pressure.bare(at.pressure_mpa);
+        for e in &at.equilibria {
+            let r = &e.answer.response;
+            rows.push(vec![
+                pressure.clone(),
+                percent(r.contraction),
+                u.length.to(e.shortening_mm, 4),
+                u.force.within(r.force_n, e.answer.uncertainty_n),
+                u.stiffness().to(e.held_stiffness_n_per_mm, 4),
+                if e.stable { "stable" } else { "unstable" }.into(),
+                e.natural_frequency_hz.map_or_else(|| "–".into(), |f| number(f, 3)),
+            ]);
+        }
+        if let (true, Some(cause)) = (at.equilibria.is_empty(), &at.cause) {
+            let not_lifted = if cause.contains("not lifted") { "not lifted" } else { "none" };
+            let dash = || "–".to_owned();
+            rows.push(vec![pressure, dash(), dash(), dash(), dash(), not_lifted.into(), dash()]);
+        }
+    }
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    let mut text = format!("\nload {}\n{}", answer.load, table(&header, rows));
+    if let Some(c) = &answer.cycle {
+        let mut list = vec![(
+            "stroke",
+            format!(
+                "{} {} from {} to {}",
+                u.length.to(c.stroke_mm, 4),
+                u.length.name,
+                u.pressure.show(c.from_pressure_mpa),
+                u.pressure.show(c.to_pressure_mpa)
+            ),
+        )];
+        list.push(("work on the load", format!("{} J", number(c.work_j, 4))));
+        let air = c.air_normal_litres.zip(c.air_exergy_j);
+        list.extend(air.map(|(litres, exergy)| {
+            let text = format!("{} nL, exergy {} J", number(litres, 4), number(exergy, 4));
+            ("air of a filling", text)
+        }));
+        list.extend(c.efficiency.map(|e| ("work over exergy", percent(e))));
+        text += &format!("\n{}", pairs(&list));
+    }
+    text
+}

@@ -1,0 +1,145 @@
+//! Why a joint has no answer.
+
+use crate::analysis::AnalysisError;
+use crate::model::ModelError;
+use thiserror::Error;
+
+/// Why a joint has no answer.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum JointError {
+    /// Not one or two muscles.
+    #[error("a joint has one muscle or two, not {0}")]
+    Muscles(usize),
+    /// Limits of the angle that are none.
+    #[error("the joint's range {low_deg}..{high_deg} deg must rise and lie between -180 and 180 deg")]
+    Range {
+        /// Lower limit in degrees.
+        low_deg: f64,
+        /// Upper limit in degrees.
+        high_deg: f64,
+    },
+    /// A measure of the link below zero.
+    #[error("{what} of the link is {value}; it must be zero or above")]
+    Negative {
+        /// Which.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A contraction at the neutral angle that is none.
+    #[error("muscle {muscle}: {contraction} is no contraction at the neutral angle; it lies below 1")]
+    Contraction {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// Its contraction.
+        contraction: f64,
+    },
+    /// A pulley without a radius.
+    #[error("muscle {muscle}: a pulley of {radius_mm} mm; its radius must be above zero")]
+    Radius {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// The radius in mm.
+        radius_mm: f64,
+    },
+    /// Attachment points that meet.
+    #[error(
+        "muscle {muscle}: its two attachment points meet at {angle_deg:.1} deg; narrow the joint's range or move them"
+    )]
+    Geometry {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// Where, in degrees.
+        angle_deg: f64,
+    },
+    /// Attachment points nearer than the muscle is long.
+    #[error(
+        "muscle {muscle}: its attachment points are {apart_mm:.1} mm apart at the neutral angle, and the muscle is {long_mm:.1} mm long there; move them apart, shorten the muscle or contract it further"
+    )]
+    TooNear {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// Their distance in mm.
+        apart_mm: f64,
+        /// Length of the muscle in mm.
+        long_mm: f64,
+    },
+    /// Not as many pressures as muscles.
+    #[error("the joint has {muscles} muscles and takes as many pressures; {given} were given")]
+    Pressures {
+        /// Muscles of the joint.
+        muscles: usize,
+        /// Pressures that were given.
+        given: usize,
+    },
+    /// An angle outside of the joint's limits.
+    #[error("{angle_deg} deg lies outside of the joint's range of {low_deg}..{high_deg} deg")]
+    Angle {
+        /// The angle in degrees.
+        angle_deg: f64,
+        /// Lower limit in degrees.
+        low_deg: f64,
+        /// Upper limit in degrees.
+        high_deg: f64,
+    },
+    /// A torque that no pressures give.
+    #[error(
+        "no pressures up to {max_pressure_mpa} MPa give {torque_nm} N m at {angle_deg} deg; the joint reaches {least_nm:.4} to {most_nm:.4} N m there"
+    )]
+    NoTorque {
+        /// The torque wanted in N m.
+        torque_nm: f64,
+        /// At this angle in degrees.
+        angle_deg: f64,
+        /// The supply in MPa.
+        max_pressure_mpa: f64,
+        /// The least torque there is, in N m.
+        least_nm: f64,
+        /// The largest, in N m.
+        most_nm: f64,
+    },
+    /// A stiffness that no pressures give together with the torque.
+    #[error(
+        "no pressures up to {max_pressure_mpa} MPa give {stiffness_nm_per_rad} N m/rad with {torque_nm} N m at {angle_deg} deg; the joint reaches {least:.4} to {most:.4} N m/rad there"
+    )]
+    NoStiffness {
+        /// The stiffness wanted in N m/rad.
+        stiffness_nm_per_rad: f64,
+        /// With this torque in N m.
+        torque_nm: f64,
+        /// At this angle in degrees.
+        angle_deg: f64,
+        /// The supply in MPa.
+        max_pressure_mpa: f64,
+        /// The least stiffness there is, in N m/rad.
+        least: f64,
+        /// The largest, in N m/rad.
+        most: f64,
+    },
+    /// One muscle sets a torque or a stiffness, not both.
+    #[error(
+        "a joint with one muscle has one pressure: its stiffness follows from the torque and cannot be asked for"
+    )]
+    OneMuscle,
+    /// A muscle's model has no answer.
+    #[error("muscle {muscle}: {error}")]
+    Muscle {
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// Why.
+        error: AnalysisError,
+    },
+    /// The caller wanted the work to end.
+    #[error("cancelled before the end")]
+    Cancelled,
+}
+
+impl JointError {
+    pub(super) fn model(muscle: usize) -> impl Fn(ModelError) -> Self {
+        move |error| Self::Muscle { muscle: muscle + 1, error: error.into() }
+    }
+
+    pub(super) fn analysis(muscle: usize) -> impl Fn(AnalysisError) -> Self {
+        move |error| Self::Muscle { muscle: muscle + 1, error }
+    }
+}

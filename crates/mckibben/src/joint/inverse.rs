@@ -1,0 +1,181 @@
+//! Pressures for an angle, a torque and a stiffness.
+
+use super::{JointError, JointModel, JointPoint, Turning};
+use crate::analysis::{AnalysisError, RootError, find_root, force_on, pressure_at, response_on};
+use crate::model::Workspace;
+use crate::muscle::Direction;
+
+/// Parts into which the pulls that give the torque are cut in search of the stiffness.
+const SCAN: usize = 40;
+/// Share of the pulls' range by which both muscles are kept taut at its ends.
+const TAUT: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-12;
+
+/// What a joint shall do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wanted {
+    /// φ in degrees.
+    pub angle_deg: f64,
+    /// τ in N m that it shall have for the world outside: muscles, spring and weight together; 0 where it shall rest there.
+    pub torque_nm: f64,
+    /// −dτ/dφ in N m/rad; the lowest pressures where it is left open.
+    pub stiffness_nm_per_rad: Option<f64>,
+}
+
+/// One muscle at an angle.
+#[derive(Debug, Clone, Copy)]
+struct Here {
+    contraction: f64,
+    arm_mm: f64,
+    arm_by_angle_mm: f64,
+    most_n: f64,
+}
+
+impl JointModel<'_> {
+    /// The pressures, up to `max_pressure_mpa`, and the joint at them.
+    ///
+    /// Of two muscles the pull of the first decides that of the second, F2 = (τ − F1 Δ1′)/Δ2′; along that line the stiffness is sought.
+    /// Where several pressures give it, the lowest.
+    ///
+    /// # Errors
+    /// [`JointError::NoTorque`], [`JointError::NoStiffness`] with what the joint reaches; [`JointError::OneMuscle`].
+    pub fn pressures(
+        &self,
+        workspaces: &mut [Workspace],
+        wanted: Wanted,
+        max_pressure_mpa: f64,
+    ) -> Result<JointPoint, JointError> {
+        self.check_angle(wanted.angle_deg)?;
+        let angle = wanted.angle_deg.to_radians();
+        let mut here = vec![];
+        for (i, workspace) in workspaces.iter_mut().enumerate().take(self.joint().muscles().len()) {
+            let Some((contraction, s)) = self.joint().contraction(i, angle) else { break };
+            let most = force_on(self.of(i), workspace, max_pressure_mpa, contraction, Direction::Mean);
+            // Beyond its free contraction there may be no answer, and there is no pull.
+            let most_n = most.unwrap_or(0.0).max(0.0);
+            let (arm_mm, arm_by_angle_mm) = (s.arm_mm, s.arm_by_angle_mm);
+            here.push(Here { contraction, arm_mm, arm_by_angle_mm, most_n });
+        }
+        let (passive, passive_slope) = self.joint().passive_nm(angle);
+        let needed = 1e3 * (wanted.torque_nm - passive);
+        let no_torque = || {
+            let reach =
+                |sign: f64| here.iter().map(|m| sign * (sign * m.arm_mm * m.most_n).max(0.0)).sum::<f64>();
+            JointError::NoTorque {
+                torque_nm: wanted.torque_nm,
+                angle_deg: wanted.angle_deg,
+                max_pressure_mpa,
+                least_nm: passive + 1e-3 * reach(-1.0),
+                most_nm: passive + 1e-3 * reach(1.0),
+            }
+        };
+        let line = Line { model: self, here: &here, needed };
+        let (low, high) = line.pulls().ok_or_else(no_torque)?;
+        let pressures = match (wanted.stiffness_nm_per_rad, &here[..]) {
+            (None, _) => line.pressures(workspaces, low)?,
+            (Some(_), [_]) => return Err(JointError::OneMuscle),
+            (Some(stiffness), _) => {
+                let (low, high) = (low + TAUT * (high - low), high - TAUT * (high - low));
+                let mut at = |pull: f64| line.stiffness(workspaces, pull).map(|k| k - passive_slope);
+                let mut reach = (f64::INFINITY, f64::NEG_INFINITY);
+                let mut before = (low, at(low)?);
+                let mut found = None;
+                for i in 0..=SCAN {
+                    let pull = low + (high - low) * i as f64 / SCAN as f64;
+                    let k = at(pull)?;
+                    reach = (reach.0.min(k), reach.1.max(k));
+                    if (before.1 - stiffness) * (k - stiffness) <= 0.0 && found.is_none() {
+                        let root = find_root(|f| at(f).map(|k| k - stiffness), before.0, pull, TOLERANCE);
+                        found = match root {
+                            Ok(root) => Some(root),
+                            Err(RootError::Function(error)) => return Err(error),
+                            Err(RootError::NotBracketed { .. }) => (k == stiffness).then_some(pull),
+                        };
+                    }
+                    before = (pull, k);
+                }
+                let pull = found.ok_or(JointError::NoStiffness {
+                    stiffness_nm_per_rad: stiffness,
+                    torque_nm: wanted.torque_nm,
+                    angle_deg: wanted.angle_deg,
+                    max_pressure_mpa,
+                    least: reach.0,
+                    most: reach.1,
+                })?;
+                line.pressures(workspaces, pull)?
+            }
+        };
+        self.at(workspaces, &pressures, wanted.angle_deg, Turning::Mean)
+    }
+}
+
+/// The pulls that give a torque.
+struct Line<'l, 'm> {
+    model: &'l JointModel<'m>,
+    here: &'l [Here],
+    /// Σ F Δ′ in N mm
+    needed: f64,
+}
+
+impl Line<'_, '_> {
+    /// Pull of the second muscle where the first has one.
+    fn second(&self, first_n: f64) -> f64 {
+        match self.here {
+            [a, b] => (self.needed - first_n * a.arm_mm) / b.arm_mm,
+            _ => 0.0,
+        }
+    }
+
+    /// The least and the largest pull of the first muscle.
+    fn pulls(&self) -> Option<(f64, f64)> {
+        let first = self.here.first()?;
+        let slack = |pull: f64| pull > -1e-9 && pull < first.most_n + 1e-9;
+        let Some(second) = self.here.get(1) else {
+            let pull = self.needed / first.arm_mm;
+            return slack(pull).then_some((pull.clamp(0.0, first.most_n), pull.clamp(0.0, first.most_n)));
+        };
+        let ends = [0.0, second.most_n].map(|f| (self.needed - f * second.arm_mm) / first.arm_mm);
+        let (low, high) = (ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1]).min(first.most_n));
+        (low <= high + 1e-9).then_some((low, high.max(low)))
+    }
+
+    fn pressures(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<Vec<f64>, JointError> {
+        let pulls = [first_n, self.second(first_n)];
+        let each = self.here.iter().zip(workspaces.iter_mut()).zip(pulls).enumerate();
+        each.map(|(i, ((here, workspace), pull))| {
+            // Rounding leaves no pull.
+            if pull <= 1e-9 * here.most_n.max(1.0) {
+                return Ok(0.0);
+            }
+            let pull = pull.min(here.most_n);
+            pressure_at(
+                self.model.of(i),
+                workspace,
+                pull,
+                here.contraction,
+                self.model.options(Direction::Mean),
+            )
+            .map_err(|error: AnalysisError| JointError::analysis(i)(error))
+        })
+        .collect()
+    }
+
+    /// Σ (K Δ′² − F Δ″) in N m/rad.
+    fn stiffness(&self, workspaces: &mut [Workspace], first_n: f64) -> Result<f64, JointError> {
+        let pressures = self.pressures(workspaces, first_n)?;
+        let mut sum = 0.0;
+        for (i, (here, p)) in self.here.iter().zip(pressures).enumerate() {
+            let workspace = &mut workspaces[i];
+            let r = response_on(self.model.of(i), workspace, p, here.contraction, Direction::Mean)
+                .map_err(JointError::model(i))?;
+            if r.force_n > 0.0 {
+                let k = match r.stiffness_n_per_mm {
+                    Some(k) => k,
+                    None => self.model.stiffness(i, workspace, p, here.contraction, Direction::Mean)?,
+                };
+                sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
+            }
+        }
+        Ok(1e-3 * sum)
+    }
+}

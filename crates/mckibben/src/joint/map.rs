@@ -1,0 +1,173 @@
+//! Which angles and stiffnesses a joint reaches.
+
+use super::{JointError, JointModel, Rest, Turning};
+use crate::model::Workspace;
+use crate::progress::Progress;
+use crate::threads::Threads;
+use serde::{Deserialize, Serialize};
+
+/// Steps of Newton's method from the neighbour's angle before all rests are sought.
+const STEPS: usize = 8;
+/// An angle is known to this, in rad.
+const SMALL: f64 = 1e-10;
+
+/// A rest at a pair of pressures.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct MapPoint {
+    /// Pressures in MPa, one a muscle.
+    pub pressures_mpa: Vec<f64>,
+    /// φ of the rest in degrees.
+    pub angle_deg: f64,
+    /// −dτ/dφ there in N m/rad.
+    pub stiffness_nm_per_rad: f64,
+    /// Whether the joint leans on a limit of its range.
+    pub at_limit: bool,
+}
+
+/// The rests at all pairs of pressures.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct JointMap {
+    /// Pressures of each muscle in MPa, from none to the supply's.
+    pub grid_mpa: Vec<f64>,
+    /// The rests, P1 the slower; none where nothing acts and the joint is loose. Of a joint with one muscle, at its pressures.
+    pub points: Vec<Option<MapPoint>>,
+    /// The rests along the border of the pressures: P1 up at P2 = 0, P2 up at the highest P1, P1 down, P2 down.
+    pub border: Vec<MapPoint>,
+    /// At angles over the range: (φ in degrees, least torque, largest torque in N m), one muscle at the supply's pressure and the other
+    /// without.
+    pub torques: Vec<(f64, f64, f64)>,
+}
+
+impl JointModel<'_> {
+    /// The map with `count` pressures of each muscle from 0 to `max_pressure_mpa`.
+    ///
+    /// # Errors
+    /// [`JointError`].
+    pub fn map(
+        &self,
+        max_pressure_mpa: f64,
+        count: usize,
+        progress: &dyn Progress,
+    ) -> Result<JointMap, JointError> {
+        let count = count.max(2);
+        let grid: Vec<f64> = (0..count).map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64).collect();
+        let two = self.joint().muscles().len() == 2;
+        let row = |&first: &f64| -> Result<Vec<Option<MapPoint>>, JointError> {
+            if progress.cancelled() {
+                return Err(JointError::Cancelled);
+            }
+            let mut workspaces = self.workspaces(progress);
+            let second: &[f64] = if two { &grid } else { &[0.0] };
+            let mut near = None;
+            second
+                .iter()
+                .map(|&second| {
+                    let pressures = [first, second];
+                    let pressures = if two { &pressures[..] } else { &pressures[..1] };
+                    let found = self.rest_near(&mut workspaces, pressures, near)?;
+                    near = found.as_ref().map(|p| p.angle_deg);
+                    Ok(found)
+                })
+                .collect()
+        };
+        let rows = Threads::shared().map(&grid, row).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let border = if two { around(&rows) } else { rows.iter().flatten().flatten().cloned().collect() };
+        Ok(JointMap {
+            torques: self.torques(max_pressure_mpa, progress)?,
+            points: rows.into_iter().flatten().collect(),
+            border,
+            grid_mpa: grid,
+        })
+    }
+
+    /// Workspaces for its muscles.
+    pub fn workspaces(&self, progress: &dyn Progress) -> Vec<Workspace> {
+        self.joint().muscles().iter().map(|_| Workspace::within(progress.budget())).collect()
+    }
+
+    /// The stable rest nearest to an angle.
+    fn rest_near(
+        &self,
+        workspaces: &mut [Workspace],
+        pressures: &[f64],
+        near_deg: Option<f64>,
+    ) -> Result<Option<MapPoint>, JointError> {
+        let (low, high) = self.joint().range_deg();
+        let (low, high) = (low.to_radians(), high.to_radians());
+        let mut angle = near_deg.unwrap_or(0.0).to_radians().clamp(low, high);
+        let mut fixed = self.fixed(workspaces, pressures, Turning::Mean)?;
+        let point = |angle: f64, slope: f64, at_limit: bool| MapPoint {
+            pressures_mpa: pressures.to_vec(),
+            angle_deg: angle.to_degrees(),
+            stiffness_nm_per_rad: -slope,
+            at_limit,
+        };
+        for _ in 0..STEPS {
+            let (torque, slope) = self.torque(&mut fixed, angle)?;
+            if slope >= 0.0 {
+                break;
+            }
+            let next = angle - torque / slope;
+            if (next >= high && angle == high) || (next <= low && angle == low) {
+                return Ok(Some(point(angle, slope, true)));
+            }
+            if (next - angle).abs() < SMALL {
+                return Ok(Some(point(next, slope, false)));
+            }
+            angle = next.clamp(low, high);
+        }
+        let rests = self.rests(fixed.workspaces, pressures, 0.0)?;
+        let from = near_deg.unwrap_or(0.0);
+        let far = |r: &&Rest| (r.angle_deg() - from).abs();
+        let Some(rest) = rests.iter().filter(|r| r.is_stable()).min_by(|a, b| far(a).total_cmp(&far(b)))
+        else {
+            return Ok(None);
+        };
+        if matches!(rest, Rest::Loose { .. }) {
+            return Ok(None);
+        }
+        let angle = rest.angle_deg().to_radians();
+        let mut fixed = self.fixed(workspaces, pressures, Turning::Mean)?;
+        let slope = self.torque(&mut fixed, angle)?.1;
+        Ok(Some(point(angle, slope, matches!(rest, Rest::Limit { .. }))))
+    }
+
+    fn torques(&self, max_mpa: f64, progress: &dyn Progress) -> Result<Vec<(f64, f64, f64)>, JointError> {
+        const ANGLES: usize = 37;
+        let mut workspaces = self.workspaces(progress);
+        let (low, high) = self.joint().range_deg();
+        let two = self.joint().muscles().len() == 2;
+        let ends: &[&[f64]] = if two { &[&[max_mpa, 0.0], &[0.0, max_mpa]] } else { &[&[max_mpa], &[0.0]] };
+        let mut all = vec![vec![]; ANGLES];
+        for pressures in ends {
+            let mut fixed = self.fixed(&mut workspaces, pressures, Turning::Mean)?;
+            for (i, list) in all.iter_mut().enumerate() {
+                let deg = low + (high - low) * i as f64 / (ANGLES - 1) as f64;
+                list.push((deg, self.torque(&mut fixed, deg.to_radians())?.0));
+            }
+        }
+        let ends = all.into_iter().filter_map(|list| {
+            let deg = list.first()?.0;
+            let torques = list.iter().map(|t| t.1);
+            Some((
+                deg,
+                torques.clone().fold(f64::INFINITY, f64::min),
+                torques.fold(f64::NEG_INFINITY, f64::max),
+            ))
+        });
+        Ok(ends.collect())
+    }
+}
+
+/// Along the border of the pressures.
+fn around(rows: &[Vec<Option<MapPoint>>]) -> Vec<MapPoint> {
+    let last = rows.len().saturating_sub(1);
+    let at = |i: usize, j: usize| rows.get(i).and_then(|row| row.get(j)).cloned().flatten();
+    let up = (0..last).map(|i| at(i, 0));
+    let right = (0..last).map(|j| at(last, j));
+    let down = (0..last).map(|i| at(last - i, last));
+    let left = (0..=last).map(|j| at(0, last - j));
+    up.chain(right).chain(down).chain(left).flatten().collect()
+}

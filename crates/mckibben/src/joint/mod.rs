@@ -1,0 +1,223 @@
+//! A joint: one muscle against a spring, or two against each other, and the weight of a link.
+//!
+//! Angles φ are counterclockwise from the neutral angle, in degrees at the boundary. Muscle i has the contraction
+//! ε_i = ε_i0 + Δ_i(φ)/L_i ([`Path`]), and by virtual work the joint's torque is
+//!
+//!   τ = Σ F_i(P_i, ε_i) Δ_i′ + spring + weight,   stiffness −dτ/dφ = Σ (K_i Δ_i′² − F_i Δ_i″) + …
+//!
+//! with K = ∂F/∂L of a muscle at its pressure. A muscle beyond its free contraction is slack: its rope hangs, F = K = 0.
+
+mod error;
+mod file;
+mod inverse;
+mod map;
+mod model;
+mod path;
+mod rest;
+#[cfg(test)]
+mod tests;
+
+pub use error::JointError;
+pub use file::{JointFile, parse_joint};
+pub use inverse::Wanted;
+pub use map::{JointMap, MapPoint};
+pub use model::{JointModel, JointPoint, MuscleState, Turning};
+pub use path::{Path, Shortening};
+pub use rest::Rest;
+
+use crate::load::GRAVITY_M_PER_S2;
+use crate::muscle::Muscle;
+
+/// A muscle at a joint.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointMuscle {
+    /// The muscle.
+    pub muscle: Muscle,
+    /// Its way about the joint.
+    pub path: Path,
+    /// ε at the neutral angle.
+    pub contraction_at_neutral: f64,
+}
+
+/// A spring at a joint.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum JointSpring {
+    /// On a rope: F = max(0, F0 − c Δ).
+    Rope {
+        /// Its way about the joint.
+        path: Path,
+        /// c in N/mm.
+        rate_n_per_mm: f64,
+        /// F0 in N, at the neutral angle.
+        preload_n: f64,
+    },
+    /// A torsion spring: τ = −(τ0 + k φ).
+    Torsion {
+        /// k in N m/rad.
+        rate_nm_per_rad: f64,
+        /// τ0 in N m, towards −, at the neutral angle.
+        preload_nm: f64,
+    },
+}
+
+/// The moving link: weight, inertia and damping.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Link {
+    /// Mass in kg.
+    pub mass_kg: f64,
+    /// Distance of its centre of mass from the axis in mm.
+    pub centre_mm: f64,
+    /// Angle of the line from the axis to that centre against the horizontal, at φ = 0, in degrees.
+    pub inclination_deg: f64,
+    /// A mass carried on the same line, in kg.
+    pub payload_kg: f64,
+    /// Its distance from the axis in mm.
+    pub payload_at_mm: f64,
+    /// Moment of inertia of the link about the axis in kg m², without the payload; of a point mass at its centre where it is not stated.
+    pub inertia_kg_m2: Option<f64>,
+    /// Damping in N m s/rad.
+    pub damping_nm_s_per_rad: f64,
+}
+
+impl Link {
+    /// Torque of the weight in N m, −g Σ m r cos(φ + β), and its slope in φ.
+    pub fn weight_nm(&self, angle_rad: f64) -> (f64, f64) {
+        let moment =
+            1e-3 * GRAVITY_M_PER_S2 * (self.mass_kg * self.centre_mm + self.payload_kg * self.payload_at_mm);
+        let (sin, cos) = (angle_rad + self.inclination_deg.to_radians()).sin_cos();
+        (-moment * cos, moment * sin)
+    }
+
+    /// Moment of inertia about the axis in kg m², with the payload.
+    pub fn whole_inertia_kg_m2(&self) -> f64 {
+        let point = |mass: f64, at_mm: f64| mass * (1e-3 * at_mm).powi(2);
+        self.inertia_kg_m2.unwrap_or(point(self.mass_kg, self.centre_mm))
+            + point(self.payload_kg, self.payload_at_mm)
+    }
+}
+
+/// A joint.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Joint {
+    /// One or two muscles.
+    muscles: Vec<JointMuscle>,
+    spring: Option<JointSpring>,
+    link: Link,
+    /// Limits of the angle in degrees.
+    range_deg: (f64, f64),
+}
+
+impl Joint {
+    /// A joint of one muscle (with or without a spring) or two.
+    ///
+    /// # Errors
+    /// [`JointError`].
+    pub fn new(
+        muscles: Vec<JointMuscle>,
+        spring: Option<JointSpring>,
+        link: Link,
+        range_deg: (f64, f64),
+    ) -> Result<Self, JointError> {
+        let joint = Self { muscles, spring, link, range_deg };
+        joint.check()?;
+        Ok(joint)
+    }
+
+    fn check(&self) -> Result<(), JointError> {
+        if !(1..=2).contains(&self.muscles.len()) {
+            return Err(JointError::Muscles(self.muscles.len()));
+        }
+        let (low, high) = self.range_deg;
+        if !(low < high && low >= -180.0 && high <= 180.0) {
+            return Err(JointError::Range { low_deg: low, high_deg: high });
+        }
+        let link = &self.link;
+        let values = [
+            ("mass", link.mass_kg),
+            ("centre", link.centre_mm),
+            ("payload", link.payload_kg),
+            ("payload_at", link.payload_at_mm),
+            ("inertia", link.inertia_kg_m2.unwrap_or(0.0)),
+            ("damping", link.damping_nm_s_per_rad),
+        ];
+        if let Some((what, value)) = values.into_iter().find(|(_, v)| !(v.is_finite() && *v >= 0.0)) {
+            return Err(JointError::Negative { what, value });
+        }
+        for (i, m) in self.muscles.iter().enumerate() {
+            let e = m.contraction_at_neutral;
+            if !(e.is_finite() && e.abs() < 1.0) {
+                return Err(JointError::Contraction { muscle: i + 1, contraction: e });
+            }
+            self.check_path(i, &m.path)?;
+            let apart = m.path.length_mm(0.0);
+            let long = m.muscle.length_mm() * (1.0 - e);
+            if matches!(m.path, Path::Points { .. }) && apart < long {
+                return Err(JointError::TooNear { muscle: i + 1, apart_mm: apart, long_mm: long });
+            }
+        }
+        Ok(())
+    }
+
+    /// The two points of a muscle do not meet, and a pulley has a radius.
+    fn check_path(&self, i: usize, path: &Path) -> Result<(), JointError> {
+        if let Path::Pulley { radius_mm } = path
+            && !(radius_mm.is_finite() && *radius_mm != 0.0)
+        {
+            return Err(JointError::Radius { muscle: i + 1, radius_mm: *radius_mm });
+        }
+        let (low, high) = self.range_deg;
+        // Nearer than this the arm turns faster than anything that can be built.
+        let least = 1e-3 * path.length_mm(0.0);
+        let past = (0..=180)
+            .map(|k| low + (high - low) * f64::from(k) / 180.0)
+            .find(|deg| matches!(path, Path::Points { .. }) && !(path.length_mm(deg.to_radians()) > least));
+        past.map_or(Ok(()), |angle_deg| Err(JointError::Geometry { muscle: i + 1, angle_deg }))
+    }
+
+    /// Its muscles: one or two.
+    pub fn muscles(&self) -> &[JointMuscle] {
+        &self.muscles
+    }
+
+    /// Its spring.
+    pub fn spring(&self) -> Option<&JointSpring> {
+        self.spring.as_ref()
+    }
+
+    /// Its moving link.
+    pub fn link(&self) -> &Link {
+        &self.link
+    }
+
+    /// The limits of its angle in degrees.
+    pub fn range_deg(&self) -> (f64, f64) {
+        self.range_deg
+    }
+
+    /// ε of a muscle at an angle, and the arm.
+    pub fn contraction(&self, muscle: usize, angle_rad: f64) -> Option<(f64, Shortening)> {
+        let m = self.muscles.get(muscle)?;
+        let s = m.path.shortening(angle_rad);
+        Some((m.contraction_at_neutral + s.mm / m.muscle.length_mm(), s))
+    }
+
+    /// Torque of spring and weight in N m at an angle, and its slope in φ.
+    pub fn passive_nm(&self, angle_rad: f64) -> (f64, f64) {
+        let (weight, by) = self.link.weight_nm(angle_rad);
+        match self.spring {
+            None => (weight, by),
+            Some(JointSpring::Torsion { rate_nm_per_rad, preload_nm }) => {
+                (weight - preload_nm - rate_nm_per_rad * angle_rad, by - rate_nm_per_rad)
+            }
+            Some(JointSpring::Rope { path, rate_n_per_mm, preload_n }) => {
+                let s = path.shortening(angle_rad);
+                let force = preload_n - rate_n_per_mm * s.mm;
+                if force <= 0.0 {
+                    return (weight, by);
+                }
+                let slope = force * s.arm_by_angle_mm - rate_n_per_mm * s.arm_mm * s.arm_mm;
+                (weight + 1e-3 * force * s.arm_mm, by + 1e-3 * slope)
+            }
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! Torque and stiffness at pressures and an angle.
+
+use super::{Joint, JointError};
+use crate::analysis::{AnalysisError, Options, free_contraction, response_on};
+use crate::answer::{self, Answer};
+use crate::model::{ForceModel, Workspace};
+use crate::muscle::Direction;
+use serde::{Deserialize, Serialize};
+
+/// Which way the joint turns: on which branch of their friction the muscles are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub enum Turning {
+    /// Between both branches.
+    #[default]
+    Mean,
+    /// Towards greater angles.
+    Plus,
+    /// Towards smaller angles.
+    Minus,
+}
+
+impl Turning {
+    /// The branch of a muscle with an arm.
+    fn branch(self, arm_mm: f64) -> Direction {
+        match (self, arm_mm >= 0.0) {
+            (Self::Mean, _) => Direction::Mean,
+            (Self::Plus, true) | (Self::Minus, false) => Direction::Contraction,
+            _ => Direction::Elongation,
+        }
+    }
+}
+
+/// A muscle at a point of a joint.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MuscleState {
+    /// The muscle's answer, with its ± and P′.
+    pub answer: Answer,
+    /// dΔ/dφ in mm.
+    pub arm_mm: f64,
+}
+
+/// A joint at pressures and an angle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointPoint {
+    /// φ in degrees.
+    pub angle_deg: f64,
+    /// Pressures in MPa.
+    pub pressures_mpa: Vec<f64>,
+    /// τ in N m: muscles, spring and weight.
+    pub torque_nm: f64,
+    /// −dτ/dφ in N m/rad at these pressures.
+    pub stiffness_nm_per_rad: f64,
+    /// 95 % half-width of the torque in N m, from those of the pulls, which add as squares.
+    pub uncertainty_nm: Option<f64>,
+    /// The muscles.
+    pub muscles: Vec<MuscleState>,
+}
+
+/// A joint whose muscles have models.
+pub struct JointModel<'m> {
+    joint: &'m Joint,
+    models: Vec<&'m dyn ForceModel>,
+    extrapolate: bool,
+}
+
+/// Workspaces, one a muscle, and what is known of them at fixed pressures.
+pub(super) struct Fixed<'w> {
+    pub(super) workspaces: &'w mut [Workspace],
+    pub(super) pressures_mpa: Vec<f64>,
+    /// Free contractions; beyond them a muscle is slack.
+    free: Vec<Option<f64>>,
+    turning: Turning,
+}
+
+impl<'m> JointModel<'m> {
+    /// A joint with a model of each of its muscles.
+    ///
+    /// # Errors
+    /// [`JointError::Muscles`] where these are not as many.
+    pub fn new(
+        joint: &'m Joint,
+        models: Vec<&'m dyn ForceModel>,
+        extrapolate: bool,
+    ) -> Result<Self, JointError> {
+        if models.len() == joint.muscles().len() {
+            Ok(Self { joint, models, extrapolate })
+        } else {
+            Err(JointError::Muscles(models.len()))
+        }
+    }
+
+    /// The joint.
+    pub fn joint(&self) -> &'m Joint {
+        self.joint
+    }
+
+    /// The model of a muscle.
+    pub(super) fn of(&self, muscle: usize) -> &'m dyn ForceModel {
+        self.models[muscle]
+    }
+
+    pub(super) fn options(&self, direction: Direction) -> Options {
+        Options { extrapolate: self.extrapolate, direction, ..Options::default() }
+    }
+
+    pub(super) fn check_angle(&self, angle_deg: f64) -> Result<(), JointError> {
+        let (low_deg, high_deg) = self.joint.range_deg();
+        if (low_deg..=high_deg).contains(&angle_deg) {
+            Ok(())
+        } else {
+            Err(JointError::Angle { angle_deg, low_deg, high_deg })
+        }
+    }
+
+    /// Everything at pressures (one a muscle) and an angle; `workspaces` holds one for each muscle.
+    ///
+    /// # Errors
+    /// [`JointError`].
+    pub fn at(
+        &self,
+        workspaces: &mut [Workspace],
+        pressures_mpa: &[f64],
+        angle_deg: f64,
+        turning: Turning,
+    ) -> Result<JointPoint, JointError> {
+        self.check_pressures(pressures_mpa)?;
+        self.check_angle(angle_deg)?;
+        let angle = angle_deg.to_radians();
+        let (mut torque, slope) = self.joint.passive_nm(angle);
+        let (mut stiffness, mut doubt) = (-slope, Some(0.0));
+        let mut muscles = vec![];
+        for (i, workspace) in workspaces.iter_mut().enumerate().take(self.models.len()) {
+            let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
+            let options = self.options(turning.branch(s.arm_mm));
+            let (model, p) = (self.models[i], pressures_mpa[i]);
+            let answer =
+                answer::force(model, workspace, p, contraction, options).map_err(JointError::model(i))?;
+            let force = answer.response.force_n;
+            let k = if answer.slack { Some(0.0) } else { answer.response.stiffness_n_per_mm };
+            let k = match k {
+                Some(k) => k,
+                None => self.stiffness(i, workspace, p, contraction, options.direction)?,
+            };
+            torque += 1e-3 * force * s.arm_mm;
+            stiffness += 1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm);
+            let own = answer.uncertainty_n.map(|u| 1e-3 * u * s.arm_mm);
+            doubt = doubt.zip(own).map(|(sum, own): (f64, f64)| sum.hypot(own));
+            muscles.push(MuscleState { answer, arm_mm: s.arm_mm });
+        }
+        Ok(JointPoint {
+            angle_deg,
+            pressures_mpa: pressures_mpa.to_vec(),
+            torque_nm: torque,
+            stiffness_nm_per_rad: stiffness,
+            uncertainty_nm: doubt,
+            muscles,
+        })
+    }
+
+    pub(super) fn check_pressures(&self, pressures_mpa: &[f64]) -> Result<(), JointError> {
+        if pressures_mpa.len() == self.models.len() {
+            Ok(())
+        } else {
+            Err(JointError::Pressures { muscles: self.models.len(), given: pressures_mpa.len() })
+        }
+    }
+
+    /// Makes ready for many questions at the same pressures.
+    pub(super) fn fixed<'w>(
+        &self,
+        workspaces: &'w mut [Workspace],
+        pressures_mpa: &[f64],
+        turning: Turning,
+    ) -> Result<Fixed<'w>, JointError> {
+        self.check_pressures(pressures_mpa)?;
+        let mut free = vec![];
+        for (i, (model, workspace)) in self.models.iter().zip(workspaces.iter_mut()).enumerate() {
+            let found = free_contraction(*model, workspace, pressures_mpa[i], self.options(Direction::Mean));
+            free.push(match found {
+                Ok(e) => Some(e),
+                // It pulls up to the end of its range.
+                Err(AnalysisError::NoContraction { .. }) => None,
+                Err(error) => return Err(JointError::analysis(i)(error)),
+            });
+        }
+        Ok(Fixed { workspaces, pressures_mpa: pressures_mpa.to_vec(), free, turning })
+    }
+
+    /// (τ in N m, dτ/dφ) at fixed pressures.
+    pub(super) fn torque(&self, fixed: &mut Fixed<'_>, angle: f64) -> Result<(f64, f64), JointError> {
+        let (mut torque, mut slope) = self.joint.passive_nm(angle);
+        for i in 0..self.models.len() {
+            let Some((contraction, s)) = self.joint.contraction(i, angle) else { break };
+            let direction = fixed.turning.branch(s.arm_mm);
+            if fixed.free[i].is_some_and(|free| contraction >= free) && direction.is_mean() {
+                continue;
+            }
+            let (p, workspace) = (fixed.pressures_mpa[i], &mut fixed.workspaces[i]);
+            let r = response_on(self.models[i], workspace, p, contraction, direction)
+                .map_err(JointError::model(i))?;
+            if r.force_n <= 0.0 {
+                continue;
+            }
+            let k = match r.stiffness_n_per_mm {
+                Some(k) => k,
+                None => self.stiffness(i, workspace, p, contraction, direction)?,
+            };
+            torque += 1e-3 * r.force_n * s.arm_mm;
+            slope += 1e-3 * (r.force_n * s.arm_by_angle_mm - k * s.arm_mm * s.arm_mm);
+        }
+        Ok((torque, slope))
+    }
+
+    /// K of a model that does not state it, by differences.
+    pub(super) fn stiffness(
+        &self,
+        i: usize,
+        workspace: &mut Workspace,
+        p: f64,
+        contraction: f64,
+        direction: Direction,
+    ) -> Result<f64, JointError> {
+        const STEP: f64 = 1e-5;
+        let mut pull = |e: f64| {
+            let r = response_on(self.models[i], workspace, p, e, direction);
+            r.map(|r| r.force_n.max(0.0)).map_err(JointError::model(i))
+        };
+        let length = self.joint.muscles()[i].muscle.length_mm();
+        Ok((pull(contraction - STEP)? - pull(contraction + STEP)?) / (2.0 * STEP * length))
+    }
+}

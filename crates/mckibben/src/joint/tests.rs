@@ -1,0 +1,263 @@
+use super::*;
+use crate::analysis::{Options, work_per_stroke_j};
+use crate::model::{ForceModel, Ideal, ModelKind, Workspace};
+use crate::progress::Silent;
+use crate::random::Random;
+
+fn muscle(path: Path, contraction_at_neutral: f64) -> JointMuscle {
+    JointMuscle { muscle: Muscle::prototype(), path, contraction_at_neutral }
+}
+
+fn antagonists() -> Joint {
+    let muscles =
+        vec![muscle(Path::Pulley { radius_mm: 25.0 }, 0.1), muscle(Path::Pulley { radius_mm: -25.0 }, 0.1)];
+    Joint::new(muscles, None, Link::default(), (-60.0, 60.0)).unwrap()
+}
+
+/// An elbow with attachment points, a torsion spring and weight.
+fn elbow() -> Joint {
+    let points = |origin_mm, insertion_mm| Path::Points { origin_mm, insertion_mm };
+    let muscles = vec![
+        muscle(points([-10.0, 330.0], [45.0, 5.0]), 0.08),
+        muscle(points([-30.0, 310.0], [-40.0, -2.0]), 0.12),
+    ];
+    let link = Link {
+        mass_kg: 1.2,
+        centre_mm: 150.0,
+        inclination_deg: -20.0,
+        payload_kg: 0.5,
+        payload_at_mm: 300.0,
+        ..Link::default()
+    };
+    let spring = JointSpring::Torsion { rate_nm_per_rad: 1.5, preload_nm: 0.2 };
+    Joint::new(muscles, Some(spring), link, (-45.0, 60.0)).unwrap()
+}
+
+fn models(joint: &Joint, kind: ModelKind) -> Vec<Box<dyn ForceModel>> {
+    joint.muscles().iter().map(|m| kind.build(&m.muscle).unwrap()).collect()
+}
+
+fn bound<'m>(joint: &'m Joint, models: &'m [Box<dyn ForceModel>]) -> JointModel<'m> {
+    JointModel::new(joint, models.iter().map(|m| &**m).collect(), true).unwrap()
+}
+
+/// Virtual work: τ dφ = Σ F dΔ, with ∫F dΔ of each muscle, the spring's and the weight's energy by differences.
+#[test]
+fn the_torque_is_the_slope_of_the_work() {
+    let joint = elbow();
+    let models = models(&joint, ModelKind::Ideal);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let p = [0.2, 0.12];
+    for deg in [-40.0, -10.0, 0.0, 25.0, 55.0] {
+        let work = |deg: f64| {
+            let angle = f64::to_radians(deg);
+            let of = |i: usize| {
+                let (e, _) = joint.contraction(i, angle).unwrap();
+                work_per_stroke_j(&*models[i], &mut Workspace::new(), p[i], 0.0, e, Options::default())
+                    .unwrap()
+            };
+            let height = 1e-3 * (1.2 * 150.0 + 0.5 * 300.0) * (angle - 20f64.to_radians()).sin();
+            of(0) + of(1) - 9.80665 * height - (0.2 * angle + 0.75 * angle * angle)
+        };
+        let h: f64 = 1e-3;
+        let slope = (work(deg + h) - work(deg - h)) / (2.0 * h.to_radians());
+        let point = model.at(w, &p, deg, Turning::Mean).unwrap();
+        assert!((slope - point.torque_nm).abs() < 1e-6, "{deg}: {slope} {}", point.torque_nm);
+        let torque = |deg: f64| {
+            model.at(&mut [Workspace::new(), Workspace::new()], &p, deg, Turning::Mean).unwrap().torque_nm
+        };
+        let slope = -(torque(deg + h) - torque(deg - h)) / (2.0 * h.to_radians());
+        assert!((slope - point.stiffness_nm_per_rad).abs() < 1e-5 * slope.abs(), "{deg}: {slope}");
+    }
+}
+
+#[test]
+fn a_symmetric_joint_rests_in_the_middle_with_r_squared_times_both_stiffnesses() {
+    let joint = antagonists();
+    let models = models(&joint, ModelKind::Universal);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let rests = model.rests(w, &[0.2, 0.2], 0.0).unwrap();
+    let [Rest::Balance { angle_deg, stable: true }] = rests[..] else { panic!("{rests:?}") };
+    assert!(angle_deg.abs() < 1e-9);
+    let point = model.at(w, &[0.2, 0.2], 0.0, Turning::Mean).unwrap();
+    let k = models[0].response(&mut w[0], 0.2, 0.1).unwrap().stiffness_n_per_mm.unwrap();
+    assert!((point.stiffness_nm_per_rad / (2e-3 * 25.0 * 25.0 * k) - 1.0).abs() < 1e-12);
+    // More pressure in the first turns it to +, and a torque from outside further.
+    let turned = model.rests(w, &[0.25, 0.15], 0.0).unwrap()[0].angle_deg();
+    assert!(turned > 5.0 && model.rests(w, &[0.25, 0.15], 1.0).unwrap()[0].angle_deg() > turned);
+}
+
+#[test]
+fn a_muscle_beyond_its_free_contraction_hangs_slack() {
+    let joint = antagonists();
+    let models = models(&joint, ModelKind::Universal);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let point = model.at(w, &[0.02, 0.2], 60.0, Turning::Mean).unwrap();
+    assert!(point.muscles[0].answer.slack && !point.muscles[1].answer.slack, "{point:?}");
+    assert_eq!(point.torque_nm, -1e-3 * 25.0 * point.muscles[1].answer.response.force_n);
+    // Without pressure nothing acts over most of the range.
+    let rests = model.rests(w, &[0.0, 0.0], 0.0).unwrap();
+    assert!(
+        matches!(rests[..], [Rest::Loose { from_deg, to_deg }] if from_deg < -30.0 && to_deg > 30.0),
+        "{rests:?}"
+    );
+}
+
+#[test]
+fn friction_lies_on_both_sides_of_the_mean() {
+    let friction = crate::muscle::Friction { coefficient: 40.0, exponent: 0.7 };
+    let muscles = [25.0, -25.0].map(|radius_mm| JointMuscle {
+        muscle: Muscle::prototype().with_friction(Some(friction)).unwrap(),
+        path: Path::Pulley { radius_mm },
+        contraction_at_neutral: 0.1,
+    });
+    let joint = Joint::new(muscles.to_vec(), None, Link::default(), (-60.0, 60.0)).unwrap();
+    let models = models(&joint, ModelKind::Ideal);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let mut torque = |turning| model.at(w, &[0.2, 0.1], 10.0, turning).unwrap().torque_nm;
+    let (mean, plus, minus) = (torque(Turning::Mean), torque(Turning::Plus), torque(Turning::Minus));
+    let half = 1e-3 * 25.0 * 40.0 * (0.2f64.powf(0.7) + 0.1f64.powf(0.7));
+    assert!((plus - (mean - half)).abs() < 1e-9 && (minus - (mean + half)).abs() < 1e-9);
+}
+
+/// (P1, P2) → torque and stiffness → pressures with the same torque and stiffness, on 10,000 random joints.
+#[test]
+fn inverses_come_back_on_ten_thousand_random_joints() {
+    let mut random = Random(20_261_121);
+    let mut uniform = |low: f64, high: f64| random.between(low, high);
+    let (mut done, mut failed) = (0, 0);
+    while done < 10_000 {
+        let lengths = [uniform(150.0, 400.0), uniform(150.0, 400.0)];
+        let radii = [uniform(10.0, 40.0), -uniform(10.0, 40.0)];
+        let points = uniform(0.0, 1.0) < 0.5;
+        let muscles: Vec<JointMuscle> = (0..2)
+            .map(|i| {
+                let m = Muscle::prototype().with_section(uniform(15.0, 40.0), 1.0).unwrap();
+                let tube = crate::muscle::Tube { length_mm: lengths[i], ..m.tube().clone() };
+                let up = lengths[i] + uniform(20.0, 60.0);
+                let path = if points {
+                    Path::Points {
+                        origin_mm: [uniform(-20.0, 20.0), up],
+                        insertion_mm: [1.5 * radii[i], 0.0],
+                    }
+                } else {
+                    Path::Pulley { radius_mm: radii[i] }
+                };
+                JointMuscle { muscle: m.with_tube(tube).unwrap(), path, contraction_at_neutral: 0.12 }
+            })
+            .collect();
+        let link = Link { mass_kg: uniform(0.0, 2.0), centre_mm: 150.0, ..Link::default() };
+        let joint = Joint::new(muscles, None, link, (-30.0, 30.0)).unwrap();
+        let ideal: Vec<Ideal> = joint.muscles().iter().map(|m| Ideal::new(&m.muscle)).collect();
+        let model =
+            JointModel::new(&joint, ideal.iter().map(|m| m as &dyn ForceModel).collect(), true).unwrap();
+        let w = &mut [Workspace::new(), Workspace::new()][..];
+        let (p, deg) = ([uniform(0.01, 0.6), uniform(0.01, 0.6)], uniform(-25.0, 25.0));
+        let there = model.at(w, &p, deg, Turning::Mean).unwrap();
+        if there.muscles.iter().any(|m| m.answer.slack) {
+            continue;
+        }
+        let wanted = Wanted {
+            angle_deg: deg,
+            torque_nm: there.torque_nm,
+            stiffness_nm_per_rad: Some(there.stiffness_nm_per_rad),
+        };
+        done += 1;
+        let Ok(back) = model.pressures(w, wanted, 0.6) else {
+            failed += 1;
+            continue;
+        };
+        let scale = 1.0 + there.torque_nm.abs();
+        assert!((back.torque_nm - there.torque_nm).abs() < 1e-9 * scale, "{there:?} {back:?}");
+        let off = (back.stiffness_nm_per_rad / there.stiffness_nm_per_rad - 1.0).abs();
+        assert!(off < 1e-8, "{there:?} {back:?}");
+    }
+    assert_eq!(failed, 0);
+}
+
+#[test]
+fn what_the_joint_cannot_do_is_said_with_what_it_can() {
+    let joint = antagonists();
+    let models = models(&joint, ModelKind::Universal);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let wanted = Wanted { angle_deg: 0.0, torque_nm: 500.0, stiffness_nm_per_rad: None };
+    let error = model.pressures(w, wanted, 0.25).unwrap_err();
+    let JointError::NoTorque { most_nm, .. } = error else { panic!("{error}") };
+    let all = model.at(w, &[0.25, 0.0], 0.0, Turning::Mean).unwrap().torque_nm;
+    assert!((most_nm - all).abs() < 1e-9, "{most_nm} {all}");
+    let stiff = Wanted { torque_nm: 1.0, stiffness_nm_per_rad: Some(1e4), ..wanted };
+    assert!(
+        matches!(model.pressures(w, stiff, 0.25), Err(JointError::NoStiffness { most, .. }) if most > 1.0)
+    );
+    // The lowest pressures that hold a torque leave the other muscle alone.
+    let low = model.pressures(w, Wanted { torque_nm: 5.0, ..wanted }, 0.25).unwrap();
+    assert!((low.torque_nm - 5.0).abs() < 1e-9 && low.pressures_mpa[1] == 0.0, "{low:?}");
+    assert!(matches!(model.at(w, &[0.1, 0.1], 70.0, Turning::Mean), Err(JointError::Angle { .. })));
+    assert!(matches!(model.at(w, &[0.1], 0.0, Turning::Mean), Err(JointError::Pressures { .. })));
+}
+
+#[test]
+fn a_map_holds_the_rests_that_are_found_one_by_one() {
+    for joint in [antagonists(), elbow()] {
+        let models = models(&joint, ModelKind::Universal);
+        let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+        let map = model.map(0.25, 7, &Silent).unwrap();
+        assert_eq!((map.points.len(), map.grid_mpa.len()), (49, 7));
+        let mut compared = 0;
+        for point in map.points.iter().flatten() {
+            let rests = model.rests(w, &point.pressures_mpa, 0.0).unwrap();
+            // Where the last muscle goes slack the joint rests at the edge of what is loose.
+            let ends = |r: &Rest| match *r {
+                Rest::Loose { from_deg, to_deg } => vec![from_deg, to_deg],
+                _ => vec![r.angle_deg()],
+            };
+            let near = rests.iter().filter(|r| r.is_stable()).flat_map(ends);
+            let near = near.map(|deg| (deg - point.angle_deg).abs());
+            assert!(near.fold(f64::INFINITY, f64::min) < 1e-7, "{point:?} {rests:?}");
+            if !point.at_limit {
+                let there = model.at(w, &point.pressures_mpa, point.angle_deg, Turning::Mean).unwrap();
+                assert!((there.stiffness_nm_per_rad - point.stiffness_nm_per_rad).abs() < 1e-6);
+                compared += 1;
+            }
+        }
+        assert!(compared > 15, "{compared}");
+        assert!(!map.border.is_empty());
+        assert!(map.torques.iter().all(|t| t.1 <= t.2));
+    }
+}
+
+#[test]
+fn geometry_that_cannot_be_built_is_refused() {
+    let near = vec![muscle(Path::Points { origin_mm: [0.0, 200.0], insertion_mm: [30.0, 0.0] }, 0.1)];
+    let error = Joint::new(near, None, Link::default(), (-60.0, 60.0)).unwrap_err();
+    assert!(matches!(error, JointError::TooNear { muscle: 1, .. }), "{error}");
+    let meeting = vec![muscle(Path::Points { origin_mm: [0.0, 300.0], insertion_mm: [300.0, 0.0] }, 0.1)];
+    let error = Joint::new(meeting, None, Link::default(), (-90.0, 90.0)).unwrap_err();
+    assert!(matches!(error, JointError::Geometry { .. }), "{error}");
+    assert!(Joint::new(vec![], None, Link::default(), (-60.0, 60.0)).is_err());
+    let one = vec![muscle(Path::Pulley { radius_mm: 20.0 }, 0.1)];
+    assert!(matches!(Joint::new(one, None, Link::default(), (60.0, -60.0)), Err(JointError::Range { .. })));
+}
+
+#[test]
+fn files_say_where_they_are_wrong() {
+    let good = "[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'a.toml'\n";
+    let file = parse_joint(good).unwrap();
+    let joint = file.with(vec![Muscle::prototype()]).unwrap();
+    assert_eq!(joint.range_deg(), (-60.0, 60.0));
+    for (text, said) in [
+        ("", "muscle_1"),
+        ("[joint]\nradius = '25 mm'\n[muscle_1]\ncontraction_at_neutral = '10%'\n", "file"),
+        ("[muscle_1]\nfile = 'a.toml'\n", "radius"),
+        ("[joint]\nradius = '-25 mm'\n[muscle_1]\nfile = 'a.toml'\n", "above zero"),
+        ("[joint]\nradius = '25 mm'\nrange = '10 deg'\n[muscle_1]\nfile = 'a.toml'\n", "two angles"),
+        ("[joint]\nradius = '25 bar'\n[muscle_1]\nfile = 'a.toml'\n", "a pressure"),
+        ("[joint]\nradus = '25 mm'\n", "radius"),
+        ("[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm', '2 mm']\n", "insertion"),
+        ("[muscle_1]\nfile = 'a.toml'\norigin = ['1 mm']\ninsertion = ['1 mm', '2 mm']\n", "two lengths"),
+        ("[joint]\nradius = '25 mm'\n[muscle_1]\nfile = 'a.toml'\n[spring]\npreload = '3 N'\n", "rate"),
+    ] {
+        let error = parse_joint(text).unwrap_err().to_string();
+        assert!(error.contains(said), "{text}: {error}");
+    }
+}

@@ -1,0 +1,105 @@
+//! A stroke between two pressures, and what it costs in air.
+
+use super::{Balance, Load};
+use crate::analysis::ATMOSPHERE_MPA;
+use serde::{Deserialize, Serialize};
+
+/// From one equilibrium to another and back: filled from the lower pressure to the higher, vented again.
+///
+/// Slow and at one temperature. With p = P + p_a absolute and V the cavity, a filling takes Δ(pV)/p_a of air at atmospheric pressure;
+/// its exergy at the higher pressure, p_a·(that volume)·ln(p_high/p_a), is the work that an ideal engine would draw from it
+/// \[beater2007\].
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Cycle {
+    /// Lower pressure in MPa.
+    pub from_pressure_mpa: f64,
+    /// Higher pressure in MPa.
+    pub to_pressure_mpa: f64,
+    /// Contraction at the lower pressure; 0 where the load is not lifted there.
+    pub from_contraction: f64,
+    /// Contraction at the higher pressure.
+    pub to_contraction: f64,
+    /// How far the load moves, mm.
+    pub stroke_mm: f64,
+    /// Work on the load, J.
+    pub work_j: f64,
+    /// Air of a filling in normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub air_normal_litres: Option<f64>,
+    /// Exergy of that air at the higher pressure, J.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub air_exergy_j: Option<f64>,
+    /// Work over exergy.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub efficiency: Option<f64>,
+}
+
+/// The stroke between two equilibria of one muscle; `low` with its pressure, contraction and volume there (those at rest length where the
+/// load is not lifted).
+pub fn cycle(load: &Load, length_mm: f64, low: (f64, f64, Option<f64>), high: &Balance) -> Cycle {
+    let (from_pressure_mpa, from_contraction, volume) = low;
+    let there = &high.answer.response;
+    let work_j = load.energy_j(high.shortening_mm) - load.energy_j(from_contraction * length_mm);
+    // mm³ at atmospheric pressure
+    let air = there.volume_mm3.zip(volume).map(|(v, v0)| {
+        ((there.pressure_mpa + ATMOSPHERE_MPA) * v - (from_pressure_mpa + ATMOSPHERE_MPA) * v0)
+            / ATMOSPHERE_MPA
+    });
+    let exergy = air.map(|v| 1e-3 * ATMOSPHERE_MPA * v * (1.0 + there.pressure_mpa / ATMOSPHERE_MPA).ln());
+    Cycle {
+        from_pressure_mpa,
+        to_pressure_mpa: there.pressure_mpa,
+        from_contraction,
+        to_contraction: there.contraction,
+        stroke_mm: high.shortening_mm - from_contraction * length_mm,
+        work_j,
+        air_normal_litres: air.map(crate::analysis::normal_litres),
+        air_exergy_j: exergy,
+        efficiency: exergy.filter(|e| *e > 0.0).map(|e| work_j / e),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Options;
+    use crate::load::balances;
+    use crate::model::{ForceModel, Ideal, Workspace};
+    use crate::muscle::Muscle;
+
+    /// ∫P dV of an ideal muscle is the work on the load: between two equilibria of a weight, P = F/A(ε) along the way.
+    #[test]
+    fn the_work_of_an_ideal_muscle_is_below_the_exergy_of_its_air() {
+        let (model, w) = (Ideal::new(&Muscle::prototype()), &mut Workspace::new());
+        let load = Load::Mass { mass_kg: 10.0, level: false };
+        let at =
+            |p: f64, w: &mut Workspace| balances(&model, w, &load, p, Options::default()).unwrap().remove(0);
+        let (low, high) = (at(0.1, w), at(0.3, w));
+        let r = low.answer.response;
+        let found = cycle(&load, 285.0, (0.1, r.contraction, r.volume_mm3), &high);
+        assert!((found.work_j - 1e-3 * 98.0665 * found.stroke_mm).abs() < 1e-9);
+        // ∫P dV by the rule of Simpson over the way of the weight.
+        let n = 200;
+        let (a, b) = (found.from_contraction, found.to_contraction);
+        let power = |e: f64, w: &mut Workspace| {
+            let p = model.exact_pressure(98.0665, e).unwrap();
+            p * model.response(w, p, e).unwrap().volume_per_contraction_mm3.unwrap()
+        };
+        let h = (b - a) / n as f64;
+        let sum: f64 = (0..=n)
+            .map(|i| {
+                let weight = if i == 0 || i == n {
+                    1.0
+                } else if i % 2 == 1 {
+                    4.0
+                } else {
+                    2.0
+                };
+                weight * power(a + h * i as f64, w)
+            })
+            .sum();
+        assert!((1e-3 * sum * h / 3.0 / found.work_j - 1.0).abs() < 1e-9);
+        assert!((0.0..1.0).contains(&found.efficiency.unwrap()), "{found:?}");
+    }
+}

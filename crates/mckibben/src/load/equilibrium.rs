@@ -1,0 +1,237 @@
+//! Where muscle and load are in balance.
+
+use super::Load;
+use crate::analysis::{AnalysisError, Options, find_root, force_on, free_contraction, response_on};
+use crate::answer::{self, Answer};
+use crate::model::{ForceModel, ModelError, Workspace};
+use thiserror::Error;
+
+/// Parts into which the way of the muscle is cut in search of every crossing.
+const SCAN: usize = 48;
+/// A contraction is known to this.
+const TOLERANCE: f64 = 1e-12;
+
+/// An equilibrium of a muscle and a load at a pressure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Balance {
+    /// The muscle there.
+    pub answer: Answer,
+    /// x = ε L0 in mm.
+    pub shortening_mm: f64,
+    /// dF_load/dx + K in N/mm, K = ∂F/∂L of the muscle at this pressure: what holds the load where it is.
+    pub stiffness_n_per_mm: f64,
+    /// Whether it comes back after a small step.
+    pub stable: bool,
+    /// √(stiffness/M)/2π in Hz at constant pressure, where a mass moves and the equilibrium is stable.
+    pub frequency_hz: Option<f64>,
+}
+
+/// Why there is no balance.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum LoadError {
+    /// The muscle does not lift it.
+    #[error(
+        "at {pressure_mpa} MPa the muscle pulls {pull_n:.1} N at its length at rest, and the load of {load_n:.1} N is not lifted: it takes more pressure or a stronger muscle"
+    )]
+    NotLifted {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// The pull at rest length in N.
+        pull_n: f64,
+        /// The load there in N.
+        load_n: f64,
+    },
+    /// The muscle pulls more than the load as far as it is known.
+    #[error(
+        "at {pressure_mpa} MPa the muscle pulls more than the load up to a contraction of {contraction:.4}, where {limit} ends"
+    )]
+    Beyond {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// Where the search ended.
+        contraction: f64,
+        /// What ends there.
+        limit: &'static str,
+    },
+    /// The model has no answer.
+    #[error(transparent)]
+    Analysis(#[from] AnalysisError),
+}
+
+impl From<ModelError> for LoadError {
+    fn from(error: ModelError) -> Self {
+        Self::Analysis(error.into())
+    }
+}
+
+/// Every equilibrium at a pressure, by rising contraction; at least one.
+///
+/// Sought from the length at rest (with `two_sided` from where the strands are straight) to the free contraction.
+///
+/// # Errors
+/// [`LoadError`].
+pub fn balances<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    load: &Load,
+    pressure_mpa: f64,
+    options: Options,
+) -> Result<Vec<Balance>, LoadError> {
+    let length = model.muscle().length_mm();
+    let one_sided = Options { two_sided: false, ..options };
+    let (reach, range) = (load.reach_mm(), model.range().contraction);
+    let start = if options.two_sided { lowest(model) } else { 0.0 };
+    let start = start.max(reach.0 / length);
+    let start = if options.extrapolate { start } else { start.max(range.0) };
+    // Beyond it nothing pulls.
+    let free = free_contraction(model, workspace, pressure_mpa, one_sided).ok();
+    let ends = [
+        (free.unwrap_or(f64::INFINITY), ""),
+        (if options.extrapolate && free.is_some() { f64::INFINITY } else { range.1 }, "the model's range"),
+        (reach.1 / length, "the table of the load"),
+        (0.95, "what any muscle reaches"),
+    ];
+    let (end, limit) = ends.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, ""));
+    let mut left_n = |e: f64| -> Result<f64, ModelError> {
+        let pull = if Some(e) == free {
+            0.0
+        } else {
+            force_on(model, workspace, pressure_mpa, e, options.direction)?
+        };
+        Ok(pull.max(0.0) - load.force_n(e * length))
+    };
+    // Past straight strands there may be no answer.
+    let at_start = if options.two_sided { left_n(start).unwrap_or(f64::NAN) } else { left_n(start)? };
+    if at_start < 0.0 && !options.two_sided {
+        let load_n = load.force_n(start * length);
+        return Err(LoadError::NotLifted { pressure_mpa, pull_n: at_start + load_n, load_n });
+    }
+    let mut roots = vec![];
+    let mut before = (start, at_start);
+    if at_start == 0.0 {
+        roots.push(start);
+    }
+    for i in 1..=SCAN {
+        let e = if i == SCAN { end } else { start + (end - start) * i as f64 / SCAN as f64 };
+        // Where the model has no answer no crossing is sought.
+        let left = left_n(e).unwrap_or(f64::NAN);
+        if left == 0.0 {
+            roots.push(e);
+        } else if before.1 * left < 0.0
+            && let Ok(root) = find_root(&mut left_n, before.0, e, TOLERANCE)
+        {
+            roots.push(root);
+        }
+        before = (e, left);
+    }
+    if roots.is_empty() {
+        let (at_rest, load_n) = (left_n(0.0)?, load.force_n(0.0));
+        return Err(if at_rest < 0.0 {
+            LoadError::NotLifted { pressure_mpa, pull_n: at_rest + load_n, load_n }
+        } else {
+            LoadError::Beyond { pressure_mpa, contraction: end, limit }
+        });
+    }
+    let mass = load.moving_mass_kg();
+    roots
+        .into_iter()
+        .map(|e| {
+            let answer = answer::force(model, workspace, pressure_mpa, e, options)?;
+            // A muscle at its free contraction is as stiff as one that pulls a little.
+            let k = response_on(model, workspace, pressure_mpa, e, options.direction)?.stiffness_n_per_mm;
+            let k = k.map_or_else(|| differences(model, workspace, pressure_mpa, e, options), Ok)?;
+            let stiffness = k + load.slope_n_per_mm(e * length);
+            let stable = stiffness > 0.0;
+            let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
+            Ok(Balance {
+                answer,
+                shortening_mm: e * length,
+                stiffness_n_per_mm: stiffness,
+                stable,
+                frequency_hz: (stable && mass > 0.0).then_some(frequency),
+            })
+        })
+        .collect()
+}
+
+/// The contraction at which the strands are nearly straight; below zero.
+fn lowest<M: ForceModel + ?Sized>(model: &M) -> f64 {
+    1.3 * (1.0 - 1.0 / model.muscle().braid().angle_rad().cos()) - 0.05
+}
+
+/// K of a model that does not know it.
+fn differences<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+    options: Options,
+) -> Result<f64, ModelError> {
+    const STEP: f64 = 1e-5;
+    let mut at = |e: f64| force_on(model, workspace, pressure_mpa, e, options.direction);
+    let (less, more) = (at(contraction - STEP)?, at(contraction + STEP)?);
+    Ok((less - more) / (2.0 * STEP * model.muscle().length_mm()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::load::Lever;
+    use crate::model::Ideal;
+    use crate::muscle::Muscle;
+
+    fn ideal() -> Ideal {
+        Ideal::new(&Muscle::prototype())
+    }
+
+    /// Formula (4) of the paper: the contraction at a constant pull.
+    #[test]
+    fn a_weight_hangs_where_the_inverse_formula_says() {
+        let (model, w) = (ideal(), &mut Workspace::new());
+        let load = Load::Mass { mass_kg: 20.0, level: false };
+        let found = balances(&model, w, &load, 0.25, Options::default()).unwrap();
+        let exact = model.exact_contraction(20.0 * 9.80665, 0.25).unwrap();
+        assert_eq!(found.len(), 1);
+        assert!((found[0].answer.response.contraction - exact).abs() < 1e-11 && found[0].stable);
+        // f = √(K/M)/2π with the formula's own K.
+        let k = model.response(w, 0.25, exact).unwrap().stiffness_n_per_mm.unwrap();
+        let f = (1e3 * k / 20.0).sqrt() / std::f64::consts::TAU;
+        assert!((found[0].frequency_hz.unwrap() / f - 1.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_lever_that_falls_over_has_a_stable_and_an_unstable_balance() {
+        let (model, w) = (ideal(), &mut Workspace::new());
+        // Its pull falls faster than the muscle's, from above 300 N at rest.
+        let load = Load::Lever(Lever::new(30.0, 50.0, 14.0, -60.0).unwrap());
+        let found = balances(&model, w, &load, 0.2, Options::default()).unwrap();
+        let signs: Vec<bool> = found.iter().map(|b| b.stable).collect();
+        for b in &found {
+            let left = b.answer.response.force_n - load.force_n(b.shortening_mm);
+            assert!(left.abs() < 1e-7, "{b:?}");
+        }
+        assert!(signs.windows(2).all(|w| w[0] != w[1]), "{signs:?}");
+    }
+
+    #[test]
+    fn a_load_that_is_too_heavy_is_not_lifted() {
+        let (model, w) = (ideal(), &mut Workspace::new());
+        let blocked = model.force_n(w, 0.1, 0.0).unwrap();
+        let load = Load::Force { force_n: blocked + 1.0 };
+        let error = balances(&model, w, &load, 0.1, Options::default()).unwrap_err();
+        assert!(matches!(error, LoadError::NotLifted { load_n, .. } if load_n == blocked + 1.0), "{error}");
+        // It stretches the muscle instead.
+        let options = Options { two_sided: true, extrapolate: true, ..Options::default() };
+        let found = balances(&model, w, &load, 0.1, options).unwrap();
+        assert!(found[0].answer.response.contraction < 0.0);
+    }
+
+    #[test]
+    fn without_a_load_the_muscle_ends_at_its_free_contraction() {
+        let (model, w) = (ideal(), &mut Workspace::new());
+        let load = Load::Mass { mass_kg: 3.0, level: true };
+        let found = balances(&model, w, &load, 0.2, Options::default()).unwrap();
+        let free = Muscle::prototype().max_ideal_contraction();
+        assert!((found[0].answer.response.contraction - free).abs() < 1e-9, "{found:?}");
+    }
+}

@@ -1,0 +1,177 @@
+//! Loads as people write them.
+
+use super::{Lever, Load, LoadTable};
+use crate::units::{Dimension, QuantityError, parse_quantity};
+use thiserror::Error;
+
+/// Why a text is no load.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum LoadTextError {
+    /// A word that is no kind of load.
+    #[error(
+        "\"{0}\" is no load: write force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
+    )]
+    Kind(String),
+    /// A quantity of it.
+    #[error("load {text}: {error}")]
+    Quantity {
+        /// The load as written.
+        text: String,
+        /// What is wrong.
+        error: QuantityError,
+    },
+    /// A part that is missing or one too many.
+    #[error("load {text}: expected {expected}")]
+    Parts {
+        /// The load as written.
+        text: String,
+        /// What should stand there.
+        expected: &'static str,
+    },
+    /// A value that makes no sense.
+    #[error("load {text}: {what} must be above zero")]
+    Sign {
+        /// The load as written.
+        text: String,
+        /// What of it.
+        what: &'static str,
+    },
+    /// A table that nobody has read.
+    #[error("load {0}: there is no such table")]
+    NoTable(String),
+}
+
+impl Load {
+    /// Reads a load; `table` gives the points of a table by the name behind `table:`.
+    ///
+    /// # Errors
+    /// [`LoadTextError`].
+    ///
+    /// ```
+    /// use mckibben::load::Load;
+    /// let load = Load::parse("mass:2kg+spring:12N/mm@50N", &|_| None)?;
+    /// assert!((load.force_n(10.0) - (2.0 * 9.80665 + 170.0)).abs() < 1e-9);
+    /// # Ok::<(), mckibben::load::LoadTextError>(())
+    /// ```
+    pub fn parse(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Self, LoadTextError> {
+        let mut loads = parts(text).map(|part| one(part.trim(), table)).collect::<Result<Vec<_>, _>>()?;
+        match (loads.pop(), loads.is_empty()) {
+            (Some(only), true) => Ok(only),
+            (Some(last), false) => {
+                loads.push(last);
+                Ok(Self::Sum(loads))
+            }
+            (None, _) => Err(LoadTextError::Kind(text.into())),
+        }
+    }
+
+    /// The names of the tables that a text speaks of.
+    pub fn tables(text: &str) -> impl Iterator<Item = &str> {
+        parts(text).filter_map(|part| part.trim().strip_prefix("table:"))
+    }
+}
+
+/// Parts between plus signs; one that is followed by a digit is an exponent's.
+fn parts(text: &str) -> impl Iterator<Item = &str> {
+    let next = |at: usize| text[at + 1..].trim_start().starts_with(|c: char| c.is_ascii_alphabetic());
+    let cuts: Vec<usize> = text.match_indices('+').map(|(at, _)| at).filter(|at| next(*at)).collect();
+    let starts = std::iter::once(0).chain(cuts.clone().into_iter().map(|at| at + 1));
+    starts.zip(cuts.into_iter().chain([text.len()])).map(|(a, b)| &text[a..b])
+}
+
+fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, LoadTextError> {
+    let (kind, rest) = text.split_once(':').ok_or_else(|| LoadTextError::Kind(text.into()))?;
+    let quantity = |part: &str, dimension| {
+        parse_quantity(part, dimension).map_err(|error| LoadTextError::Quantity { text: text.into(), error })
+    };
+    let above = |value: f64, what: &'static str| {
+        if value > 0.0 { Ok(value) } else { Err(LoadTextError::Sign { text: text.into(), what }) }
+    };
+    let wrong = |expected| LoadTextError::Parts { text: text.into(), expected };
+    let (main, behind) = match rest.split_once('@') {
+        Some((main, behind)) => (main, Some(behind)),
+        None => (rest, None),
+    };
+    match (kind.trim(), behind) {
+        ("table", _) => table(rest).map(Load::Table).ok_or_else(|| LoadTextError::NoTable(text.into())),
+        ("force", None) => {
+            let force_n = above(quantity(main, Dimension::Force)?, "the force")?;
+            Ok(Load::Force { force_n })
+        }
+        ("mass", behind) => {
+            let mass_kg = above(quantity(main, Dimension::Mass)?, "the mass")?;
+            match behind.map(str::trim) {
+                None => Ok(Load::Mass { mass_kg, level: false }),
+                Some("level") => Ok(Load::Mass { mass_kg, level: true }),
+                Some(_) => Err(wrong("a mass that hangs, such as mass:20kg, or mass:20kg@level")),
+            }
+        }
+        ("spring", behind) => {
+            let rate_n_per_mm = above(quantity(main, Dimension::Stiffness)?, "the rate")?;
+            let preload_n = behind.map_or(Ok(0.0), |b| quantity(b, Dimension::Force))?;
+            Ok(Load::Spring { rate_n_per_mm, preload_n })
+        }
+        ("lever", behind) => {
+            let expected = "a mass, its distance from the pivot, the pulley's radius and the angle from the horizontal, as in lever:5kg@300mm/40mm/-30deg";
+            let list: Vec<&str> = behind.map(|b| b.split('/').collect()).unwrap_or_default();
+            let (arm, radius, from) = match list[..] {
+                [arm, radius] => (arm, radius, None),
+                [arm, radius, from] => (arm, radius, Some(from)),
+                _ => return Err(wrong(expected)),
+            };
+            let mass = above(quantity(main, Dimension::Mass)?, "the mass")?;
+            let arm = above(quantity(arm, Dimension::Length)?, "the distance")?;
+            let radius = above(quantity(radius, Dimension::Length)?, "the radius")?;
+            let from = from.map_or(Ok(0.0), |f| quantity(f, Dimension::Angle))?;
+            Lever::new(mass, arm, radius, from).map(Load::Lever).ok_or_else(|| wrong(expected))
+        }
+        ("force", Some(_)) => Err(wrong("a force alone, such as force:300N")),
+        _ => Err(LoadTextError::Kind(text.into())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Load, LoadTextError> {
+        Load::parse(text, &|_| None)
+    }
+
+    #[test]
+    fn every_kind_is_read() {
+        assert_eq!(read("force:0.3kN"), Ok(Load::Force { force_n: 300.0 }));
+        assert_eq!(read(" mass:500 g @ level "), Ok(Load::Mass { mass_kg: 0.5, level: true }));
+        assert_eq!(read("spring:12N/mm"), Ok(Load::Spring { rate_n_per_mm: 12.0, preload_n: 0.0 }));
+        let lever = Lever::new(5.0, 300.0, 40.0, -30.0).map(Load::Lever);
+        assert_eq!(read("lever:5kg@300mm/4cm/-30deg").ok(), lever);
+        let Ok(Load::Sum(both)) = read("mass:5kg + force:1e+2N") else { panic!() };
+        assert_eq!(both.len(), 2);
+        assert_eq!(Load::tables("mass:1kg+table:a b.csv").collect::<Vec<_>>(), ["a b.csv"]);
+    }
+
+    #[test]
+    fn what_is_no_load_is_refused_in_words() {
+        for text in [
+            "",
+            "20kg",
+            "mass:",
+            "mass:-3kg",
+            "mass:20N",
+            "weight:3kg",
+            "spring:0N/mm",
+            "spring:3N/mm@4kg",
+            "lever:5kg",
+            "lever:5kg@300mm",
+            "lever:5kg@300mm/0mm",
+            "table:none.csv",
+            "mass:NaN",
+            "force:1N@2N",
+            "mass:2kg+",
+            "mass:2kg@wall",
+        ] {
+            let error = read(text).unwrap_err();
+            assert!(!error.to_string().is_empty(), "{text}");
+        }
+    }
+}
