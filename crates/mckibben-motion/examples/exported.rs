@@ -13,10 +13,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         Muscle::new(tube, Braid { angle_deg: 24.0, ..Braid::paper() }, Terminals::default(), Some(friction))?;
     let model = Ideal::new(&muscle);
     let load = SingleMuscle {
-        spring_n_per_mm: 2.0,
-        preload_n: 10.0,
         damping_n_s_per_m: 150.0,
-        ..SingleMuscle::hanging(&model, 5.0)
+        ..SingleMuscle::new(&model, "mass:5kg+spring:2N/mm@10N".parse()?)
     };
     let (kind, hose) = (
         ValveKind::Proportional { time_constant_s: 0.005, gain_per_mpa: 20.0 },

@@ -1,6 +1,6 @@
 //! McKibben muscles in motion: a muscle, or a mechanism with several, on valves over time.
 //!
-//! A [`Drive`] says what moves ([`Mechanism`]), what pulls ([`Actuated`]: a force model, its air, its valve, its friction), what is
+//! A [`Drive`] says what moves ([`Mechanism`]: [`SingleMuscle`] with a load, or a joint), what pulls ([`Actuated`]: a force model, its air, its valve, its friction), what is
 //! commanded ([`Target`]) and for how long; [`run`] integrates it into a [`Motion`]. Around that: [`Linear`] (the system about an
 //! equilibrium: eigenvalues, frequency response, bandwidth) and [`size`] (the smallest valve that is quick enough).
 //!

@@ -1,6 +1,8 @@
 //! What the muscles move: one coordinate with inertia, load and stops.
 
 use crate::error::MotionError;
+use mckibben::joint::{Joint, JointSpring};
+use mckibben::load::Load;
 use mckibben::model::ForceModel;
 
 /// Contraction of a muscle at a position, and its derivative by the coordinate.
@@ -19,7 +21,7 @@ pub struct Lever {
 /// ```
 ///
 /// Generalised forces are in N (q in mm) or N mm (q in rad), I in N s²/mm (10⁻³ kg) or N mm s² (10³ kg m²), energies in mJ.
-/// Two antagonists about a joint have levers of opposite sign.
+/// Two antagonists about a joint have levers of opposite sign. [`SingleMuscle`] and [`Joint`] are mechanisms.
 pub trait Mechanism: Send + Sync {
     /// How many muscles it has.
     fn muscles(&self) -> usize;
@@ -30,7 +32,7 @@ pub trait Mechanism: Send + Sync {
     /// The load Q(q), which opposes growing q.
     fn load(&self, q: f64) -> f64;
 
-    /// Its potential energy in mJ: ∫ Q dq.
+    /// Its potential energy in mJ: ∫ Q dq from q = 0.
     fn load_energy_mj(&self, q: f64) -> f64;
 
     /// I, constant; infinite for a mechanism that is held.
@@ -51,66 +53,50 @@ pub trait Mechanism: Send + Sync {
         1.0
     }
 
-    /// Whether the numbers make a mechanism.
+    /// Whether the numbers make a mechanism that can move.
     ///
     /// # Errors
     /// [`MotionError::Value`].
     fn check(&self) -> Result<(), MotionError>;
 }
 
-/// One muscle that lifts a mass, stretches a spring or pulls against a constant force; q = x = ε L0, its shortening in mm.
+/// One muscle against a [`Load`]; q = x = ε L0, its shortening in mm.
 ///
 /// ```text
-/// M ẍ = F − M g − (F0 + k x) − F_const − c ẋ
+/// M ẍ = F − F_load(x) − c ẋ
 /// ```
 ///
-/// The spring pulls with its preload F0 at x = 0 and grows by k; it may pull or push. g = 9.80665 m/s².
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// M is what moves with the load and what is added to it.
+#[derive(Debug, Clone, PartialEq)]
 pub struct SingleMuscle {
     /// L0 in mm.
     pub length_mm: f64,
-    /// M in kg; infinite: held.
-    pub mass_kg: f64,
-    /// Whether the mass hangs from the muscle.
-    pub hangs: bool,
-    /// k in N/mm.
-    pub spring_n_per_mm: f64,
-    /// F0 in N.
-    pub preload_n: f64,
-    /// Constant force in N.
-    pub force_n: f64,
+    /// What it works against.
+    pub load: Load,
+    /// Mass in kg that moves besides that of the load (a spring has none); infinite: the ends are held.
+    pub added_mass_kg: f64,
     /// c in N s/m.
     pub damping_n_s_per_m: f64,
     /// Stops of x in mm.
     pub stops_mm: (f64, f64),
 }
 
-/// Standard gravity in m/s².
-const GRAVITY: f64 = 9.806_65;
-
 impl SingleMuscle {
+    /// The muscle of a model against a load, without damper and stops.
+    pub fn new(model: &dyn ForceModel, load: Load) -> Self {
+        let length_mm = model.muscle().length_mm();
+        let stops_mm = (f64::NEG_INFINITY, f64::INFINITY);
+        Self { length_mm, load, added_mass_kg: 0.0, damping_n_s_per_m: 0.0, stops_mm }
+    }
+
     /// A mass that hangs from the muscle of a model.
     pub fn hanging(model: &dyn ForceModel, mass_kg: f64) -> Self {
-        Self {
-            length_mm: model.muscle().length_mm(),
-            mass_kg,
-            hangs: true,
-            spring_n_per_mm: 0.0,
-            preload_n: 0.0,
-            force_n: 0.0,
-            damping_n_s_per_m: 0.0,
-            stops_mm: (f64::NEG_INFINITY, f64::INFINITY),
-        }
+        Self::new(model, Load::Mass { mass_kg, level: false })
     }
 
     /// A muscle whose ends are held.
     pub fn held(model: &dyn ForceModel) -> Self {
-        Self { hangs: false, ..Self::hanging(model, f64::INFINITY) }
-    }
-
-    fn constant_n(&self) -> f64 {
-        let weight = if self.hangs { self.mass_kg * GRAVITY } else { 0.0 };
-        self.preload_n + self.force_n + weight
+        Self { added_mass_kg: f64::INFINITY, ..Self::new(model, Load::Force { force_n: 0.0 }) }
     }
 }
 
@@ -124,15 +110,15 @@ impl Mechanism for SingleMuscle {
     }
 
     fn load(&self, q: f64) -> f64 {
-        self.constant_n() + self.spring_n_per_mm * q
+        self.load.force_n(q)
     }
 
     fn load_energy_mj(&self, q: f64) -> f64 {
-        q * (self.constant_n() + 0.5 * self.spring_n_per_mm * q)
+        1e3 * self.load.energy_j(q)
     }
 
     fn inertia(&self) -> f64 {
-        1e-3 * self.mass_kg
+        1e-3 * (self.load.moving_mass_kg() + self.added_mass_kg)
     }
 
     fn damping(&self) -> f64 {
@@ -149,14 +135,68 @@ impl Mechanism for SingleMuscle {
 
     fn check(&self) -> Result<(), MotionError> {
         MotionError::positive("the muscle's length in mm", self.length_mm)?;
-        MotionError::within("the mass in kg", self.mass_kg, f64::MIN_POSITIVE, f64::INFINITY)?;
-        if self.hangs {
-            MotionError::within("the hanging mass in kg", self.mass_kg, f64::MIN_POSITIVE, f64::MAX)?;
-        }
-        MotionError::within("the spring's stiffness in N/mm", self.spring_n_per_mm, 0.0, f64::MAX)?;
-        MotionError::within("the spring's preload in N", self.preload_n, f64::MIN, f64::MAX)?;
-        MotionError::within("the constant force in N", self.force_n, f64::MIN, f64::MAX)?;
+        MotionError::within("the added mass in kg", self.added_mass_kg, 0.0, f64::INFINITY)?;
+        moves("the moving mass in kg", self.inertia())?;
         MotionError::within("the damping in N s/m", self.damping_n_s_per_m, 0.0, f64::MAX)?;
         MotionError::within("the upper stop in mm", self.stops_mm.1, self.stops_mm.0, f64::INFINITY)
+    }
+}
+
+/// An inertia above zero, or infinite.
+fn moves(what: &'static str, inertia: f64) -> Result<(), MotionError> {
+    MotionError::within(what, inertia, f64::MIN_POSITIVE, f64::INFINITY)
+}
+
+/// q is the angle in rad, growing as the joint's; its range has the stops.
+impl Mechanism for Joint {
+    fn muscles(&self) -> usize {
+        Joint::muscles(self).len()
+    }
+
+    fn lever(&self, muscle: usize, q: f64) -> Lever {
+        let at = self.contraction(muscle, q).zip(Joint::muscles(self).get(muscle));
+        at.map_or(Lever { contraction: 0.0, per_coordinate: 0.0 }, |((contraction, s), m)| Lever {
+            contraction,
+            per_coordinate: s.arm_mm / m.muscle.length_mm(),
+        })
+    }
+
+    fn load(&self, q: f64) -> f64 {
+        -1e3 * self.passive_nm(q).0
+    }
+
+    fn load_energy_mj(&self, q: f64) -> f64 {
+        let link = self.link();
+        // Of −g m r cos: ∫ −τ dφ is the difference of τ's slopes.
+        let weight = link.weight_nm(q).1 - link.weight_nm(0.0).1;
+        let spring = match self.spring() {
+            None => 0.0,
+            Some(JointSpring::Torsion { rate_nm_per_rad: k, preload_nm }) => (preload_nm + 0.5 * k * q) * q,
+            Some(JointSpring::Rope { path, rate_n_per_mm: c, preload_n }) => {
+                let pull = |q: f64| (preload_n - c * path.shortening(q).mm).max(0.0);
+                if *c > 0.0 {
+                    1e-3 * (pull(q).powi(2) - pull(0.0).powi(2)) / (2.0 * c)
+                } else {
+                    -1e-3 * preload_n.max(0.0) * path.shortening(q).mm
+                }
+            }
+        };
+        1e3 * (weight + spring)
+    }
+
+    fn inertia(&self) -> f64 {
+        1e3 * self.link().whole_inertia_kg_m2()
+    }
+
+    fn damping(&self) -> f64 {
+        1e3 * self.link().damping_nm_s_per_rad
+    }
+
+    fn stops(&self) -> (f64, f64) {
+        (self.range_deg().0.to_radians(), self.range_deg().1.to_radians())
+    }
+
+    fn check(&self) -> Result<(), MotionError> {
+        moves("the joint's moment of inertia in kg m²", self.link().whole_inertia_kg_m2())
     }
 }

@@ -8,7 +8,8 @@ use crate::events::{Event, EventKind, Guard, switches};
 use crate::integrate::{Equations, Stepper, stepper};
 use crate::metrics::{StepFigures, step_figures};
 use crate::system::{Switch, System, Totals};
-use mckibben::analysis::find_root;
+use mckibben::analysis::{RootError, find_root};
+use mckibben::budget::{Budget, Exceeded};
 use mckibben::progress::Progress;
 use serde::{Deserialize, Serialize};
 
@@ -138,6 +139,7 @@ pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionE
 struct Course<'s, 'd> {
     system: &'s System<'d>,
     progress: &'s dyn Progress,
+    budget: Budget,
     t: f64,
     y: Vec<f64>,
     first: Vec<f64>,
@@ -171,6 +173,7 @@ impl<'s, 'd> Course<'s, 'd> {
         Ok(Self {
             system,
             progress,
+            budget: progress.budget(),
             t: 0.0,
             y,
             first,
@@ -321,9 +324,9 @@ impl<'s, 'd> Course<'s, 'd> {
             return Err(MotionError::Steps { time_s, steps, step_s, what: "the limit of steps is reached" });
         }
         if self.progress.cancelled() {
-            return Err(mckibben::budget::Exceeded::Cancelled.into());
+            return Err(Exceeded::Cancelled.into());
         }
-        self.progress.budget().check()?;
+        self.budget.check()?;
         let share = (1000.0 * self.t / self.system.drive.until_s) as usize;
         self.progress.report(share.min(1000), 1000);
         Ok(())
@@ -362,8 +365,8 @@ impl<'s, 'd> Course<'s, 'd> {
                 };
                 let at = match find_root(function, low, time, 1e-12 * (t - from)) {
                     Ok(at) => at,
-                    Err(mckibben::analysis::RootError::Function(error)) => return Err(error),
-                    Err(mckibben::analysis::RootError::NotBracketed { .. }) => low,
+                    Err(RootError::Function(error)) => return Err(error),
+                    Err(RootError::NotBracketed { .. }) => low,
                 };
                 if first.is_none_or(|f| at < f.1) {
                     first = Some((guard, at));

@@ -1,6 +1,6 @@
 //! Valves and controllers that act.
 
-use crate::support::{Pulley, close, last, note_muscle, ran, regulator, steps, valve};
+use crate::support::{close, elbow, last, note_muscle, ran, regulator, steps, valve};
 use mckibben::model::ModelKind;
 use mckibben_motion::*;
 
@@ -87,8 +87,7 @@ fn identity_an_integral_controller_leaves_no_error() {
 #[test]
 fn two_antagonists_follow_an_angle() {
     let model = ModelKind::Universal.build(&note_muscle()).unwrap();
-    let joint =
-        Pulley { radius_mm: 20.0, length_mm: 220.0, neutral: 0.1, inertia_kg_m2: 0.02, damping: 400.0 };
+    let joint = elbow(0.4);
     let pid = Pid {
         proportional: 0.1,
         integral_per_s: 1.0,

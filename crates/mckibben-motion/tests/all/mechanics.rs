@@ -1,6 +1,7 @@
 //! Muscles that move: balances, friction, stops, slack, convergence.
 
-use crate::support::{Pulley, close, last, note_muscle, ran, regulator, steps, valve};
+use crate::support::{close, elbow, last, note_muscle, ran, regulator, sprung, steps, valve};
+use mckibben::load::Load;
 use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
 use mckibben::muscle::Muscle;
 use mckibben_motion::*;
@@ -9,10 +10,9 @@ use mckibben_motion::*;
 fn identity_energies_balance_to_a_millionth_of_the_work() {
     let model = ModelKind::Universal.build(&note_muscle()).unwrap();
     let load = SingleMuscle {
-        spring_n_per_mm: 1.0,
         damping_n_s_per_m: 200.0,
         stops_mm: (0.0, 60.0),
-        ..SingleMuscle::hanging(&*model, 5.0)
+        ..SingleMuscle::new(&*model, sprung(5.0, 1.0))
     };
     for heat in [Heat::Isothermal, Heat::Adiabatic, Heat::Transfer(50.0)] {
         let mut muscle = Actuated::new(&*model, valve());
@@ -56,10 +56,9 @@ fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
 fn closed_form_dahl_loop_of_a_slow_stroke() {
     let model = Ideal::new(&note_muscle());
     let spring = SingleMuscle {
-        spring_n_per_mm: 5.0,
         damping_n_s_per_m: 1e3,
-        hangs: false,
-        ..SingleMuscle::hanging(&model, 1.0)
+        added_mass_kg: 1.0,
+        ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
     };
     let level = 10.0;
     let cycle = |frequency_hz: f64| {
@@ -91,10 +90,9 @@ fn identity_a_slow_loop_has_the_static_pull_plus_and_minus_friction() {
     let muscle = note_muscle();
     let model = Ideal::new(&muscle);
     let spring = SingleMuscle {
-        spring_n_per_mm: 5.0,
         damping_n_s_per_m: 100.0,
-        hangs: false,
-        ..SingleMuscle::hanging(&model, 1.0)
+        added_mass_kg: 1.0,
+        ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
     };
     let mut driven = Actuated::new(&model, regulator(0.02));
     driven.friction = Some(Dahl { coefficient: 30.0, exponent: 0.7, presliding_mm: 0.05 });
@@ -180,7 +178,7 @@ fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
 #[test]
 fn identity_two_antagonists_rest_at_zero_and_oscillate_by_their_stiffness() {
     let model = ModelKind::Universal.build(&note_muscle()).unwrap();
-    let joint = Pulley { radius_mm: 20.0, length_mm: 220.0, neutral: 0.1, inertia_kg_m2: 0.02, damping: 0.0 };
+    let joint = elbow(0.0);
     let muscle = Actuated::new(&*model, regulator(0.01));
     let both = |a: f64, b: f64| {
         let target = Target::Pressure(vec![Command::Constant(a), Command::Constant(b)]);

@@ -2,6 +2,7 @@
 
 use crate::support::{Vessel, note_muscle, regulator, steps, valve, vessel};
 use mckibben::budget::{Budget, Limits, Resource};
+use mckibben::load::Load;
 use mckibben::model::ModelKind;
 use mckibben::progress::{Progress, Silent};
 use mckibben_motion::*;
@@ -66,7 +67,7 @@ fn a_run_ends_with_its_budget_and_its_steps() {
 fn a_model_without_answer_ends_the_run_with_time_and_state() {
     // Thrown against nothing: an unlimited pull stretches the muscle past where its strands are straight.
     let model = mckibben::model::Ideal::new(&note_muscle());
-    let load = SingleMuscle { force_n: 1e5, ..SingleMuscle::hanging(&model, 5.0) };
+    let load = SingleMuscle { added_mass_kg: 5.0, ..SingleMuscle::new(&model, Load::Force { force_n: 1e5 }) };
     let mut drive = Drive::new(&load, vec![Actuated::new(&model, regulator(0.1))], steps(&[(0.0, 0.3)]), 0.5);
     drive.initial_coordinate = Some(0.0);
     let error = run(&drive, &Silent).unwrap_err();

@@ -1,5 +1,7 @@
 //! What several tests need.
 
+use mckibben::joint::{Joint, JointMuscle, Link, Path};
+use mckibben::load::Load;
 use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_motion::*;
@@ -69,38 +71,20 @@ pub fn note_muscle() -> Muscle {
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
 
-/// Two muscles over a pulley, against each other.
-pub struct Pulley {
-    pub radius_mm: f64,
-    pub length_mm: f64,
-    pub neutral: f64,
-    pub inertia_kg_m2: f64,
-    pub damping: f64,
+/// Two muscles of the note over a pulley, against each other.
+pub fn elbow(damping_nm_s_per_rad: f64) -> Joint {
+    let muscle = |radius_mm: f64| JointMuscle {
+        muscle: note_muscle(),
+        path: Path::Pulley { radius_mm },
+        contraction_at_neutral: 0.1,
+    };
+    let link = Link { inertia_kg_m2: Some(0.02), damping_nm_s_per_rad, ..Link::default() };
+    Joint::new(vec![muscle(20.0), muscle(-20.0)], None, link, (-60.0, 60.0)).unwrap()
 }
 
-impl Mechanism for Pulley {
-    fn muscles(&self) -> usize {
-        2
-    }
-    fn lever(&self, muscle: usize, q: f64) -> Lever {
-        let per = if muscle == 0 { self.radius_mm } else { -self.radius_mm } / self.length_mm;
-        Lever { contraction: self.neutral + per * q, per_coordinate: per }
-    }
-    fn load(&self, _: f64) -> f64 {
-        0.0
-    }
-    fn load_energy_mj(&self, _: f64) -> f64 {
-        0.0
-    }
-    fn inertia(&self) -> f64 {
-        1e3 * self.inertia_kg_m2
-    }
-    fn damping(&self) -> f64 {
-        self.damping
-    }
-    fn check(&self) -> Result<(), MotionError> {
-        Ok(())
-    }
+/// A hanging mass with a spring.
+pub fn sprung(mass_kg: f64, rate_n_per_mm: f64) -> Load {
+    Load::Sum(vec![Load::Mass { mass_kg, level: false }, Load::Spring { rate_n_per_mm, preload_n: 0.0 }])
 }
 
 /// A proportional valve of 0.5 L/(s bar).
