@@ -1,5 +1,6 @@
 //! A motion with everything in it as JSON, for `checks/motion.py`, which integrates the same equations on its own.
 
+use mckibben::load::Load;
 use mckibben::model::Ideal;
 use mckibben::muscle::{Braid, Friction, Muscle, Terminals, Tube};
 use mckibben::progress::Silent;
@@ -14,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = Ideal::new(&muscle);
     let load = SingleMuscle {
         damping_n_s_per_m: 150.0,
-        ..SingleMuscle::new(&model, "mass:5kg+spring:2N/mm@10N".parse()?)
+        ..SingleMuscle::new(&model, Load::parse("mass:5kg+spring:2N/mm@10N", &|_| None)?)
     };
     let (kind, hose) = (
         ValveKind::Proportional { time_constant_s: 0.005, gain_per_mpa: 20.0 },

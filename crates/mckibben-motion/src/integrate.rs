@@ -20,6 +20,8 @@ pub(crate) trait Equations {
     fn scales(&self) -> &[f64];
     /// f; where it has no value it notes that and gives zeros.
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]);
+    /// Differences about a state begin, or (none) are over.
+    fn differences(&self, y: Option<&[f64]>);
 }
 
 /// One integration from a point on.
@@ -71,6 +73,7 @@ impl<const N: usize> ODE<f64, [f64; N]> for Padded<'_, N> {
     /// Differences by the variables that appear.
     fn jacobian(&self, t: f64, y: &[f64; N], j: &mut Matrix<f64>) {
         let (mut at, mut rates, mut moved) = (*y, [0.0; N], [0.0; N]);
+        self.0.differences(y.get(..self.0.len()));
         self.diff(t, y, &mut rates);
         for row in 0..N {
             for column in 0..N {
@@ -90,6 +93,7 @@ impl<const N: usize> ODE<f64, [f64; N]> for Padded<'_, N> {
                 *x = before;
             }
         }
+        self.0.differences(None);
     }
 }
 

@@ -6,6 +6,7 @@ use crate::equilibrium::at_start;
 use crate::error::MotionError;
 use crate::events::{Event, EventKind, Guard, switches};
 use crate::integrate::{Equations, Stepper, stepper};
+use crate::member::Stand;
 use crate::metrics::{StepFigures, step_figures};
 use crate::system::{Switch, System, Totals};
 use mckibben::analysis::{RootError, find_root};
@@ -305,7 +306,7 @@ impl<'s, 'd> Course<'s, 'd> {
             let event = if watch { self.event(method.as_mut(), t, &y)? } else { None };
             let last = event.map_or(t, |e| e.1);
             if watch {
-                self.records(method.as_mut(), last)?;
+                self.records(method.as_mut(), last, (t, &y))?;
             }
             if event.is_some() {
                 return Ok(event);
@@ -380,16 +381,34 @@ impl<'s, 'd> Course<'s, 'd> {
         Ok(None)
     }
 
-    /// The output that is due up to a time within the last step.
-    fn records(&mut self, method: &mut dyn Stepper, last: f64) -> Result<(), MotionError> {
-        loop {
-            let due = self.system.drive.output_step_s * self.outputs as f64;
-            if due > last {
-                return Ok(());
-            }
-            let Some(state) = method.within(due) else { return Ok(()) };
-            self.record(due, &state)?;
+    /// The output that is due up to a time within the last step, which ended at `t`. Pull and volume between its ends are cubic in time, by
+    /// their derivatives there: as good as the dense output, and no model is asked.
+    fn records(
+        &mut self,
+        method: &mut dyn Stepper,
+        last: f64,
+        (t, y): (f64, &[f64]),
+    ) -> Result<(), MotionError> {
+        let system = self.system;
+        let step = system.drive.output_step_s;
+        if step * self.outputs as f64 > last {
+            return Ok(());
         }
+        let (from, ends) = (self.t, (system.answers(self.t, &self.y)?, system.answers(t, y)?));
+        loop {
+            let due = step * self.outputs as f64;
+            if due > last {
+                break;
+            }
+            let Some(state) = method.within(due) else { break };
+            for (member, (a, b)) in system.members.iter().zip(ends.0.iter().zip(&ends.1)) {
+                member.stand.set(Some(Stand::between(a, b, (due - from) / (t - from), t - from)));
+            }
+            let recorded = self.record(due, &state);
+            system.members.iter().for_each(|m| m.stand.set(None));
+            recorded?;
+        }
+        Ok(())
     }
 
     fn record(&mut self, t: f64, y: &[f64]) -> Result<(), MotionError> {

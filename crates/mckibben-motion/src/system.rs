@@ -5,7 +5,7 @@ use crate::control::PidOutput;
 use crate::drive::{Actuated, Actuator, Drive, Target};
 use crate::error::MotionError;
 use crate::integrate::Equations;
-use crate::member::{Answer, Member};
+use crate::member::{Answer, Hanging, Member, Stand};
 use crate::valve::ValveKind;
 use mckibben::budget::Budget;
 use mckibben::model::ModelError;
@@ -246,25 +246,17 @@ impl<'a> System<'a> {
         let mut totals = Totals::default();
         let parts = self.drive.muscles.iter().zip(&self.members).zip(&self.slots).zip(&modes.muscles);
         for (i, (((muscle, member), slot), mode)) in parts.enumerate() {
-            let failed = |pressure_mpa: f64, contraction: f64, error: ModelError| match error {
-                ModelError::Exceeded(e) => MotionError::Exceeded(e),
-                error => {
-                    let error = Box::new(error);
-                    MotionError::Model { time_s: t, muscle: i + 1, pressure_mpa, contraction, error }
-                }
-            };
             let lever = mechanism.lever(i, q);
             let absolute = at(slot.pressure);
             let gauge = absolute - ATMOSPHERE_MPA;
+            let failed = |error| self.refused(t, i, gauge, lever.contraction, error);
             let speed = member.length_mm * lever.per_coordinate * v;
             let (cavity_at, answer, beyond, swept, stretch) = if mode.slack {
-                let h = member.hanging(gauge).map_err(|e| failed(gauge, lever.contraction, e))?;
+                let h = member.hanging(gauge).map_err(failed)?;
                 let stretch = h.answer.volume_p + h.answer.volume_e * h.contraction_p;
                 (h.contraction, h.answer, lever.contraction - h.contraction, 0.0, stretch)
             } else {
-                let a = member
-                    .answer(gauge, lever.contraction)
-                    .map_err(|e| failed(gauge, lever.contraction, e))?;
+                let a = member.answer(gauge, lever.contraction).map_err(failed)?;
                 (lever.contraction, a, 0.0, a.volume_e * lever.per_coordinate * v, a.volume_p)
             };
             let volume = answer.volume_mm3 + muscle.outside_mm3();
@@ -342,6 +334,58 @@ impl<'a> System<'a> {
             set(self.totals + i, value);
         }
         Ok(point)
+    }
+
+    /// What each muscle answers at a time, with its derivative in time: for everything between two of them.
+    pub fn answers(&self, t: f64, y: &[f64]) -> Result<Vec<(Hanging, Hanging)>, MotionError> {
+        let mut rates = vec![0.0; self.len];
+        self.point(t, y, Some(&mut rates))?;
+        let at = |list: &[f64], i: usize| list.get(i).copied().unwrap_or(0.0);
+        let modes = self.modes.borrow();
+        let parts = self.members.iter().zip(&self.slots).zip(&modes.muscles).enumerate();
+        parts
+            .map(|(i, ((member, slot), mode))| {
+                let p = at(y, slot.pressure) - ATMOSPHERE_MPA;
+                let lever = self.drive.mechanism.lever(i, at(y, 0));
+                let e = lever.contraction;
+                let failed = |error| self.refused(t, i, p, e, error);
+                let (p_rate, e_rate) = (at(&rates, slot.pressure), lever.per_coordinate * at(&rates, 0));
+                let h = if mode.slack {
+                    member.hanging(p).map_err(failed)?
+                } else {
+                    Hanging {
+                        contraction: e,
+                        answer: member.answer(p, e).map_err(failed)?,
+                        contraction_p: 0.0,
+                    }
+                };
+                let e_rate = if mode.slack { h.contraction_p * p_rate } else { e_rate };
+                let a = h.answer;
+                let answer = Answer {
+                    force_n: a.force_p * p_rate + a.force_e * e_rate,
+                    volume_mm3: a.volume_p * p_rate + a.volume_e * e_rate,
+                    ..Answer::default()
+                };
+                Ok((h, Hanging { contraction: e_rate, answer, contraction_p: 0.0 }))
+            })
+            .collect()
+    }
+
+    fn refused(
+        &self,
+        t: f64,
+        muscle: usize,
+        pressure_mpa: f64,
+        contraction: f64,
+        error: ModelError,
+    ) -> MotionError {
+        match error {
+            ModelError::Exceeded(e) => MotionError::Exceeded(e),
+            error => {
+                let (error, muscle) = (Box::new(error), muscle + 1);
+                MotionError::Model { time_s: t, muscle, pressure_mpa, contraction, error }
+            }
+        }
     }
 
     /// (u, İ, ẏ_f) of the controller.
@@ -486,6 +530,21 @@ impl Equations for System<'_> {
 
     fn scales(&self) -> &[f64] {
         &self.scales
+    }
+
+    /// Forces and volumes are linear about the point where the differences are taken: one answer of the models serves for all of them.
+    fn differences(&self, y: Option<&[f64]>) {
+        let modes = self.modes.borrow();
+        for (i, (member, slot)) in self.members.iter().zip(&self.slots).enumerate() {
+            member.stand.set(None);
+            let (Some(y), false) = (y, modes.muscles.get(i).is_some_and(|m| m.slack)) else { continue };
+            let p = y.get(slot.pressure).copied().unwrap_or(0.0) - ATMOSPHERE_MPA;
+            let e = self.drive.mechanism.lever(i, y.first().copied().unwrap_or(0.0)).contraction;
+            if let Ok(answer) = member.answer(p, e) {
+                let h = Hanging { contraction: e, answer, contraction_p: 0.0 };
+                member.stand.set(Some(Stand::Near(p, e, h)));
+            }
+        }
     }
 
     fn rates(&self, t: f64, y: &[f64], rates: &mut [f64]) {
