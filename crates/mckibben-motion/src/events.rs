@@ -2,6 +2,7 @@
 
 use crate::drive::{Actuator, Target};
 use crate::error::MotionError;
+use crate::integrate::Equations;
 use crate::system::{Point, Switch, System};
 use crate::valve::ValveKind;
 use serde::{Deserialize, Serialize};
@@ -69,7 +70,7 @@ const SIGNAL: f64 = 1e-9;
 impl System<'_> {
     /// Speed in coordinate units a second that is none.
     fn still(&self) -> f64 {
-        1e-6 * crate::integrate::Equations::scales(self).get(1).copied().unwrap_or(1.0)
+        1e-6 * self.scales().get(1).copied().unwrap_or(1.0)
     }
 
     /// All guards at a time, with their functions; those that ask a model only where `all`.
@@ -79,7 +80,7 @@ impl System<'_> {
         let (q, v) = (y.first().copied().unwrap_or(0.0), y.get(1).copied().unwrap_or(0.0));
         let mechanism = self.drive.mechanism;
         let (low, high) = mechanism.stops();
-        let width = 1e-9 * crate::integrate::Equations::scales(self).first().copied().unwrap_or(1.0);
+        let width = 1e-9 * self.scales().first().copied().unwrap_or(1.0);
         if modes.stop.is_none() {
             guards.push((Guard::Stop(-1.0), q - low + width));
             guards.push((Guard::Stop(1.0), high - q + width));

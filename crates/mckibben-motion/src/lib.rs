@@ -42,6 +42,7 @@ mod member;
 mod metrics;
 mod run;
 mod size;
+mod start;
 mod system;
 mod valve;
 mod viscoelastic;

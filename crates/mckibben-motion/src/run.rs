@@ -1,14 +1,13 @@
 //! From a drive to its motion.
 
 use crate::air::{ATMOSPHERE_MPA, NORMAL_DENSITY_G_PER_L, exergy_mj_per_g};
-use crate::drive::{Drive, Target};
-use crate::equilibrium::at_start;
+use crate::drive::Drive;
 use crate::error::MotionError;
-use crate::events::{Event, EventKind, Guard, switches};
-use crate::integrate::{Equations, Stepper, stepper};
+use crate::events::{Event, EventKind, Guard};
+use crate::integrate::{Stepper, stepper};
 use crate::member::Stand;
 use crate::metrics::{StepFigures, step_figures};
-use crate::system::{Switch, System, Totals};
+use crate::system::{System, Totals};
 use mckibben::analysis::{RootError, find_root};
 use mckibben::budget::{Budget, Exceeded};
 use mckibben::progress::Progress;
@@ -39,7 +38,7 @@ pub struct MuscleSeries {
 ///
 /// ```text
 /// enthalpy_in − enthalpy_out + heat = Δ(m cv T) + gas_work
-/// gas_work = stored in rubber and braid + static_work + p_atm ΔV
+/// gas_work = stored + static_work + p_atm ΔV
 /// static_work + viscoelastic − friction = Δload + Δkinetic + damper + impacts
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -54,6 +53,8 @@ pub struct Energies {
     pub internal_j: f64,
     /// ∫ p dV, absolute.
     pub gas_work_j: f64,
+    /// What rubber and braid store more than at the start, as it follows from the other terms of the second line.
+    pub stored_j: f64,
     /// ∫ F dx of the models' pull.
     pub static_work_j: f64,
     /// ∫ F_f dx: lost in braid friction.
@@ -144,8 +145,8 @@ struct Course<'s, 'd> {
     t: f64,
     y: Vec<f64>,
     first: Vec<f64>,
-    /// Internal energy of the air at the start in mJ.
-    internal: f64,
+    /// Internal energy of the air in mJ and its volume in mm³ at the start.
+    air: (f64, f64),
     motion: Motion,
     outputs: usize,
     steps: usize,
@@ -170,7 +171,7 @@ impl<'s, 'd> Course<'s, 'd> {
         let until = system.drive.until_s;
         let cycle = period.filter(|p| *p <= until).map(|p| (until - p, 0.0));
         let motion = Motion { muscles, ..Motion::default() };
-        let (first, internal) = (y.clone(), system.internal_mj(&y)?);
+        let (first, air) = (y.clone(), system.air_mj_mm3(&y)?);
         Ok(Self {
             system,
             progress,
@@ -178,7 +179,7 @@ impl<'s, 'd> Course<'s, 'd> {
             t: 0.0,
             y,
             first,
-            internal,
+            air,
             motion,
             outputs: 0,
             steps: 0,
@@ -449,7 +450,7 @@ impl<'s, 'd> Course<'s, 'd> {
             return Err(MotionError::NeverLifted { net, time_s, pressure_mpa });
         }
         let totals = Totals::from_slice(self.y.get(system.totals..).unwrap_or_default());
-        let now = system.internal_mj(&self.y)?;
+        let (internal, volume) = system.air_mj_mm3(&self.y)?;
         let at = |y: &[f64], i: usize| y.get(i).copied().unwrap_or(0.0);
         let kinetic = |y: &[f64]| {
             let v = at(y, 1);
@@ -472,8 +473,9 @@ impl<'s, 'd> Course<'s, 'd> {
             enthalpy_in_j: 1e-3 * totals.enthalpy_in,
             enthalpy_out_j: 1e-3 * totals.enthalpy_out,
             heat_j: 1e-3 * totals.heat,
-            internal_j: 1e-3 * (now - self.internal),
+            internal_j: 1e-3 * (internal - self.air.0),
             gas_work_j: 1e-3 * totals.gas_work,
+            stored_j: 1e-3 * (totals.gas_work - ATMOSPHERE_MPA * (volume - self.air.1) - totals.static_work),
             static_work_j: 1e-3 * totals.static_work,
             friction_j: 1e-3 * totals.friction,
             viscoelastic_j: 1e-3 * totals.viscoelastic,
@@ -503,85 +505,12 @@ impl System<'_> {
         self.slots.iter().filter_map(|s| y.get(s.supplied)).sum()
     }
 
-    /// Internal energy pV/(γ − 1) of all air in mJ.
-    fn internal_mj(&self, y: &[f64]) -> Result<f64, MotionError> {
+    /// Internal energy pV/(γ − 1) of all air in mJ, and its volume in mm³.
+    fn air_mj_mm3(&self, y: &[f64]) -> Result<(f64, f64), MotionError> {
         let point = self.point(0.0, y, None)?;
-        let one = |m: &crate::system::MusclePoint| {
-            (m.pressure_mpa + ATMOSPHERE_MPA) * m.volume_mm3 / (crate::air::HEAT_RATIO - 1.0)
-        };
-        Ok(point.muscles.iter().map(one).sum())
-    }
-
-    /// The state at rest at the start, with the modes that belong to it.
-    pub fn initial_state(&self) -> Result<Vec<f64>, MotionError> {
-        let drive = self.drive;
-        for member in &self.members {
-            let p = if member.model.range().pressure_mpa.0 > 0.0 {
-                member.model.range().pressure_mpa.0
-            } else {
-                0.0
-            };
-            let response = member.model.response(&mut mckibben::model::Workspace::new(), p, 0.0);
-            if response.is_ok_and(|r| r.volume_mm3.is_none()) {
-                return Err(MotionError::NoVolume { model: member.model.name().into() });
-            }
-        }
-        let start = at_start(drive, &self.members)?;
-        let mut y = vec![0.0; Equations::len(self)];
-        let mut set = |i: usize, value: f64| {
-            if let Some(slot) = y.get_mut(i) {
-                *slot = value;
-            }
-        };
-        set(0, start.coordinate);
-        let mut modes = self.modes.borrow_mut();
-        modes.stop = start.stop;
-        let parts = self.members.iter().zip(&self.slots).zip(&drive.muscles).zip(&mut modes.muscles);
-        for (i, (((member, slot), muscle), mode)) in parts.enumerate() {
-            let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
-            let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
-            let refused = |error| {
-                let error = Box::new(error);
-                MotionError::Model { time_s: 0.0, muscle: i + 1, pressure_mpa: p, contraction, error }
-            };
-            let answer = member.answer(p, contraction);
-            mode.slack = match &answer {
-                Ok(a) => a.force_n < -1e-6,
-                Err(_) => contraction > 0.0,
-            };
-            let (at, e) = if mode.slack {
-                let h = member.hanging(p).map_err(refused)?;
-                (h.answer, h.contraction)
-            } else {
-                (answer.map_err(refused)?, contraction)
-            };
-            let volume = at.volume_mm3 + muscle.outside_mm3();
-            set(slot.pressure, p + ATMOSPHERE_MPA);
-            set(slot.mass, muscle.air.mass_g(p + ATMOSPHERE_MPA, volume));
-            let wall = member.wall_n(at.force_n, p, e);
-            slot.branches.clone().for_each(|j| set(j, wall));
-            let first = match &drive.target {
-                Target::Pressure(c) => c.get(i).map(|c| c.value(0.0)),
-                _ => None,
-            };
-            mode.switch = match (switches(&muscle.actuator), first) {
-                (Some((_, true)), _) | (None, _) => Switch::Hold,
-                (Some((h, false)), Some(first)) if first >= drive.supply.pressure_mpa - h => Switch::Fill,
-                (Some((_, false)), _) => Switch::Vent,
-            };
-            if let (Some(o), Target::Opening(c)) = (slot.opening, &drive.target) {
-                set(o, c.get(i).map_or(0.0, |c| c.value(0.0)));
-            }
-        }
-        if let (Some(pid), Target::Position { pid: law, .. }) = (self.pid, &drive.target) {
-            let position = start.coordinate * drive.mechanism.position_per_coordinate();
-            set(pid + 1, position);
-            if let crate::control::PidOutput::Pressure { bias_mpa } = law.output {
-                let sign = drive.mechanism.lever(0, 0.0).per_coordinate.signum();
-                set(pid, sign * (start.pressures_mpa.first().copied().unwrap_or(0.0) - bias_mpa));
-            }
-        }
-        drop(modes);
-        Ok(y)
+        Ok(point.muscles.iter().fold((0.0, 0.0), |(energy, volume), m| {
+            let own = (m.pressure_mpa + ATMOSPHERE_MPA) * m.volume_mm3 / (crate::air::HEAT_RATIO - 1.0);
+            (energy + own, volume + m.volume_mm3)
+        }))
     }
 }

@@ -48,7 +48,7 @@ fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
         let motion = ran(&drive);
         close(last(&motion.coordinate), motion.coordinate[0], 1e-8);
         let e = motion.energies;
-        assert!((e.gas_work_j - e.static_work_j).abs() < 1e-6 * e.work_j, "{e:?}");
+        assert!(e.stored_j.abs() < 1e-6 * e.work_j, "{e:?}");
     }
 }
 
@@ -241,4 +241,33 @@ fn a_muscle_lifts_a_mass_from_its_stop() {
         "{} steps, {} rates, {} answers",
         motion.integration_steps, motion.evaluations, motion.model_answers
     );
+}
+
+#[test]
+fn identity_a_joints_load_is_the_slope_of_its_energy_and_its_arms_that_of_its_contractions() {
+    use mckibben::joint::{Joint, JointMuscle, JointSpring, Link, Path};
+    let path = Path::Points { origin_mm: [-20.0, 250.0], insertion_mm: [30.0, 12.0] };
+    let muscle = JointMuscle { muscle: note_muscle(), path, contraction_at_neutral: 0.05 };
+    let link = Link {
+        mass_kg: 1.2,
+        centre_mm: 150.0,
+        inclination_deg: 20.0,
+        payload_kg: 0.5,
+        payload_at_mm: 300.0,
+        ..Link::default()
+    };
+    let rope =
+        JointSpring::Rope { path: Path::Pulley { radius_mm: -25.0 }, rate_n_per_mm: 2.0, preload_n: 40.0 };
+    let torsion = JointSpring::Torsion { rate_nm_per_rad: 3.0, preload_nm: 1.0 };
+    for spring in [None, Some(rope), Some(torsion)] {
+        let joint = Joint::new(vec![muscle.clone()], spring, link, (-60.0, 60.0)).unwrap();
+        let (joint, h) = (&joint as &dyn Mechanism, 1e-5);
+        assert_eq!(joint.load_energy_mj(0.0), 0.0);
+        for q in [-0.7, -0.1, 0.3, 0.9] {
+            let slope = (joint.load_energy_mj(q + h) - joint.load_energy_mj(q - h)) / (2.0 * h);
+            assert!((slope - joint.load(q)).abs() < 1e-4, "{spring:?} {q}: {slope} {}", joint.load(q));
+            let arm = (joint.lever(0, q + h).contraction - joint.lever(0, q - h).contraction) / (2.0 * h);
+            assert!((arm - joint.lever(0, q).per_coordinate).abs() < 1e-8);
+        }
+    }
 }
