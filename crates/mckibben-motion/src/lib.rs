@@ -60,7 +60,7 @@ pub use error::MotionError;
 pub use events::{Event, EventKind};
 pub use friction::Dahl;
 pub use hose::Hose;
-pub use linear::{Linear, Response};
+pub use linear::{FrequencyPoint, Linear};
 pub use mechanism::{Lever, Mechanism, SingleMuscle};
 pub use metrics::StepFigures;
 pub use run::{Energies, Motion, MuscleSeries, run};

@@ -22,7 +22,7 @@ pub struct Linear {
 
 /// A point of the frequency response.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Response {
+pub struct FrequencyPoint {
     /// In Hz.
     pub frequency_hz: f64,
     /// |H| in position per command.
@@ -109,7 +109,7 @@ impl Linear {
     }
 
     /// H(f) from command to position.
-    pub fn response(&self, frequency_hz: f64) -> Option<Response> {
+    pub fn response(&self, frequency_hz: f64) -> Option<FrequencyPoint> {
         let n = self.a.nrows();
         let s = Complex::new(0.0, TAU * frequency_hz);
         let system = DMatrix::from_fn(n, n, |i, j| {
@@ -119,7 +119,7 @@ impl Linear {
         let b = self.b.map(|x| Complex::new(x, 0.0));
         let q = system.lu().solve(&b)?.get(0).copied()? * self.per_coordinate;
         let finite = q.re.is_finite() && q.im.is_finite();
-        finite.then(|| Response { frequency_hz, gain: q.norm(), phase_rad: q.arg() })
+        finite.then(|| FrequencyPoint { frequency_hz, gain: q.norm(), phase_rad: q.arg() })
     }
 
     /// The frequency in Hz at which the gain first falls to 1/√2 of that at rest; `None` where it does not below 1 kHz.

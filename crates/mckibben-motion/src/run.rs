@@ -9,7 +9,7 @@ use crate::member::Stand;
 use crate::metrics::{StepFigures, step_figures};
 use crate::system::{System, Totals};
 use mckibben::analysis::{RootError, find_root};
-use mckibben::budget::{Budget, Exceeded};
+use mckibben::budget::{Budget, Exceeded, Resource};
 use mckibben::progress::Progress;
 use serde::{Deserialize, Serialize};
 
@@ -132,7 +132,10 @@ pub struct Motion {
 /// # Errors
 /// [`MotionError`] with time, state and reason.
 pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
-    let system = System::new(drive, &progress.budget())?;
+    drive.check()?;
+    let budget = progress.budget();
+    budget.admit(Resource::Points, drive.until_s / drive.output_step_s)?;
+    let system = System::new(drive, &budget)?;
     let mut course = Course::begin(&system, progress)?;
     course.go()?;
     course.end()

@@ -58,6 +58,8 @@ fn a_run_ends_with_its_budget_and_its_steps() {
     let mut drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 0.5);
     let spent = Ended(Budget::new(Limits::default().with(Resource::Seconds, 0.0)));
     assert!(matches!(run(&drive, &spent), Err(MotionError::Exceeded(_))));
+    let many = Drive { output_step_s: 1e-12, ..drive.clone() };
+    assert!(matches!(run(&many, &Silent), Err(MotionError::Exceeded(_))));
     drive.tolerance.steps = 20;
     let error = run(&drive, &Silent).unwrap_err();
     assert!(matches!(error, MotionError::Steps { steps: 21, .. }), "{error}");
