@@ -9,6 +9,7 @@ use crate::commands::design::DesignArgs;
 use crate::commands::fit::FitArgs;
 use crate::commands::formula::FormulaShowArgs;
 use crate::commands::identify::IdentifyArgs;
+use crate::commands::joint::JointArgs;
 use crate::commands::models::ModelsArgs;
 use crate::commands::muscle::MuscleShowArgs;
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
@@ -71,6 +72,9 @@ pub enum Command {
     /// A family of curves: isometric, isotonic or isobaric
     #[command(after_help = commands::curve::EXAMPLES)]
     Curve(Box<CurveArgs>),
+    /// A muscle against a spring, or two against each other, about a joint: torque, stiffness, rest, pressures
+    #[command(after_help = commands::joint::EXAMPLES)]
+    Joint(Box<JointArgs>),
     /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),

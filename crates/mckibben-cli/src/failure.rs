@@ -16,6 +16,9 @@ pub struct Failure {
 const FLAGS: &[(&str, &str)] = &[
     ("direction", "branch"),
     ("pressures_mpa", "pressure"),
+    ("angles_deg", "angle"),
+    ("torque_nm", "torque"),
+    ("stiffness_nm_per_rad", "stiffness"),
     ("contractions", "contraction"),
     ("forces_n", "force"),
     ("rubbers", "rubber"),
@@ -42,6 +45,8 @@ const FIELDS: &[&str] = &[
     "strand_length_mm",
     "turns",
     "model",
+    "load",
+    "map",
     "mesh",
     "match",
     "terminal",

@@ -8,6 +8,7 @@ pub mod design;
 pub mod fit;
 pub mod formula;
 pub mod identify;
+pub mod joint;
 pub mod models;
 pub mod muscle;
 pub mod point;
@@ -33,6 +34,7 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Contraction(args) => point::contraction(&args, format),
         Command::Curve(args) if args.study.is_some() => study::run(&args, format),
         Command::Curve(args) => curve::run(&args, format),
+        Command::Joint(args) => joint::run(&args, format),
         Command::Simulate(args) => simulate::run(&args, format),
         Command::Validate(args) => validate::run(&args, format),
         Command::Compare(args) => compare::run(&args, format),

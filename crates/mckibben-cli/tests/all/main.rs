@@ -13,6 +13,7 @@ mod files;
 mod formulas;
 mod fuzz_cli;
 mod identify;
+mod joint;
 mod rubber_fit;
 mod tables;
 mod threads;

@@ -1,6 +1,7 @@
 //! The axisymmetric muscle as a user meets it.
 
 use mckibben::budget::Exceeded;
+use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::file::parse_muscle;
 use mckibben::muscle::{Braid, BraidStiffness, Bulk, Muscle};
@@ -233,15 +234,20 @@ fn threads_share_a_model() {
     assert_eq!((a, b), (pull(0.2), pull(0.1)));
 }
 
-/// A muscle that holds 10 kg at 0.3 MPa: numbers of an independent derivation of small oscillations (∂V/∂P is that of differences as well).
-#[test]
-fn slopes_at_a_hanging_mass_are_those_of_an_independent_derivation() {
-    let muscle = parse_muscle(
+/// The muscle of the numbers below.
+fn narrow() -> Muscle {
+    parse_muscle(
         "tube.outer_diameter = '20 mm'\ntube.wall_thickness = '1.5 mm'\ntube.length = '220 mm'\n\
          tube.material = { law = 'mooney-rivlin', c10 = '0.1 MPa', c01 = '0 MPa' }\n\
          braid = { angle = '24 deg', stiffness = '900 N/mm' }",
     )
-    .unwrap();
+    .unwrap()
+}
+
+/// A muscle that holds 10 kg at 0.3 MPa: numbers of an independent derivation of small oscillations (∂V/∂P is that of differences as well).
+#[test]
+fn slopes_at_a_hanging_mass_are_those_of_an_independent_derivation() {
+    let muscle = narrow();
     let (model, w) = (Axisymmetric::new(&muscle).unwrap(), &mut Workspace::new());
     let found = model.at_force(w, 10.0 * 9.80665, 0.3).unwrap().response;
     assert!((found.contraction - 0.265_946_0).abs() < 1e-7, "{found:?}");
@@ -256,4 +262,25 @@ fn slopes_at_a_hanging_mass_are_those_of_an_independent_derivation() {
     let mut volume = |p: f64| model.response(w, p, found.contraction).unwrap().volume_mm3.unwrap();
     let by_pressure = (volume(0.3001) - volume(0.2999)) / 2e-4;
     assert!((found.volume_per_pressure_mm3_per_mpa.unwrap() / by_pressure - 1.0).abs() < 1e-6);
+}
+
+/// Two of that muscle on a pulley of 20 mm, 10 % at the neutral angle, 3 and 1.5 bar: torque and stiffness of an independent derivation.
+#[test]
+fn an_antagonistic_joint_has_the_torques_of_an_independent_derivation() {
+    let at = |radius_mm| JointMuscle {
+        muscle: narrow(),
+        path: Path::Pulley { radius_mm },
+        contraction_at_neutral: 0.1,
+    };
+    let joint = Joint::new(vec![at(20.0), at(-20.0)], None, Link::default(), (-60.0, 60.0)).unwrap();
+    let fe = Axisymmetric::new(&narrow()).unwrap();
+    let model = JointModel::new(&joint, vec![&fe, &fe], false).unwrap();
+    let workspaces = &mut [Workspace::new(), Workspace::new()];
+    for (angle_deg, torque, stiffness) in
+        [(0.0, 5.16760, 7.5500), (10.0, 3.85494, 7.5039), (30.0, 1.21869, 7.6696)]
+    {
+        let point = model.at(workspaces, &[0.3, 0.15], angle_deg, Turning::Mean).unwrap();
+        assert!((point.torque_nm - torque).abs() < 6e-6, "{angle_deg}: {}", point.torque_nm);
+        assert!((point.stiffness_nm_per_rad - stiffness).abs() < 6e-5, "{angle_deg}: {point:?}");
+    }
 }

@@ -1,0 +1,57 @@
+//! A joint: torques over the angle, and what it reaches.
+
+use super::caption;
+use crate::joint::{JointAnswer, JointRow};
+use crate::units::Units;
+use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
+
+/// Torque over angle of each family, and the map of angle and stiffness, as far as they are there.
+pub fn joint(answer: &JointAnswer, over_angles: bool, u: &Units) -> Option<Figure> {
+    let about = answer.muscles.first().map_or_else(String::new, |m| m.line(u));
+    let mut figure = Figure::new("Joint")
+        .caption(caption(format!("Model {}. {about}", answer.model)))
+        .palette(Palette::Sequential);
+    let mut drawn = false;
+    let same = |a: &JointRow, b: &JointRow| {
+        (a.pressure_1_mpa, a.pressure_2_mpa) == (b.pressure_1_mpa, b.pressure_2_mpa)
+    };
+    if over_angles && answer.points.len() > 1 {
+        let mut panel = Panel::new(Axis::new("angle φ [°]"), Axis::new("torque τ [N m]"));
+        for (i, family) in answer.points.chunk_by(same).enumerate() {
+            let Some(first) = family.first() else { continue };
+            let second =
+                first.pressure_2_mpa.map_or_else(String::new, |p| format!(", {}", u.pressure.bare(p)));
+            let label = format!("{}{second} {}", u.pressure.bare(first.pressure_1_mpa), u.pressure.name);
+            let line = |of: &dyn Fn(&JointRow) -> Option<f64>| -> Vec<(f64, f64)> {
+                family.iter().filter_map(|q| Some((q.angle_deg, of(q)?))).collect()
+            };
+            panel = panel.series(Series::line("", line(&|q| Some(q.torque_nm))).colour(i).end_label(label));
+            for branch in [line(&|q| q.torque_turning_plus_nm), line(&|q| q.torque_turning_minus_nm)] {
+                if !branch.is_empty() {
+                    panel = panel.series(Series::new("", branch).style(Style::Dotted).colour(i));
+                }
+            }
+        }
+        figure = figure.panel(panel);
+        drawn = true;
+    }
+    if let Some(map) = &answer.map {
+        let mut panel =
+            Panel::new(Axis::new("angle φ [°]"), Axis::new("stiffness −dτ/dφ [N m/rad]").from_zero())
+                .title("reachable at rest");
+        let at = |q: &mckibben::joint::MapPoint| (q.angle_deg, q.stiffness_nm_per_rad);
+        let points: Vec<(f64, f64)> = map.points.iter().flatten().filter(|q| !q.at_limit).map(at).collect();
+        let border: Vec<(f64, f64)> = map.border.iter().map(at).collect();
+        panel =
+            panel.series(Series::scatter("", points).colour(0)).series(Series::line("", border).neutral());
+        let mut torques =
+            Panel::new(Axis::new("angle φ [°]"), Axis::new("torque τ [N m]")).title("largest torques");
+        for of in [|t: &(f64, f64, f64)| (t.0, t.1), |t: &(f64, f64, f64)| (t.0, t.2)] {
+            let line: Vec<(f64, f64)> = map.torques.iter().map(of).collect();
+            torques = torques.series(Series::line("", line).neutral());
+        }
+        figure = figure.panel(panel).panel(torques);
+        drawn = true;
+    }
+    drawn.then_some(figure)
+}

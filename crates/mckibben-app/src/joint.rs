@@ -1,0 +1,402 @@
+//! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two against each other.
+
+use crate::fields::{ModelFields, MuscleFields, TextFile};
+use crate::figure;
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::point::{finite, given};
+use crate::problem::{Problem, ProblemKind};
+use crate::units::Units;
+use crate::warnings;
+use mckibben::budget::Resource;
+use mckibben::joint::{
+    Joint, JointError, JointMap, JointModel, JointPoint, Rest, Turning, Wanted as WantedOfJoint, parse_joint,
+};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::progress::Progress;
+use mckibben::warning::Warning;
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// A joint: its file and those of its muscles.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct JointFields {
+    /// Joint file (TOML).
+    pub joint: Option<TextFile>,
+    /// The muscle files that it names, each under the name that stands there.
+    pub muscles: Vec<TextFile>,
+}
+
+impl JointFields {
+    /// The names of the muscle files that a joint file names.
+    ///
+    /// # Errors
+    /// [`Problem`] for a file that is none.
+    pub fn files_of(joint: &TextFile) -> Result<Vec<String>, Problem> {
+        let file = parse_joint(&joint.text).map_err(|e| Problem::from(e.of(Path::new(&joint.name))))?;
+        Ok(file.files().map(str::to_owned).collect())
+    }
+
+    pub(crate) fn resolve(&self) -> Result<Joint, Problem> {
+        let text = self.joint.as_ref().ok_or_else(|| Problem::missing("joint", "a joint file (TOML)"))?;
+        let file = parse_joint(&text.text).map_err(|e| Problem::from(e.of(Path::new(&text.name))))?;
+        let muscle = |name: &str| -> Result<Muscle, Problem> {
+            let of = self.muscles.iter().find(|m| m.name == name).ok_or_else(|| {
+                let message = format!("{}: its muscle file {name} is not there", text.name);
+                Problem::new(ProblemKind::File, message, "").in_field("muscles")
+            })?;
+            MuscleFields { muscle: Some(of.clone()), ..MuscleFields::default() }.resolve()
+        };
+        let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
+        file.with(muscles).map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))
+    }
+}
+
+/// A joint to be asked. With pressures and angles its torques; with pressures alone where it rests; with angles and without
+/// pressures the pressures for a torque and a stiffness.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct JointRequest {
+    /// The joint.
+    #[serde(flatten)]
+    pub joint: JointFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// Pressures in MPa, one of each muscle; several lists are a family.
+    pub pressures_mpa: Vec<Vec<f64>>,
+    /// Angles from the neutral one in degrees.
+    pub angles_deg: Option<Vec<f64>>,
+    /// Torque in N m: without pressures the one wanted (0 where it is left out), beside pressures alone one from outside that turns to +.
+    pub torque_nm: Option<f64>,
+    /// Stiffness wanted, N m/rad; the lowest pressures where it is left out.
+    pub stiffness_nm_per_rad: Option<f64>,
+    /// Pressure of the supply in MPa, for pressures that are sought and for the map; 0.6 where it is left out.
+    pub max_pressure_mpa: Option<f64>,
+    /// The map of angles and stiffnesses that the joint reaches, with so many pressures of each muscle.
+    pub map: Option<usize>,
+    /// Answer outside of the model's range, with a warning.
+    pub extrapolate: bool,
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
+}
+
+/// A point of a joint.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct JointRow {
+    /// φ from the neutral angle in degrees.
+    pub angle_deg: f64,
+    /// Pressure of the first muscle, MPa.
+    pub pressure_1_mpa: f64,
+    /// Pressure of the second muscle, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_2_mpa: Option<f64>,
+    /// Torque of muscles, spring and weight towards +, N m.
+    pub torque_nm: f64,
+    /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub uncertainty_nm: Option<f64>,
+    /// The torque while the joint turns to +, where the muscles' friction is known, N m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque_turning_plus_nm: Option<f64>,
+    /// The torque while it turns to −, likewise.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torque_turning_minus_nm: Option<f64>,
+    /// −dτ/dφ at these pressures, N m/rad.
+    pub stiffness_nm_per_rad: f64,
+    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: rests anywhere about this angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rest: Option<RestWord>,
+    /// Pull of the first muscle, N.
+    pub force_1_n: f64,
+    /// Pull of the second muscle, N.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_2_n: Option<f64>,
+    /// Contraction of the first muscle.
+    pub contraction_1: f64,
+    /// Contraction of the second muscle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contraction_2: Option<f64>,
+    /// Moment arm of the first muscle, mm.
+    pub arm_1_mm: f64,
+    /// Moment arm of the second muscle, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arm_2_mm: Option<f64>,
+    /// Whether the first muscle is slack.
+    pub slack_1: bool,
+    /// Whether the second muscle is slack.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slack_2: Option<bool>,
+    /// Pressure below which the first muscle is slack at this angle, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_pressure_1_mpa: Option<f64>,
+    /// Pressure below which the second muscle is slack at this angle, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub start_pressure_2_mpa: Option<f64>,
+}
+
+/// How a joint rests.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RestWord {
+    /// It comes back after a small turn.
+    Stable,
+    /// It does not.
+    Unstable,
+    /// It leans on a limit of its range.
+    Limit,
+    /// Nothing acts, and it rests anywhere about this angle.
+    Loose,
+}
+
+impl RestWord {
+    /// The word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Stable => "stable",
+            Self::Unstable => "unstable",
+            Self::Limit => "limit",
+            Self::Loose => "loose",
+        }
+    }
+}
+
+/// A joint's answer.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct JointAnswer {
+    /// The model's name.
+    pub model: String,
+    /// The muscles.
+    pub muscles: Vec<MuscleSummary>,
+    /// Limits of the angle in degrees.
+    pub range_deg: (f64, f64),
+    /// The points, pressures after pressures.
+    pub points: Vec<JointRow>,
+    /// What the joint reaches, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map: Option<JointMap>,
+    /// What the user should know.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+}
+
+/// Pressure of the supply where none is said, MPa.
+const SUPPLY_MPA: f64 = 0.6;
+/// Memory of a point of a map, bytes.
+const MAP_POINT_BYTES: f64 = 500.0;
+
+/// Asks a joint.
+///
+/// # Errors
+/// [`Problem`].
+pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAnswer, Problem> {
+    let joint = request.joint.resolve()?;
+    let named = Model::choose(&request.model, Purpose::Answer)?;
+    let budget = progress.budget();
+    let mut models: Vec<Box<dyn ForceModel>> = vec![];
+    for m in joint.muscles() {
+        named.admit(&m.muscle, &budget)?;
+        models.push(named.build(&m.muscle)?);
+    }
+    let model = JointModel::new(&joint, models.iter().map(|m| &**m).collect(), request.extrapolate)?;
+    let mut asked = Asked { model: &model, workspaces: model.workspaces(progress), said: vec![] };
+    let rows = asked.rows(request, progress);
+    budget.ended()?;
+    let rows = rows?;
+    let map = match request.map {
+        None => None,
+        Some(count) => {
+            let points = (count as f64).powi(joint.muscles().len() as i32);
+            budget.admit(Resource::Points, points)?;
+            budget.admit(Resource::Bytes, MAP_POINT_BYTES * points)?;
+            Some(model.map(supply(request)?, count, progress)?)
+        }
+    };
+    if rows.is_empty() && map.is_none() {
+        let message = "nothing is asked: give `pressures_mpa`, `angles_deg`, or `map`";
+        return Err(Problem::new(
+            ProblemKind::Usage,
+            message,
+            "`pressures_mpa` alone says where the joint rests",
+        ));
+    }
+    let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
+    let mut answer = JointAnswer {
+        model: models.first().map_or_else(String::new, |m| m.name().into()),
+        muscles: summaries,
+        range_deg: joint.range_deg(),
+        points: rows,
+        map,
+        warnings: Warning::gravest(&asked.said),
+        figure: None,
+    };
+    let figure = request.figure.as_ref();
+    answer.figure = figure.and_then(|unit| figure::joint(&answer, request.angles_deg.is_some(), unit));
+    Ok(answer)
+}
+
+fn supply(request: &JointRequest) -> Result<f64, Problem> {
+    let supply = finite("max_pressure_mpa", request.max_pressure_mpa.unwrap_or(SUPPLY_MPA))?;
+    if supply > 0.0 {
+        return Ok(supply);
+    }
+    let message = format!("{supply} MPa; it must be above zero");
+    Err(Problem::new(ProblemKind::Quantity, message, "").in_field("max_pressure_mpa"))
+}
+
+struct Asked<'m> {
+    model: &'m JointModel<'m>,
+    workspaces: Vec<Workspace>,
+    said: Vec<Warning>,
+}
+
+impl Asked<'_> {
+    fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>, Problem> {
+        let families = &request.pressures_mpa;
+        let angles = request.angles_deg.as_deref();
+        for &p in families.iter().flatten() {
+            if !(p.is_finite() && p >= 0.0) {
+                let message = format!("{p} MPa is no gauge pressure of a muscle");
+                return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("pressures_mpa"));
+            }
+        }
+        for &angle in angles.unwrap_or_default() {
+            finite("angles_deg", angle)?;
+        }
+        let all = families.len().max(1) * angles.map_or(1, <[f64]>::len);
+        progress.budget().admit(Resource::Points, all as f64)?;
+        let mut rows = vec![];
+        match (families.is_empty(), angles) {
+            (true, None) if request.torque_nm.or(request.stiffness_nm_per_rad).is_some() => {
+                return Err(Problem::missing(
+                    "angles_deg",
+                    "the angle at which the torque and the stiffness are wanted",
+                ));
+            }
+            (true, None) => {}
+            (true, Some(angles)) => {
+                let wanted = request.torque_nm.or(request.stiffness_nm_per_rad);
+                if wanted.is_none() && request.map.is_some() {
+                    return Ok(rows);
+                }
+                let max = supply(request)?;
+                for &angle_deg in angles {
+                    let torque_nm = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
+                    let stiffness_nm_per_rad = match request.stiffness_nm_per_rad {
+                        Some(_) => Some(given("stiffness_nm_per_rad", request.stiffness_nm_per_rad, "")?),
+                        None => None,
+                    };
+                    let wanted = WantedOfJoint { angle_deg, torque_nm, stiffness_nm_per_rad };
+                    let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
+                    rows.push(self.row(point, None)?);
+                }
+            }
+            (false, Some(angles)) => {
+                for (i, pressures) in families.iter().enumerate() {
+                    progress.report(i, families.len());
+                    for &angle in angles {
+                        if progress.cancelled() {
+                            return Err(Problem::cancelled());
+                        }
+                        let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
+                        rows.push(self.row(point, None)?);
+                    }
+                }
+            }
+            (false, None) => {
+                let outside = finite("torque_nm", request.torque_nm.unwrap_or(0.0))?;
+                for pressures in families {
+                    for rest in self.model.rests(&mut self.workspaces, pressures, outside)? {
+                        let angle = rest.angle_deg();
+                        let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
+                        rows.push(self.row(point, Some(word(&rest)))?);
+                    }
+                }
+            }
+        }
+        Ok(rows)
+    }
+
+    fn row(&mut self, point: JointPoint, rest: Option<RestWord>) -> Result<JointRow, Problem> {
+        let known = self.model.joint().muscles().iter().any(|m| m.muscle.friction().is_some());
+        let mut turning = |turning| -> Result<Option<f64>, Problem> {
+            if !known {
+                return Ok(None);
+            }
+            let there =
+                self.model.at(&mut self.workspaces, &point.pressures_mpa, point.angle_deg, turning)?;
+            Ok(Some(there.torque_nm))
+        };
+        let (plus, minus) = (turning(Turning::Plus)?, turning(Turning::Minus)?);
+        self.said.extend(warnings::of_points(point.muscles.iter().map(|m| &m.answer)));
+        let first = point.muscles.first();
+        let second = point.muscles.get(1);
+        let response = |m: &mckibben::joint::MuscleState| m.answer.response;
+        Ok(JointRow {
+            angle_deg: point.angle_deg,
+            pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
+            pressure_2_mpa: point.pressures_mpa.get(1).copied(),
+            torque_nm: point.torque_nm,
+            uncertainty_nm: point.uncertainty_nm,
+            torque_turning_plus_nm: plus,
+            torque_turning_minus_nm: minus,
+            stiffness_nm_per_rad: point.stiffness_nm_per_rad,
+            rest,
+            force_1_n: first.map_or(0.0, |m| response(m).force_n),
+            force_2_n: second.map(|m| response(m).force_n),
+            contraction_1: first.map_or(0.0, |m| response(m).contraction),
+            contraction_2: second.map(|m| response(m).contraction),
+            arm_1_mm: first.map_or(0.0, |m| m.arm_mm),
+            arm_2_mm: second.map(|m| m.arm_mm),
+            slack_1: first.is_some_and(|m| m.answer.slack),
+            slack_2: second.map(|m| m.answer.slack),
+            start_pressure_1_mpa: first.and_then(|m| m.answer.start_pressure_mpa),
+            start_pressure_2_mpa: second.and_then(|m| m.answer.start_pressure_mpa),
+        })
+    }
+}
+
+fn word(rest: &Rest) -> RestWord {
+    match rest {
+        Rest::Balance { stable: true, .. } => RestWord::Stable,
+        Rest::Balance { stable: false, .. } => RestWord::Unstable,
+        Rest::Limit { .. } => RestWord::Limit,
+        Rest::Loose { .. } => RestWord::Loose,
+    }
+}
+
+impl From<JointError> for Problem {
+    fn from(error: JointError) -> Self {
+        let message = error.to_string();
+        match error {
+            JointError::Cancelled => Self::cancelled(),
+            JointError::Muscle { error, .. } => {
+                let inner = Self::from(error);
+                Self { message, ..inner }
+            }
+            JointError::NoTorque { .. } | JointError::NoStiffness { .. } => Self::new(
+                ProblemKind::NoAnswer,
+                message,
+                "a higher `max_pressure_mpa`, or a larger pulley or muscle",
+            ),
+            JointError::Angle { .. } => {
+                Self::new(ProblemKind::OutOfRange, message, "").in_field("angles_deg")
+            }
+            JointError::Pressures { muscles, .. } => {
+                let example = if muscles == 2 { "such as 2 bar and 1 bar" } else { "such as 2 bar" };
+                Self::new(ProblemKind::Usage, message, example).in_field("pressures_mpa")
+            }
+            JointError::OneMuscle => {
+                Self::new(ProblemKind::Usage, message, "").in_field("stiffness_nm_per_rad")
+            }
+            _ => Self::new(ProblemKind::File, message, ""),
+        }
+    }
+}

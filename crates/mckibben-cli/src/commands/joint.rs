@@ -1,0 +1,196 @@
+//! `joint`: torque, stiffness, rest angles and pressures of a joint.
+
+use crate::failure::Failure;
+use crate::files;
+use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
+use crate::output::text::{Units, number, table};
+use crate::output::{show, warn};
+use crate::plot;
+use crate::progress::Bar;
+use crate::quantities::{points, quantity, values};
+use clap::Args;
+use mckibben::units::Dimension;
+use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint};
+use std::path::{Path, PathBuf};
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben joint examples/elbow.toml -p 2bar,1bar --angle -45..45:5deg
+  mckibben joint examples/elbow.toml -p 2bar,1bar -p 3bar,1bar
+  mckibben joint examples/elbow.toml --angle 20deg --torque 2Nm --stiffness 12
+  mckibben joint examples/elbow.toml --map 25 --max-pressure 4bar \\
+    --model universal --plot map.svg";
+
+/// `joint`.
+#[derive(Debug, Args)]
+pub struct JointArgs {
+    /// Joint file
+    #[arg(value_name = "JOINT.toml", help_heading = "Arguments")]
+    pub file: PathBuf,
+    /// Pressures of the muscles, as 2bar,1bar; several times for a family
+    #[arg(short, long, value_name = "PRESSURES", allow_hyphen_values = true)]
+    pub pressure: Vec<String>,
+    /// Angles from the neutral one [none: where the joint rests]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    pub angle: Option<String>,
+    /// Torque wanted at the angle [0]; with pressures and no angle, one from outside
+    #[arg(long, value_name = "TORQUE", allow_hyphen_values = true)]
+    pub torque: Option<String>,
+    /// Stiffness wanted at the angle [none: the lowest pressures]
+    #[arg(long, value_name = "STIFFNESS", allow_hyphen_values = true)]
+    pub stiffness: Option<String>,
+    /// Pressure of the supply [6bar]
+    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    pub max_pressure: Option<String>,
+    /// Map of the angles and stiffnesses that it reaches, with so many pressures of each muscle
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..))]
+    pub map: Option<u16>,
+    #[command(flatten)]
+    pub model: ModelFlags,
+    #[command(flatten)]
+    pub plot: PlotFlag,
+    #[command(flatten)]
+    pub output: OutputFlags,
+}
+
+/// A joint file with its muscle files, which lie relative to it.
+pub fn fields(path: &Path) -> Result<JointFields, Failure> {
+    let joint = files::text(path)?;
+    let beside = path.parent().unwrap_or(Path::new(""));
+    let mut muscles: Vec<TextFile> = vec![];
+    for name in JointFields::files_of(&joint)? {
+        let file = files::text(&beside.join(&name))?;
+        if !muscles.iter().any(|m| m.name == name) {
+            muscles.push(TextFile { name, ..file });
+        }
+    }
+    Ok(JointFields { joint: Some(joint), muscles })
+}
+
+/// Runs the command.
+pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
+    plot::check(args.plot.plot.as_deref())?;
+    let texts: Vec<Option<String>> = args.pressure.iter().cloned().map(Some).collect();
+    let typed = [texts.first().unwrap_or(&None), &args.max_pressure, &None];
+    let unit = args.output.units.or_typed(typed);
+    let asking = args.model.asking.fields();
+    if asking.two_sided {
+        let message = "--two-sided: muscles of a joint pull on ropes and do not push";
+        return Err(Failure::input(ProblemKind::Usage, message, ""));
+    }
+    let pressures = args.pressure.iter().map(|text| {
+        let list = values("--pressure", Some(text), Dimension::Pressure)?;
+        Ok(list.map_or_else(Vec::new, |v| v.sampled(1)))
+    });
+    let request = JointRequest {
+        joint: fields(&args.file)?,
+        model: args.model.fields()?,
+        pressures_mpa: pressures.collect::<Result<_, Failure>>()?,
+        angles_deg: points("--angle", args.angle.as_deref(), Dimension::Angle, 24)?,
+        torque_nm: quantity("--torque", args.torque.as_deref(), Dimension::Torque)?,
+        stiffness_nm_per_rad: quantity(
+            "--stiffness",
+            args.stiffness.as_deref(),
+            Dimension::AngularStiffness,
+        )?,
+        max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
+        map: args.map.map(usize::from),
+        extrapolate: asking.extrapolate,
+        figure: args.plot.plot.as_ref().map(|_| unit.clone()),
+    };
+    let bar = Bar::new("joint");
+    let mut answer = joint(&request, &bar)?;
+    drop(bar);
+    if args.plot.plot.is_some() && answer.figure.is_none() {
+        let message = "--plot: a figure of a joint has torques over angles, or a map";
+        return Err(Failure::input(ProblemKind::Usage, message, "give --angle with a range, or --map"));
+    }
+    plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
+    let text = || {
+        answer.warnings.iter().for_each(warn);
+        as_text(&answer, &unit)
+    };
+    show(&answer, format, "points", text, args.output.target())?;
+    Ok(0)
+}
+
+fn as_text(answer: &JointAnswer, u: &Units) -> String {
+    let mut text = format!("model {}\n", answer.model);
+    for (i, muscle) in answer.muscles.iter().enumerate() {
+        text += &format!("muscle {}: {}\n", i + 1, muscle.line(u));
+    }
+    if !answer.points.is_empty() {
+        text += &format!("\n{}", rows(&answer.points, u));
+    }
+    if let Some(map) = &answer.map {
+        let at_rest: Vec<_> = map.points.iter().flatten().filter(|q| !q.at_limit).collect();
+        let range = |of: &dyn Fn(&&mckibben::joint::MapPoint) -> f64| {
+            let all = || at_rest.iter().map(of);
+            (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max))
+        };
+        let (angles, stiffnesses) = (range(&|q| q.angle_deg), range(&|q| q.stiffness_nm_per_rad));
+        let most = map.torques.iter().map(|t| t.2).fold(f64::NEG_INFINITY, f64::max);
+        let least = map.torques.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
+        if at_rest.is_empty() {
+            text += "\nat rest it leans on a limit of its range, or is loose, at all of these pressures\n";
+        } else {
+            text += &format!(
+                "\nat rest it reaches {} to {} ° and {} to {} N m/rad\n",
+                number(angles.0, 4),
+                number(angles.1, 4),
+                number(stiffnesses.0, 4),
+                number(stiffnesses.1, 4)
+            );
+        }
+        text += &format!(
+            "its torques reach from {} to {} N m over its range\n",
+            number(least, 4),
+            number(most, 4)
+        );
+    }
+    text
+}
+
+fn rows(points: &[JointRow], u: &Units) -> String {
+    let two = points.iter().any(|q| q.pressure_2_mpa.is_some());
+    let branches = points.iter().any(|q| q.torque_turning_plus_nm.is_some());
+    let resting = points.iter().any(|q| q.rest.is_some());
+    let (pressure, force) =
+        (|i: u8| u.pressure.heading(&format!("P{i}")), |i: u8| u.force.heading(&format!("F{i}")));
+    let mut header = vec!["φ [°]".to_owned(), pressure(1)];
+    if two {
+        header.push(pressure(2));
+    }
+    header.extend(["τ [N m]".into(), "± [N m]".into()]);
+    if branches {
+        header.extend(["turning to +".to_owned(), "to −".into()]);
+    }
+    header.extend(["−dτ/dφ [N m/rad]".to_owned(), force(1)]);
+    if two {
+        header.push(force(2));
+    }
+    if resting {
+        header.push("rest".into());
+    }
+    let torque = |v: f64| number(if v.abs() < 1e-9 { 0.0 } else { v }, 4);
+    let some = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), torque);
+    let pull = |n: f64, slack: bool| if slack { "slack".to_owned() } else { u.force.to(n, 4) };
+    let row = |q: &JointRow| {
+        let mut row = vec![
+            number(if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg }, 5),
+            u.pressure.bare(q.pressure_1_mpa),
+        ];
+        row.extend(q.pressure_2_mpa.map(|p| u.pressure.bare(p)));
+        row.extend([torque(q.torque_nm), q.uncertainty_nm.map_or_else(|| "–".into(), |v| number(v, 2))]);
+        if branches {
+            row.extend([some(q.torque_turning_plus_nm), some(q.torque_turning_minus_nm)]);
+        }
+        row.extend([torque(q.stiffness_nm_per_rad), pull(q.force_1_n, q.slack_1)]);
+        row.extend(q.force_2_n.map(|f| pull(f, q.slack_2 == Some(true))));
+        if resting {
+            row.push(q.rest.map_or("", mckibben_app::RestWord::name).into());
+        }
+        row
+    };
+    let header: Vec<&str> = header.iter().map(String::as_str).collect();
+    table(&header, points.iter().map(row).collect())
+}
