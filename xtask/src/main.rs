@@ -137,6 +137,9 @@ fn checks(_: bool) -> Done {
     };
     run(script("checks/oracle.py").arg(&program))?;
     run(script("checks/campaign.py").arg(&program))?;
+    let answer = made.join("motion.json");
+    save(cargo().args(["run", "--locked", "--quiet", "-p", "mckibben-motion", "--example", "exported"]), &answer)?;
+    run(script("checks/motion.py").arg(&answer))?;
     for (name, line) in [
         ("checks/vtu.py", "-e 10% -p 0.05..0.25:0.05"),
         ("checks/vtu3d.py", "--model fe3d -e 10% -p 0.05,0.25 --whole"),
@@ -157,7 +160,7 @@ fn script(program: &str, path: &str) -> Done {
 }
 
 fn benches(_: bool) -> Done {
-    run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem"]))
+    run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem", "-p", "mckibben-motion"]))
 }
 
 fn peers(_: bool) -> Done {

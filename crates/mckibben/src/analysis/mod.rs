@@ -17,4 +17,4 @@ pub use error::AnalysisError;
 pub(crate) use golden::{Place, golden};
 pub(crate) use inverse::pressure_up_to;
 pub use inverse::{contraction_at, pressure_at};
-pub(crate) use root::{RootError, find_root};
+pub use root::{RootError, find_root};

@@ -1,0 +1,197 @@
+//! What is commanded over time.
+
+use std::f64::consts::TAU;
+use thiserror::Error;
+
+/// Why a command is none.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum CommandError {
+    /// No point.
+    #[error("a command needs at least one time and value")]
+    Empty,
+    /// Time goes back, or stands.
+    #[error("the command's times must grow: {time_s} s follows {before_s} s (point {point})")]
+    Order {
+        /// Which point, from 1.
+        point: usize,
+        /// Its time.
+        time_s: f64,
+        /// The one before.
+        before_s: f64,
+    },
+    /// Not a number.
+    #[error("the command's {what} is {value}; it must be a finite number")]
+    NotFinite {
+        /// What.
+        what: &'static str,
+        /// What it is.
+        value: f64,
+    },
+    /// A frequency or time that is not above zero.
+    #[error("the command's {what} must be above zero, and is {value}")]
+    NotPositive {
+        /// What.
+        what: &'static str,
+        /// What it is.
+        value: f64,
+    },
+}
+
+/// A value over time: pressure in MPa, opening, or position.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Command {
+    /// Always the same.
+    Constant(f64),
+    /// (time in s, value): the value from that time on; before the first time the first value.
+    Steps(Vec<(f64, f64)>),
+    /// (time in s, value) joined by straight lines; constant before and after. A sampled table is one.
+    Ramps(Vec<(f64, f64)>),
+    /// mean + amplitude sin(2π f t + phase).
+    Sine {
+        /// Mean.
+        mean: f64,
+        /// Amplitude.
+        amplitude: f64,
+        /// f in Hz.
+        frequency_hz: f64,
+        /// Phase in rad.
+        phase_rad: f64,
+    },
+    /// A sine whose frequency grows linearly from one to the other within a time, and stays.
+    Chirp {
+        /// Mean.
+        mean: f64,
+        /// Amplitude.
+        amplitude: f64,
+        /// First frequency in Hz.
+        from_hz: f64,
+        /// Last frequency in Hz.
+        to_hz: f64,
+        /// Within this time in s.
+        duration_s: f64,
+    },
+}
+
+impl Command {
+    /// A sampled table of times and values.
+    ///
+    /// # Errors
+    /// [`CommandError`] where times do not grow strictly or a number is not finite.
+    pub fn table(points: Vec<(f64, f64)>) -> Result<Self, CommandError> {
+        let table = Self::Ramps(points);
+        table.check()?;
+        Ok(table)
+    }
+
+    /// Whether it is a command.
+    ///
+    /// # Errors
+    /// [`CommandError`].
+    pub fn check(&self) -> Result<(), CommandError> {
+        let finite = |what, value: f64| {
+            if value.is_finite() { Ok(()) } else { Err(CommandError::NotFinite { what, value }) }
+        };
+        let positive = |what, value: f64| {
+            finite(what, value)?;
+            if value > 0.0 { Ok(()) } else { Err(CommandError::NotPositive { what, value }) }
+        };
+        match self {
+            Self::Constant(value) => finite("value", *value),
+            Self::Steps(points) | Self::Ramps(points) => {
+                if points.is_empty() {
+                    return Err(CommandError::Empty);
+                }
+                points.iter().try_for_each(|p| finite("time", p.0).and(finite("value", p.1)))?;
+                for (i, pair) in points.windows(2).enumerate() {
+                    if let [before, after] = pair
+                        && after.0 <= before.0
+                    {
+                        return Err(CommandError::Order {
+                            point: i + 2,
+                            time_s: after.0,
+                            before_s: before.0,
+                        });
+                    }
+                }
+                Ok(())
+            }
+            Self::Sine { mean, amplitude, frequency_hz, phase_rad } => {
+                finite("mean", *mean)?;
+                finite("amplitude", *amplitude)?;
+                finite("phase", *phase_rad)?;
+                positive("frequency in Hz", *frequency_hz)
+            }
+            Self::Chirp { mean, amplitude, from_hz, to_hz, duration_s } => {
+                finite("mean", *mean)?;
+                finite("amplitude", *amplitude)?;
+                positive("first frequency in Hz", *from_hz)?;
+                positive("last frequency in Hz", *to_hz)?;
+                positive("duration in s", *duration_s)
+            }
+        }
+    }
+
+    /// The value at a time, by the piece that holds at the time `within`: at a breakpoint the side of `within` counts.
+    pub fn value_within(&self, time_s: f64, within: f64) -> f64 {
+        match self {
+            Self::Constant(value) => *value,
+            Self::Steps(points) => {
+                let after = points.partition_point(|p| p.0 <= within);
+                points.get(after.saturating_sub(1)).map_or(0.0, |p| p.1)
+            }
+            Self::Ramps(points) => {
+                let after = points.partition_point(|p| p.0 <= within);
+                let last = points.len().saturating_sub(1);
+                match (after.checked_sub(1).and_then(|i| points.get(i)), points.get(after)) {
+                    (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (time_s - a.0) / (b.0 - a.0),
+                    (None, Some(b)) => b.1,
+                    _ => points.get(last).map_or(0.0, |p| p.1),
+                }
+            }
+            Self::Sine { mean, amplitude, frequency_hz, phase_rad } => {
+                mean + amplitude * (TAU * frequency_hz * time_s + phase_rad).sin()
+            }
+            Self::Chirp { mean, amplitude, from_hz, to_hz, duration_s } => {
+                let rate = (to_hz - from_hz) / duration_s;
+                let phase = if within < *duration_s {
+                    (from_hz + 0.5 * rate * time_s) * time_s
+                } else {
+                    0.5 * (from_hz + to_hz) * duration_s + to_hz * (time_s - duration_s)
+                };
+                mean + amplitude * (TAU * phase).sin()
+            }
+        }
+    }
+
+    /// The value at a time, after a step there.
+    pub fn value(&self, time_s: f64) -> f64 {
+        self.value_within(time_s, time_s)
+    }
+
+    /// Where the integration begins anew.
+    pub fn breakpoints(&self) -> Vec<f64> {
+        match self {
+            Self::Constant(_) | Self::Sine { .. } => vec![],
+            Self::Steps(points) | Self::Ramps(points) => points.iter().map(|p| p.0).collect(),
+            Self::Chirp { duration_s, .. } => vec![*duration_s],
+        }
+    }
+
+    /// Smallest and largest value it can take.
+    pub fn bounds(&self) -> (f64, f64) {
+        match self {
+            Self::Constant(value) => (*value, *value),
+            Self::Steps(points) | Self::Ramps(points) => points
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(p.1), high.max(p.1))),
+            Self::Sine { mean, amplitude, .. } | Self::Chirp { mean, amplitude, .. } => {
+                (mean - amplitude.abs(), mean + amplitude.abs())
+            }
+        }
+    }
+
+    /// Its period in s, if it is periodic.
+    pub fn period_s(&self) -> Option<f64> {
+        if let Self::Sine { frequency_hz, .. } = self { Some(1.0 / frequency_hz) } else { None }
+    }
+}

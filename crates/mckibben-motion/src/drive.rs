@@ -1,0 +1,255 @@
+//! What is to be run.
+
+use crate::air::{ATMOSPHERE_MPA, Air, Heat};
+use crate::command::Command;
+use crate::control::{Pid, PidOutput};
+use crate::error::MotionError;
+use crate::friction::Dahl;
+use crate::mechanism::Mechanism;
+use crate::valve::{Valve, ValveKind};
+use crate::viscoelastic::Prony;
+use mckibben::model::ForceModel;
+
+/// The supply of compressed air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Supply {
+    /// Gauge pressure in MPa.
+    pub pressure_mpa: f64,
+    /// Temperature in K.
+    pub temperature_k: f64,
+}
+
+impl Default for Supply {
+    /// 6 bar, 20 °C.
+    fn default() -> Self {
+        Self { pressure_mpa: 0.6, temperature_k: 293.15 }
+    }
+}
+
+impl Supply {
+    pub(crate) fn state(&self) -> (f64, f64) {
+        (self.pressure_mpa + ATMOSPHERE_MPA, self.temperature_k)
+    }
+}
+
+/// What gives a muscle its air.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Actuator {
+    /// An ideal regulator: ṗ = (command − p)/τ, the flow follows from the balance.
+    Regulator {
+        /// τ in s.
+        time_constant_s: f64,
+    },
+    /// A valve.
+    Valve(Valve),
+}
+
+/// A muscle with all that acts on it.
+#[derive(Clone)]
+pub struct Actuated<'a> {
+    /// Its static pull and volume.
+    pub model: &'a dyn ForceModel,
+    /// What gives it air.
+    pub actuator: Actuator,
+    /// Its air.
+    pub air: Air,
+    /// Friction of its braid.
+    pub friction: Option<Dahl>,
+    /// Viscoelasticity of its rubber.
+    pub rubber: Prony,
+    /// Gauge pressure at the start in MPa; without it, what the first command says (0 where that is an opening that is closed).
+    pub initial_pressure_mpa: Option<f64>,
+}
+
+impl<'a> Actuated<'a> {
+    /// A muscle on an actuator: isothermal, no dead volume, no friction, elastic.
+    pub fn new(model: &'a dyn ForceModel, actuator: Actuator) -> Self {
+        Self {
+            model,
+            actuator,
+            air: Air::default(),
+            friction: None,
+            rubber: Prony::default(),
+            initial_pressure_mpa: None,
+        }
+    }
+
+    /// Dead volume and hose in mm³.
+    pub(crate) fn outside_mm3(&self) -> f64 {
+        let hose = if let Actuator::Valve(valve) = &self.actuator { valve.hose } else { None };
+        self.air.dead_volume_mm3 + hose.map_or(0.0, |h| h.volume_mm3())
+    }
+}
+
+/// What is commanded.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Target {
+    /// Gauge pressures in MPa, one for each muscle: by the regulator, or by the valve's own law.
+    Pressure(Vec<Command>),
+    /// Openings of the valves, −1 … 1, one for each muscle; an on–off valve fills above ½, vents below −½ and holds between, without a
+    /// closed centre fills above 0.
+    Opening(Vec<Command>),
+    /// The position: contraction of a single muscle, angle of a joint in rad.
+    Position {
+        /// The command.
+        command: Command,
+        /// The controller.
+        pid: Pid,
+    },
+}
+
+impl Target {
+    /// All commands.
+    pub fn commands(&self) -> &[Command] {
+        match self {
+            Self::Pressure(c) | Self::Opening(c) => c,
+            Self::Position { command, .. } => std::slice::from_ref(command),
+        }
+    }
+}
+
+/// How finely it is integrated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    /// Relative tolerance; absolute ones are this share of a scale of each quantity (1 % of the stroke, 0.1 MPa, 10 N, 1 J, …).
+    pub relative: f64,
+    /// Steps after which it gives up.
+    pub steps: usize,
+}
+
+impl Default for Tolerance {
+    fn default() -> Self {
+        Self { relative: 1e-6, steps: 1_000_000 }
+    }
+}
+
+/// A mechanism, its muscles, what is commanded, and for how long.
+#[derive(Clone)]
+pub struct Drive<'a> {
+    /// What moves.
+    pub mechanism: &'a dyn Mechanism,
+    /// What pulls.
+    pub muscles: Vec<Actuated<'a>>,
+    /// Where the air comes from.
+    pub supply: Supply,
+    /// What is commanded.
+    pub target: Target,
+    /// The end in s; it begins at 0.
+    pub until_s: f64,
+    /// Time between two points of the series in s.
+    pub output_step_s: f64,
+    /// How finely it is integrated.
+    pub tolerance: Tolerance,
+    /// The coordinate at the start in mm or rad, at rest; without it, the equilibrium at the first command.
+    pub initial_coordinate: Option<f64>,
+}
+
+impl<'a> Drive<'a> {
+    /// With 6 bar, a thousand points of output and the default tolerance.
+    pub fn new(
+        mechanism: &'a dyn Mechanism,
+        muscles: Vec<Actuated<'a>>,
+        target: Target,
+        until_s: f64,
+    ) -> Self {
+        Self {
+            mechanism,
+            muscles,
+            supply: Supply::default(),
+            target,
+            until_s,
+            output_step_s: until_s / 1000.0,
+            tolerance: Tolerance::default(),
+            initial_coordinate: None,
+        }
+    }
+
+    /// Whether it can be run.
+    ///
+    /// # Errors
+    /// [`MotionError`] names what is wrong.
+    pub fn check(&self) -> Result<(), MotionError> {
+        let n = self.mechanism.muscles();
+        let count = |given: usize, what| {
+            if given == n { Ok(()) } else { Err(MotionError::Count { muscles: n, given, what }) }
+        };
+        count(self.muscles.len(), "muscles with an actuator")?;
+        self.mechanism.check()?;
+        MotionError::positive("the supply's temperature in K", self.supply.temperature_k)?;
+        MotionError::within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
+        MotionError::positive("the end of the run in s", self.until_s)?;
+        MotionError::positive("the time between two points in s", self.output_step_s)?;
+        MotionError::within("the tolerance", self.tolerance.relative, 1e-12, 1e-2)?;
+        for command in self.target.commands() {
+            command.check()?;
+        }
+        match &self.target {
+            Target::Pressure(commands) => {
+                count(commands.len(), "commands")?;
+                for command in commands {
+                    let (low, high) = command.bounds();
+                    MotionError::within("a commanded pressure in MPa", low, 0.0, f64::MAX)?;
+                    if high > self.supply.pressure_mpa {
+                        let supply_mpa = self.supply.pressure_mpa;
+                        return Err(MotionError::Supply { command_mpa: high, supply_mpa });
+                    }
+                }
+            }
+            Target::Opening(commands) => {
+                count(commands.len(), "commands")?;
+                for command in commands {
+                    let (low, high) = command.bounds();
+                    MotionError::within("a commanded opening", low, -1.0, 1.0)?;
+                    MotionError::within("a commanded opening", high, -1.0, 1.0)?;
+                }
+            }
+            Target::Position { pid, .. } => pid.check()?,
+        }
+        let opened = match &self.target {
+            Target::Opening(_) => true,
+            Target::Position { pid, .. } => pid.output == PidOutput::Opening,
+            Target::Pressure(_) => false,
+        };
+        for (i, muscle) in self.muscles.iter().enumerate() {
+            muscle.check()?;
+            if opened && matches!(muscle.actuator, Actuator::Regulator { .. }) {
+                return Err(MotionError::NoOpening { muscle: i + 1 });
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Actuated<'_> {
+    fn check(&self) -> Result<(), MotionError> {
+        MotionError::positive("the wall's temperature in K", self.air.wall_temperature_k)?;
+        MotionError::within("the dead volume in mm³", self.air.dead_volume_mm3, 0.0, f64::MAX)?;
+        match self.air.heat {
+            Heat::Polytropic(n) => MotionError::within("the polytropic index", n, 1.0, 1.4)?,
+            Heat::Transfer(h) => MotionError::within("the heat transfer in W/(m² K)", h, 0.0, f64::MAX)?,
+            Heat::Conductance(h) => MotionError::within("the heat conductance in W/K", h, 0.0, f64::MAX)?,
+            Heat::Isothermal | Heat::Adiabatic => {}
+        }
+        match &self.actuator {
+            Actuator::Regulator { time_constant_s } => {
+                MotionError::positive("the regulator's time constant in s", *time_constant_s)?;
+            }
+            Actuator::Valve(valve) => match valve.kind {
+                ValveKind::OnOff { hysteresis_mpa, .. } => {
+                    MotionError::positive("the on–off valve's hysteresis in MPa", hysteresis_mpa)?;
+                }
+                ValveKind::Proportional { time_constant_s, gain_per_mpa } => {
+                    MotionError::within("the valve's lag in s", time_constant_s, 0.0, f64::MAX)?;
+                    MotionError::positive("the valve's gain in 1/MPa", gain_per_mpa)?;
+                }
+            },
+        }
+        if let Some(friction) = &self.friction {
+            friction.check()?;
+        }
+        if let Some(p) = self.initial_pressure_mpa {
+            MotionError::within("the gauge pressure at the start in MPa", p, 0.0, f64::MAX)?;
+        }
+        self.rubber.check()
+    }
+}

@@ -1,0 +1,188 @@
+//! Where a drive stands still.
+
+use crate::control::PidOutput;
+use crate::drive::{Actuator, Drive, Target};
+use crate::error::MotionError;
+use crate::member::Member;
+use crate::valve::ValveKind;
+use mckibben::analysis::{RootError, find_root};
+use mckibben::budget::Budget;
+use mckibben::model::ModelError;
+
+/// A static equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equilibrium {
+    /// q in mm or rad.
+    pub coordinate: f64,
+    /// Gauge pressures in MPa.
+    pub pressures_mpa: Vec<f64>,
+    /// Standing on the lower (−1) or the upper (1) stop.
+    pub stop: Option<f64>,
+}
+
+/// Where a drive stands at rest under given gauge pressures: the first equilibrium from the position of unshortened muscles on, in the
+/// direction of the net force.
+///
+/// # Errors
+/// [`MotionError::NoEquilibrium`], or the model's.
+pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
+    drive.check()?;
+    let members: Vec<Member<'_>> =
+        drive.muscles.iter().map(|m| Member::new(m.model, &Budget::default())).collect();
+    at_pressures(drive, &members, pressures_mpa)
+}
+
+/// What a model's refusal is at time zero.
+fn refusal(error: ModelError, muscle: usize, pressure_mpa: f64, contraction: f64) -> MotionError {
+    match error {
+        ModelError::Exceeded(e) => MotionError::Exceeded(e),
+        error => {
+            let error = Box::new(error);
+            MotionError::Model { time_s: 0.0, muscle: muscle + 1, pressure_mpa, contraction, error }
+        }
+    }
+}
+
+/// Static net force at q: pulls less load. A muscle that would have to push is slack, also where its model has no answer for it.
+pub(crate) fn net(
+    drive: &Drive<'_>,
+    members: &[Member<'_>],
+    pressures: &[f64],
+    q: f64,
+) -> Result<f64, MotionError> {
+    let mut sum = -drive.mechanism.load(q);
+    for (i, (member, p)) in members.iter().zip(pressures).enumerate() {
+        let lever = drive.mechanism.lever(i, q);
+        let force = match member.answer(*p, lever.contraction) {
+            Ok(answer) => answer.force_n,
+            Err(ModelError::Exceeded(e)) => return Err(e.into()),
+            Err(_) if member.hanging(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
+            Err(error) => return Err(refusal(error, i, *p, lever.contraction)),
+        };
+        sum += force.max(0.0) * member.length_mm * lever.per_coordinate;
+    }
+    Ok(sum)
+}
+
+pub(crate) fn at_pressures(
+    drive: &Drive<'_>,
+    members: &[Member<'_>],
+    pressures: &[f64],
+) -> Result<Equilibrium, MotionError> {
+    let (low, high) = drive.mechanism.stops();
+    let lever = drive.mechanism.lever(0, 0.0);
+    let stride = 0.01 / lever.per_coordinate.abs().max(1e-9);
+    let found = |coordinate: f64, stop: Option<f64>| Equilibrium {
+        coordinate,
+        pressures_mpa: pressures.to_vec(),
+        stop,
+    };
+    let mut q = 0.0_f64.max(low).min(high);
+    let mut before = net(drive, members, pressures, q)?;
+    // Rounding about a muscle without pressure at its own length is no force.
+    let nothing = 1e-9 / lever.per_coordinate.abs().max(1e-9);
+    if before.abs() <= nothing && (q == low || q == high) {
+        return Ok(found(q, Some(if q == low { -1.0 } else { 1.0 })));
+    }
+    let way = before.signum();
+    // Steps of a hundredth of the contraction, up to one and a half.
+    for _ in 0..150 {
+        if way > 0.0 && q >= high || way < 0.0 && q <= low {
+            return Ok(found(q, Some(way)));
+        }
+        let next = (q + way * stride).max(low).min(high);
+        let after = match net(drive, members, pressures, next) {
+            Ok(after) => after,
+            Err(MotionError::Exceeded(e)) => return Err(e.into()),
+            Err(_) => return Err(MotionError::NoEquilibrium { position: q, net: before }),
+        };
+        if after * way <= 0.0 {
+            let root = find_root(|x| net(drive, members, pressures, x), q, next, 1e-12 * stride);
+            return match root {
+                Ok(coordinate) => Ok(found(coordinate, None)),
+                Err(RootError::Function(error)) => Err(error),
+                Err(RootError::NotBracketed { .. }) => {
+                    Err(MotionError::NoEquilibrium { position: q, net: before })
+                }
+            };
+        }
+        (q, before) = (next, after);
+    }
+    Err(MotionError::NoEquilibrium { position: q, net: before })
+}
+
+/// The equilibrium at the first command.
+pub(crate) fn at_start(drive: &Drive<'_>, members: &[Member<'_>]) -> Result<Equilibrium, MotionError> {
+    let supply = drive.supply.pressure_mpa;
+    let given = |pressures: Vec<f64>| -> Vec<f64> {
+        let own = drive.muscles.iter().map(|m| m.initial_pressure_mpa);
+        own.zip(pressures).map(|(own, p)| own.unwrap_or(p)).collect()
+    };
+    let standing = |pressures: Vec<f64>| match drive.initial_coordinate {
+        Some(coordinate) => {
+            let (low, high) = drive.mechanism.stops();
+            let net = net(drive, members, &pressures, coordinate)?;
+            let stop = if coordinate <= low && net <= 0.0 {
+                Some(-1.0)
+            } else if coordinate >= high && net >= 0.0 {
+                Some(1.0)
+            } else {
+                None
+            };
+            Ok(Equilibrium { coordinate: coordinate.max(low).min(high), pressures_mpa: pressures, stop })
+        }
+        None if drive.mechanism.inertia().is_infinite() => {
+            Ok(Equilibrium { coordinate: 0.0, pressures_mpa: pressures, stop: None })
+        }
+        None => at_pressures(drive, members, &pressures),
+    };
+    let (command, pid) = match &drive.target {
+        Target::Pressure(c) => return standing(given(c.iter().map(|c| c.value(0.0)).collect())),
+        Target::Opening(c) => {
+            let filling = |(c, m): (&crate::command::Command, &crate::drive::Actuated<'_>)| {
+                let least = match m.actuator {
+                    Actuator::Valve(v) if matches!(v.kind, ValveKind::OnOff { closed_centre: true, .. }) => {
+                        0.5
+                    }
+                    _ => 0.0,
+                };
+                if c.value(0.0) > least { supply } else { 0.0 }
+            };
+            return standing(given(c.iter().zip(&drive.muscles).map(filling).collect()));
+        }
+        Target::Position { command, pid } => (command, pid),
+    };
+    // The pressures that hold the commanded position: u from all the way out to all the way in.
+    let q = command.value(0.0) / drive.mechanism.position_per_coordinate();
+    let q = q.max(drive.mechanism.stops().0).min(drive.mechanism.stops().1);
+    let bias = if let PidOutput::Pressure { bias_mpa } = pid.output { bias_mpa } else { 0.0 };
+    let pressures = |u: f64| -> Vec<f64> {
+        let sign = |i: usize| drive.mechanism.lever(i, 0.0).per_coordinate.signum();
+        (0..members.len()).map(|i| (bias + u * sign(i)).max(0.0).min(supply)).collect()
+    };
+    let (least, most) = (-bias, supply - bias);
+    let at = |u: f64| net(drive, members, &pressures(u), q);
+    let u = match (at(least)?, at(most)?) {
+        (low, _) if low >= 0.0 => least,
+        (_, high) if high <= 0.0 => least,
+        _ => match find_root(at, least, most, 1e-14) {
+            Ok(u) => u,
+            Err(RootError::Function(error)) => return Err(error),
+            Err(RootError::NotBracketed { .. }) => least,
+        },
+    };
+    let pressures_mpa = given(pressures(u));
+    let left = net(drive, members, &pressures_mpa, q)?;
+    let nothing = 1e-6 / drive.mechanism.lever(0, q).per_coordinate.abs().max(1e-9);
+    let (low, high) = drive.mechanism.stops();
+    let stop = if q <= low && left <= nothing {
+        Some(-1.0)
+    } else if q >= high && left >= -nothing {
+        Some(1.0)
+    } else if left.abs() <= nothing || drive.initial_coordinate.is_some() {
+        None
+    } else {
+        return Err(MotionError::NoEquilibrium { position: q, net: left });
+    };
+    Ok(Equilibrium { coordinate: drive.initial_coordinate.unwrap_or(q), pressures_mpa, stop })
+}

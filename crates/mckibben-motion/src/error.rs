@@ -1,0 +1,172 @@
+//! Why there is no motion.
+
+use crate::command::CommandError;
+use mckibben::budget::Exceeded;
+use mckibben::model::ModelError;
+use thiserror::Error;
+
+/// Why a motion was refused, or ended early.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum MotionError {
+    /// A number that cannot be.
+    #[error("{what} must be {must}, and is {value}")]
+    Value {
+        /// What it is, with its unit.
+        what: &'static str,
+        /// What it must be.
+        must: String,
+        /// What it is.
+        value: f64,
+    },
+    /// Lists of different lengths.
+    #[error("there are {muscles} muscles in the mechanism, and {given} {what}; give one for each")]
+    Count {
+        /// Of the mechanism.
+        muscles: usize,
+        /// How many were given.
+        given: usize,
+        /// Of what.
+        what: &'static str,
+    },
+    /// The supply cannot reach what is commanded.
+    #[error(
+        "the command asks for {command_mpa} MPa, and the supply has {supply_mpa} MPa; raise the supply or lower the command"
+    )]
+    Supply {
+        /// The largest command in MPa.
+        command_mpa: f64,
+        /// The supply in MPa.
+        supply_mpa: f64,
+    },
+    /// The command is not one.
+    #[error(transparent)]
+    Command(#[from] CommandError),
+    /// A model without volume.
+    #[error(
+        "the {model} model has no volume, without which there is no air; take fe, universal or thick-wall"
+    )]
+    NoVolume {
+        /// The model's name.
+        model: String,
+    },
+    /// A regulator has no opening that could be commanded.
+    #[error(
+        "an opening is commanded, and muscle {muscle} is on a regulator; command its pressure, or give it a valve"
+    )]
+    NoOpening {
+        /// Which muscle, from 1.
+        muscle: usize,
+    },
+    /// No static equilibrium to begin from.
+    #[error(
+        "no equilibrium at the start: at a position of {position} the net force is {net} (N, or N mm about a joint), and it does not change its sign up to there; change the load or the first command, or give a stop"
+    )]
+    NoEquilibrium {
+        /// The last position that was looked at, in mm or rad.
+        position: f64,
+        /// The net generalised force there.
+        net: f64,
+    },
+    /// The load never leaves its stop.
+    #[error(
+        "the load is never lifted: the largest net force from the stop was {net} (N, or N mm about a joint) at {time_s} s, at most {pressure_mpa} MPa; raise the pressure, take a larger muscle or a smaller load"
+    )]
+    NeverLifted {
+        /// The largest net force away from the stop (negative).
+        net: f64,
+        /// When it was.
+        time_s: f64,
+        /// The largest pressure there was, in MPa.
+        pressure_mpa: f64,
+    },
+    /// A model has no answer on the way.
+    #[error(
+        "the motion ends at {time_s} s, muscle {muscle} at {pressure_mpa} MPa and contraction {contraction}: {error}"
+    )]
+    Model {
+        /// When.
+        time_s: f64,
+        /// Which muscle, from 1.
+        muscle: usize,
+        /// Its gauge pressure in MPa.
+        pressure_mpa: f64,
+        /// Its contraction.
+        contraction: f64,
+        /// The model's reason.
+        error: Box<ModelError>,
+    },
+    /// Not a number, or without bounds.
+    #[error("the motion diverges at {time_s} s ({what})")]
+    Diverged {
+        /// When.
+        time_s: f64,
+        /// What was found.
+        what: String,
+    },
+    /// Steps that go to nothing, or too many.
+    #[error("the motion ends at {time_s} s after {steps} steps, the last of {step_s} s: {what}")]
+    Steps {
+        /// When.
+        time_s: f64,
+        /// How many steps.
+        steps: usize,
+        /// The last step in s.
+        step_s: f64,
+        /// Why.
+        what: &'static str,
+    },
+    /// Events that follow each other without time in between.
+    #[error(
+        "{count} events within {span_s} s before {time_s} s, the last of them: {kind}; damp the load or widen the valve's hysteresis"
+    )]
+    Chatter {
+        /// When.
+        time_s: f64,
+        /// How many.
+        count: usize,
+        /// Within which time.
+        span_s: f64,
+        /// The last.
+        kind: String,
+    },
+    /// No conductance is large enough.
+    #[error(
+        "a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) it is {reached_s:?} s; raise the supply or lower the mass"
+    )]
+    NoValve {
+        /// What was wanted.
+        wanted_s: f64,
+        /// The largest conductance that was tried.
+        largest_l_per_s_bar: f64,
+        /// The rise time with it, if there was one.
+        reached_s: Option<f64>,
+    },
+    /// No rise to be timed.
+    #[error("the command asks for no rise, so there is no valve to size by it")]
+    NoRise,
+    /// Nothing to look at.
+    #[error("there is no equilibrium about which to linearise: {why}")]
+    NotAtRest {
+        /// Why.
+        why: &'static str,
+    },
+    /// The budget of the request, or the caller's wish.
+    #[error(transparent)]
+    Exceeded(#[from] Exceeded),
+}
+
+impl MotionError {
+    pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), Self> {
+        let ok = value.is_finite() && value > 0.0;
+        if ok { Ok(()) } else { Err(Self::Value { what, must: "above zero".into(), value }) }
+    }
+
+    pub(crate) fn within(what: &'static str, value: f64, low: f64, high: f64) -> Result<(), Self> {
+        if value >= low && value <= high {
+            return Ok(());
+        }
+        let must =
+            if high == f64::MAX { format!("at least {low}") } else { format!("from {low} to {high:.3}") };
+        Err(Self::Value { what, must, value })
+    }
+}

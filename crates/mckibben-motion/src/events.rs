@@ -1,0 +1,205 @@
+//! Stops, slack, switching and reversals: which they are, when they come, and what they change.
+
+use crate::drive::{Actuator, Target};
+use crate::error::MotionError;
+use crate::integrate::Equations;
+use crate::system::{Point, Switch, System};
+use crate::valve::ValveKind;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// What happened.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum EventKind {
+    /// The load came to the lower stop.
+    LowerStop,
+    /// The load came to the upper stop.
+    UpperStop,
+    /// The load left its stop.
+    Lifted,
+    /// A muscle went slack.
+    Slack,
+    /// A slack muscle was pulled taut.
+    Taut,
+    /// A muscle's speed changed its sign, and with it friction's.
+    Reversal,
+    /// An on–off valve began to fill.
+    Filling,
+    /// An on–off valve closed.
+    Closed,
+    /// An on–off valve began to vent.
+    Venting,
+}
+
+impl fmt::Display for EventKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(f)
+    }
+}
+
+/// What happened when.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Event {
+    /// When, in s.
+    pub time_s: f64,
+    /// What.
+    pub kind: EventKind,
+    /// Which muscle, from 1; 0 for the load.
+    pub muscle: usize,
+    /// Kinetic energy that was lost in it, in J.
+    pub lost_j: f64,
+}
+
+/// The side of a kink that holds as long as its function is not below zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Guard {
+    Stop(f64),
+    Release,
+    Slack(usize),
+    Taut(usize),
+    Reversal(usize),
+    Switch(usize, Switch),
+}
+
+/// Dead bands, so that rounding alone switches nothing: N, contraction, opening or MPa.
+const SLACK_N: f64 = 1e-6;
+const SLACK: f64 = 1e-10;
+const SIGNAL: f64 = 1e-9;
+
+impl System<'_> {
+    /// Speed in coordinate units a second that is none.
+    fn still(&self) -> f64 {
+        1e-6 * self.scales().get(1).copied().unwrap_or(1.0)
+    }
+
+    /// All guards at a time, with their functions; those that ask a model only where `all`.
+    pub fn guards(&self, t: f64, y: &[f64], all: bool) -> Result<Vec<(Guard, f64)>, MotionError> {
+        let mut guards = vec![];
+        let modes = self.modes.borrow();
+        let (q, v) = (y.first().copied().unwrap_or(0.0), y.get(1).copied().unwrap_or(0.0));
+        let mechanism = self.drive.mechanism;
+        let (low, high) = mechanism.stops();
+        let width = 1e-9 * self.scales().first().copied().unwrap_or(1.0);
+        if modes.stop.is_none() {
+            guards.push((Guard::Stop(-1.0), q - low + width));
+            guards.push((Guard::Stop(1.0), high - q + width));
+            for (i, m) in self.drive.muscles.iter().enumerate() {
+                if let (Some(_), Some(mode)) = (&m.friction, modes.muscles.get(i)) {
+                    let lever = mechanism.lever(i, q).per_coordinate.signum();
+                    guards.push((Guard::Reversal(i), mode.sign * lever * v + self.still()));
+                }
+            }
+        }
+        let needed = all
+            || self.drive.muscles.iter().any(|m| switches(&m.actuator).is_some())
+                && !matches!(self.drive.target, Target::Pressure(_));
+        drop(modes);
+        // Signals of the valves follow from the state alone where the command is a pressure.
+        let point = if needed { self.point(t, y, None)? } else { Point::default() };
+        let modes = self.modes.borrow();
+        if all {
+            if let Some(side) = modes.stop {
+                guards.push((Guard::Release, side * point.net + self.nothing()));
+            }
+            for (i, (m, mode)) in point.muscles.iter().zip(&modes.muscles).enumerate() {
+                guards.push(if mode.slack {
+                    (Guard::Taut(i), m.beyond + SLACK)
+                } else {
+                    (Guard::Slack(i), m.model_n + SLACK_N)
+                });
+            }
+        }
+        for (i, (m, mode)) in self.drive.muscles.iter().zip(&modes.muscles).enumerate() {
+            let Some((hysteresis, closed_centre)) = switches(&m.actuator) else { continue };
+            let signal = match (point.muscles.get(i), self.slots.get(i)) {
+                (Some(p), _) => p.signal,
+                (None, Some(slot)) => {
+                    let p = y.get(slot.pressure).copied().unwrap_or(0.0) - crate::air::ATMOSPHERE_MPA;
+                    self.command(t, i, None).0 - p
+                }
+                (None, None) => continue,
+            };
+            let is_pressure = match &self.drive.target {
+                Target::Pressure(_) => true,
+                Target::Opening(_) => false,
+                Target::Position { pid, .. } => pid.output != crate::control::PidOutput::Opening,
+            };
+            let (on, off) = match (is_pressure, closed_centre) {
+                (true, true) => (hysteresis, 0.0),
+                (true, false) => (hysteresis, -hysteresis),
+                (false, true) => (0.5, 0.5),
+                (false, false) => (SIGNAL, 0.0),
+            };
+            let leaves = if closed_centre { Switch::Hold } else { Switch::Vent };
+            match mode.switch {
+                Switch::Fill => guards.push((Guard::Switch(i, leaves), signal - off + SIGNAL)),
+                Switch::Hold => {
+                    guards.push((Guard::Switch(i, Switch::Fill), on - signal + SIGNAL));
+                    guards.push((Guard::Switch(i, Switch::Vent), signal + on + SIGNAL));
+                }
+                Switch::Vent if closed_centre => {
+                    guards.push((Guard::Switch(i, Switch::Hold), -off - signal + SIGNAL));
+                }
+                Switch::Vent => guards.push((Guard::Switch(i, Switch::Fill), on - signal + SIGNAL)),
+            }
+        }
+        Ok(guards)
+    }
+
+    /// A generalised force that is none.
+    fn nothing(&self) -> f64 {
+        1e-7 / self.drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9)
+    }
+
+    /// Goes over to the other side of a kink.
+    pub fn pass(&self, t: f64, y: &mut [f64], guard: Guard) -> Result<Event, MotionError> {
+        let mut event = Event { time_s: t, kind: EventKind::Lifted, muscle: 0, lost_j: 0.0 };
+        let mut modes = self.modes.borrow_mut();
+        match guard {
+            Guard::Stop(side) => {
+                let (low, high) = self.drive.mechanism.stops();
+                event.kind = if side < 0.0 { EventKind::LowerStop } else { EventKind::UpperStop };
+                if let [q, v, ..] = y {
+                    event.lost_j = 0.5e-3 * self.drive.mechanism.inertia() * *v * *v;
+                    *q = if side < 0.0 { low } else { high };
+                    *v = 0.0;
+                }
+                modes.stop = None;
+                drop(modes);
+                // It stays where the net force holds it there.
+                let net = self.point(t, y, None)?.net;
+                if side * net >= 0.0 {
+                    self.modes.borrow_mut().stop = Some(side);
+                }
+                return Ok(event);
+            }
+            Guard::Release => modes.stop = None,
+            Guard::Slack(i) | Guard::Taut(i) | Guard::Reversal(i) | Guard::Switch(i, _) => {
+                event.muscle = i + 1;
+                let Some(mode) = modes.muscles.get_mut(i) else { return Ok(event) };
+                match guard {
+                    Guard::Slack(_) => (mode.slack, event.kind) = (true, EventKind::Slack),
+                    Guard::Taut(_) => (mode.slack, event.kind) = (false, EventKind::Taut),
+                    Guard::Switch(_, to) => {
+                        mode.switch = to;
+                        event.kind = match to {
+                            Switch::Fill => EventKind::Filling,
+                            Switch::Hold => EventKind::Closed,
+                            Switch::Vent => EventKind::Venting,
+                        };
+                    }
+                    _ => (mode.sign, event.kind) = (-mode.sign, EventKind::Reversal),
+                }
+            }
+        }
+        Ok(event)
+    }
+}
+
+/// Hysteresis and closed centre of an on–off valve.
+pub(crate) fn switches(actuator: &Actuator) -> Option<(f64, bool)> {
+    let Actuator::Valve(valve) = actuator else { return None };
+    let ValveKind::OnOff { hysteresis_mpa, closed_centre } = valve.kind else { return None };
+    Some((hysteresis_mpa, closed_centre))
+}

@@ -1,0 +1,69 @@
+//! McKibben muscles in motion: a muscle, or a mechanism with several, on valves over time.
+//!
+//! A [`Drive`] says what moves ([`Mechanism`]: [`SingleMuscle`] with a load, or a joint), what pulls ([`Actuated`]: a force model, its air, its valve, its friction), what is
+//! commanded ([`Target`]) and for how long; [`run`] integrates it into a [`Motion`]. Around that: [`Linear`] (the system about an
+//! equilibrium: eigenvalues, frequency response, bandwidth) and [`size`] (the smallest valve that is quick enough).
+//!
+//! Units: mm, MPa, N, s, kg, K; air in g; energies in J at the surface and mJ (= N mm) inside. A pressure is gauge unless its name says
+//! `absolute`. `docs/motion.md` has the equations on one page.
+//!
+//! ```
+//! use mckibben::model::{Ideal, ForceModel};
+//! use mckibben::muscle::Muscle;
+//! use mckibben_motion::*;
+//!
+//! let model = Ideal::new(&Muscle::prototype());
+//! let load = SingleMuscle { stops_mm: (0.0, 100.0), ..SingleMuscle::hanging(&model, 10.0) };
+//! let valve = Valve::new(Orifice::new(0.5, 0.3)?);
+//! let target = Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]);
+//! let drive = Drive::new(&load, vec![Actuated::new(&model, Actuator::Valve(valve))], target, 1.0);
+//! let motion = run(&drive, &mckibben::progress::Silent)?;
+//! assert!(motion.rise_time_s.is_some());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod air;
+mod catalogue;
+mod command;
+mod control;
+mod drive;
+mod equilibrium;
+mod error;
+mod events;
+mod friction;
+mod hose;
+mod integrate;
+mod linear;
+mod mechanism;
+mod member;
+mod metrics;
+mod run;
+mod size;
+mod start;
+mod system;
+mod valve;
+mod viscoelastic;
+
+pub use air::{
+    ATMOSPHERE_MPA, Air, Cavity, Flow, GAS_CONSTANT_J_PER_KG_K, HEAT_RATIO, Heat, NORMAL_DENSITY_G_PER_L,
+    cavity_area_mm2,
+};
+pub use catalogue::{NamedValve, conductance_of_rated_flow, valve_named, valves};
+pub use command::{Command, CommandError};
+pub use control::{Pid, PidOutput};
+pub use drive::{Actuated, Actuator, Drive, Supply, Target, Tolerance};
+pub use equilibrium::{Equilibrium, equilibrium};
+pub use error::MotionError;
+pub use events::{Event, EventKind};
+pub use friction::Dahl;
+pub use hose::Hose;
+pub use linear::{FrequencyPoint, Linear};
+pub use mechanism::{Lever, Mechanism, SingleMuscle};
+pub use metrics::StepFigures;
+pub use run::{Energies, Motion, MuscleSeries, run};
+pub use size::{Sized, size};
+pub use valve::{LINEAR_SHARE, Orifice, Valve, ValveKind, in_series};
+pub use viscoelastic::{Branch, Prony};

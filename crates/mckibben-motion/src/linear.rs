@@ -1,0 +1,144 @@
+//! The drive about an equilibrium, as a linear system.
+
+use crate::drive::Drive;
+use crate::error::MotionError;
+use crate::integrate::Equations;
+use crate::system::System;
+use mckibben::budget::Budget;
+use nalgebra::{Complex, DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// ẏ = A y + B u about the equilibrium at the first command; u is added to every command, the output is the position.
+///
+/// Central differences of the right-hand side: also across the kink of a valve that is closed there, whose two sides it averages.
+/// The air's mass is a state without effect on the others where the law is isothermal: an eigenvalue 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Linear {
+    a: DMatrix<f64>,
+    b: DVector<f64>,
+    per_coordinate: f64,
+    coordinate: f64,
+}
+
+/// A point of the frequency response.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrequencyPoint {
+    /// In Hz.
+    pub frequency_hz: f64,
+    /// |H| in position per command.
+    pub gain: f64,
+    /// In rad.
+    pub phase_rad: f64,
+}
+
+impl Linear {
+    /// About the equilibrium at the first command of a drive.
+    ///
+    /// # Errors
+    /// As [`crate::equilibrium`]; [`MotionError::NotAtRest`] on a stop, or where nothing moves.
+    pub fn new(drive: &Drive<'_>) -> Result<Self, MotionError> {
+        let system = System::new(drive, &Budget::default())?;
+        let y = system.initial_state()?;
+        if system.modes.borrow().stop.is_some() {
+            return Err(MotionError::NotAtRest { why: "the load stands on a stop" });
+        }
+        if drive.mechanism.inertia().is_infinite() {
+            return Err(MotionError::NotAtRest { why: "the mechanism is held" });
+        }
+        let n = system.core();
+        let rates = |y: &[f64]| -> Result<Vec<f64>, MotionError> {
+            let mut rates = vec![0.0; Equations::len(&system)];
+            system.point(0.0, y, Some(&mut rates))?;
+            rates.truncate(n);
+            Ok(rates)
+        };
+        let difference = |above: &[f64], below: &[f64], width: f64| -> Vec<f64> {
+            above.iter().zip(below).map(|(a, b)| (a - b) / width).collect()
+        };
+        let mut a = DMatrix::zeros(n, n);
+        for (column, scale) in system.scales().iter().enumerate().take(n) {
+            let moved = |by: f64| {
+                let mut y = y.clone();
+                if let Some(x) = y.get_mut(column) {
+                    *x += by;
+                }
+                rates(&y)
+            };
+            let step = 1e-4 * scale;
+            // Two widths, so that the error goes with their fourth power.
+            let wide = difference(&moved(2.0 * step)?, &moved(-2.0 * step)?, 4.0 * step);
+            let narrow = difference(&moved(step)?, &moved(-step)?, 2.0 * step);
+            let best: Vec<f64> = narrow.iter().zip(&wide).map(|(n, w)| (4.0 * n - w) / 3.0).collect();
+            a.set_column(column, &DVector::from_vec(best));
+        }
+        let step = 1e-6;
+        let offset = |u: f64| {
+            system.offset.set(u);
+            let rates = rates(&y);
+            system.offset.set(0.0);
+            rates
+        };
+        let b = DVector::from_vec(difference(&offset(step)?, &offset(-step)?, 2.0 * step));
+        let per_coordinate = drive.mechanism.position_per_coordinate();
+        Ok(Self { a, b, per_coordinate, coordinate: y.first().copied().unwrap_or(0.0) })
+    }
+
+    /// The coordinate of the equilibrium in mm or rad.
+    pub fn coordinate(&self) -> f64 {
+        self.coordinate
+    }
+
+    /// The state matrix: position, speed, then pressure and mass of each muscle with what belongs to it, then the controller.
+    pub fn state_matrix(&self) -> &DMatrix<f64> {
+        &self.a
+    }
+
+    /// Eigenvalues in 1/s, (real, imaginary).
+    pub fn eigenvalues(&self) -> Vec<(f64, f64)> {
+        // In one scale: pressures and positions differ by orders of magnitude.
+        let mut a = self.a.clone();
+        nalgebra::linalg::balancing::balance_parlett_reinsch(&mut a);
+        a.complex_eigenvalues().iter().map(|e| (e.re, e.im)).collect()
+    }
+
+    /// Frequency |Im λ|/2π in Hz and damping ratio of the fastest oscillation, if it oscillates.
+    pub fn oscillation(&self) -> Option<(f64, f64)> {
+        let all = self.eigenvalues().into_iter().filter(|(_, im)| *im > 0.0);
+        let fastest = all.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some((fastest.1 / TAU, -fastest.0 / fastest.0.hypot(fastest.1)))
+    }
+
+    /// H(f) from command to position.
+    pub fn response(&self, frequency_hz: f64) -> Option<FrequencyPoint> {
+        let n = self.a.nrows();
+        let s = Complex::new(0.0, TAU * frequency_hz);
+        let system = DMatrix::from_fn(n, n, |i, j| {
+            let one = if i == j { s } else { Complex::new(0.0, 0.0) };
+            one - self.a.get((i, j)).copied().unwrap_or(0.0)
+        });
+        let b = self.b.map(|x| Complex::new(x, 0.0));
+        let q = system.lu().solve(&b)?.get(0).copied()? * self.per_coordinate;
+        let finite = q.re.is_finite() && q.im.is_finite();
+        finite.then(|| FrequencyPoint { frequency_hz, gain: q.norm(), phase_rad: q.arg() })
+    }
+
+    /// The frequency in Hz at which the gain first falls to 1/√2 of that at rest; `None` where it does not below 1 kHz.
+    pub fn bandwidth_hz(&self) -> Option<f64> {
+        let level = self.response(1e-4)?.gain / 2f64.sqrt();
+        let below = |f: f64| self.response(f).is_some_and(|r| r.gain < level);
+        let mut low = 1e-4;
+        while low < 1e3 {
+            let high = low * 1.05;
+            if below(high) {
+                let (mut a, mut b) = (low, high);
+                for _ in 0..60 {
+                    let mid = 0.5 * (a + b);
+                    if below(mid) { b = mid } else { a = mid }
+                }
+                return Some(b);
+            }
+            low = high;
+        }
+        None
+    }
+}

@@ -1,0 +1,229 @@
+//! A force model as the equations of motion ask it: both pulls and volumes with their derivatives, and the slack muscle.
+
+use mckibben::analysis::{Options, free_contraction};
+use mckibben::budget::Budget;
+use mckibben::model::{ForceModel, Ideal, ModelError, Workspace};
+use std::cell::{Cell, RefCell};
+
+/// F and V at a gauge pressure and contraction, with their derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Answer {
+    pub force_n: f64,
+    /// ∂F/∂ε in N
+    pub force_e: f64,
+    /// ∂F/∂P in mm²
+    pub force_p: f64,
+    pub volume_mm3: f64,
+    pub volume_e: f64,
+    pub volume_p: f64,
+}
+
+/// The slack muscle: where it hangs, and how its volume follows the pressure alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Hanging {
+    pub contraction: f64,
+    pub answer: Answer,
+    /// dε_free/dP
+    pub contraction_p: f64,
+}
+
+/// What stands in for the model between two answers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Stand {
+    /// At one moment within a step.
+    Moment(Hanging),
+    /// About a pressure and contraction: first order.
+    Near(f64, f64, Hanging),
+}
+
+impl Stand {
+    /// At the share `s` of a step of length `h` between two answers with their derivatives in time.
+    pub fn between(a: &(Hanging, Hanging), b: &(Hanging, Hanging), s: f64, h: f64) -> Self {
+        let r = 1.0 - s;
+        let cubic = |x: f64, k: f64, y: f64, l: f64| {
+            x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + h * (k * s * r * r - l * s * s * r)
+        };
+        let line = |x: f64, y: f64| r * x + s * y;
+        let (of, by, to, then) = (&a.0.answer, &a.1.answer, &b.0.answer, &b.1.answer);
+        let answer = Answer {
+            force_n: cubic(of.force_n, by.force_n, to.force_n, then.force_n),
+            volume_mm3: cubic(of.volume_mm3, by.volume_mm3, to.volume_mm3, then.volume_mm3),
+            force_e: line(of.force_e, to.force_e),
+            force_p: line(of.force_p, to.force_p),
+            volume_e: line(of.volume_e, to.volume_e),
+            volume_p: line(of.volume_p, to.volume_p),
+        };
+        let contraction = cubic(a.0.contraction, a.1.contraction, b.0.contraction, b.1.contraction);
+        Self::Moment(Hanging {
+            contraction,
+            answer,
+            contraction_p: line(a.0.contraction_p, b.0.contraction_p),
+        })
+    }
+
+    fn at(&self, pressure_mpa: f64, contraction: f64) -> Hanging {
+        match *self {
+            Self::Moment(h) => h,
+            Self::Near(p, e, h) => {
+                let (dp, de) = (pressure_mpa - p, contraction - e);
+                let a = h.answer;
+                let answer = Answer {
+                    force_n: a.force_n + a.force_p * dp + a.force_e * de,
+                    volume_mm3: a.volume_mm3 + a.volume_p * dp + a.volume_e * de,
+                    ..a
+                };
+                Hanging { answer, ..h }
+            }
+        }
+    }
+}
+
+/// Steps of central differences where a model does not know the derivatives of its volume.
+const STEP_MPA: f64 = 1e-4;
+const STEP: f64 = 1e-4;
+
+/// Below 1 Pa force and volume go on linearly in the pressure: at none the strands are slack, the volume has a kink, and below it no model
+/// is made.
+const LEAST_MPA: f64 = 1e-6;
+
+pub(crate) struct Member<'a> {
+    pub model: &'a dyn ForceModel,
+    pub length_mm: f64,
+    ideal: Ideal,
+    workspace: RefCell<Workspace>,
+    /// Questions asked last, with their answers: differences for the Jacobian ask the same again.
+    kept: RefCell<[Option<(f64, f64, Answer)>; 4]>,
+    next: Cell<usize>,
+    hung: Cell<Option<(f64, f64)>>,
+    pub asked: Cell<usize>,
+    /// In place of the model, where there is one.
+    pub stand: Cell<Option<Stand>>,
+}
+
+impl<'a> Member<'a> {
+    pub fn new(model: &'a dyn ForceModel, budget: &Budget) -> Self {
+        Self {
+            model,
+            length_mm: model.muscle().length_mm(),
+            ideal: Ideal::new(model.muscle()),
+            workspace: RefCell::new(Workspace::within(budget.clone())),
+            kept: RefCell::new([None; 4]),
+            next: Cell::new(0),
+            hung: Cell::new(None),
+            asked: Cell::new(0),
+            stand: Cell::new(None),
+        }
+    }
+
+    /// The wall's part of a pull: what the ideal formula does not have.
+    pub fn wall_n(&self, force_n: f64, pressure_mpa: f64, contraction: f64) -> f64 {
+        force_n - self.ideal.pull(pressure_mpa, contraction)
+    }
+
+    /// F and V with their derivatives.
+    pub fn answer(&self, pressure_mpa: f64, contraction: f64) -> Result<Answer, ModelError> {
+        if let Some(stand) = self.stand.get() {
+            return Ok(stand.at(pressure_mpa, contraction).answer);
+        }
+        let p = pressure_mpa.max(LEAST_MPA);
+        let known = self.kept.borrow().iter().flatten().find(|k| k.0 == p && k.1 == contraction).map(|k| k.2);
+        let at = match known {
+            Some(at) => at,
+            None => {
+                let at = self.ask(p, contraction)?;
+                let place = self.next.get();
+                self.next.set((place + 1) % 4);
+                if let Some(slot) = self.kept.borrow_mut().get_mut(place) {
+                    *slot = Some((p, contraction, at));
+                }
+                at
+            }
+        };
+        let below = pressure_mpa - p;
+        Ok(Answer {
+            force_n: at.force_n + below * at.force_p,
+            volume_mm3: at.volume_mm3 + below * at.volume_p,
+            ..at
+        })
+    }
+
+    fn ask(&self, p: f64, e: f64) -> Result<Answer, ModelError> {
+        let w = &mut *self.workspace.borrow_mut();
+        self.asked.set(self.asked.get() + 1);
+        let not_finite =
+            || ModelError::NotFinite { model: self.model.name().into(), pressure_mpa: p, contraction: e };
+        let mut at = |p: f64, e: f64| {
+            let r = self.model.response(w, p, e)?;
+            let volume = r.volume_mm3.ok_or_else(not_finite)?;
+            Ok::<_, ModelError>((r, volume))
+        };
+        let (r, volume_mm3) = at(p, e)?;
+        // At the least pressure only its own side is asked.
+        let low = (p - STEP_MPA).max(LEAST_MPA);
+        let (mut force_p, mut volume_p) = (r.force_per_pressure_mm2, r.volume_per_pressure_mm3_per_mpa);
+        if force_p.is_none() || volume_p.is_none() {
+            let (above, below) = (at(p + STEP_MPA, e)?, at(low, e)?);
+            let width = p + STEP_MPA - low;
+            volume_p = volume_p.or(Some((above.1 - below.1) / width));
+            force_p = force_p.or(Some((above.0.force_n - below.0.force_n) / width));
+        }
+        let (mut force_e, mut volume_e) =
+            (r.stiffness_n_per_mm.map(|k| -k * self.length_mm), r.volume_per_contraction_mm3);
+        if force_e.is_none() || volume_e.is_none() {
+            let (above, below) = (at(p, e + STEP)?, at(p, e - STEP)?);
+            volume_e = volume_e.or(Some((above.1 - below.1) / (2.0 * STEP)));
+            force_e = force_e.or(Some((above.0.force_n - below.0.force_n) / (2.0 * STEP)));
+        }
+        let answer = Answer {
+            force_n: r.force_n,
+            force_e: force_e.ok_or_else(not_finite)?,
+            force_p: force_p.ok_or_else(not_finite)?,
+            volume_mm3,
+            volume_e: volume_e.ok_or_else(not_finite)?,
+            volume_p: volume_p.ok_or_else(not_finite)?,
+        };
+        let Answer { force_n, force_e, force_p, volume_e, volume_p, .. } = answer;
+        let finite =
+            [force_n, force_e, force_p, volume_mm3, volume_e, volume_p].iter().all(|v| v.is_finite());
+        if finite { Ok(answer) } else { Err(not_finite()) }
+    }
+
+    /// The slack muscle at a pressure: Newton's method from where it hung last, else a search.
+    pub fn hanging(&self, pressure_mpa: f64) -> Result<Hanging, ModelError> {
+        if let Some(Stand::Moment(h)) = self.stand.get() {
+            return Ok(h);
+        }
+        let p = pressure_mpa.max(LEAST_MPA);
+        let mut found = None;
+        if let Some((_, last)) = self.hung.get() {
+            let mut e = last;
+            for _ in 0..8 {
+                let Ok(a) = self.answer(p, e) else { break };
+                if a.force_e >= 0.0 {
+                    break;
+                }
+                let step = -a.force_n / a.force_e;
+                e += step;
+                if step.abs() < 1e-13 {
+                    found = Some(e);
+                    break;
+                }
+            }
+        }
+        let contraction = match found {
+            Some(e) => e,
+            None => {
+                let w = &mut *self.workspace.borrow_mut();
+                free_contraction(self.model, w, p, Options::extrapolating()).map_err(|error| {
+                    ModelError::NoEquilibrium {
+                        reason: format!("a slack muscle has no free contraction: {error}"),
+                    }
+                })?
+            }
+        };
+        self.hung.set(Some((p, contraction)));
+        let at = self.answer(p, contraction)?;
+        let contraction_p = if at.force_e < 0.0 { -at.force_p / at.force_e } else { 0.0 };
+        Ok(Hanging { contraction, answer: at, contraction_p })
+    }
+}

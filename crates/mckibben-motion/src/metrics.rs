@@ -1,0 +1,154 @@
+//! Figures of a response: rise, settling, overshoot, fill and vent.
+
+use crate::drive::Drive;
+use crate::run::Motion;
+use serde::{Deserialize, Serialize};
+
+/// The answer to one step of the command, up to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct StepFigures {
+    /// When the command changed, in s.
+    pub time_s: f64,
+    /// The coordinate there.
+    pub from: f64,
+    /// The coordinate at the end of the piece.
+    pub to: f64,
+    /// From 10 % to 90 % of the way between them, in s.
+    pub rise_time_s: Option<f64>,
+    /// From the command until it stays within 2 % of the way, in s; `None` where it still moves at the end.
+    pub settling_time_s: Option<f64>,
+    /// Farthest beyond the end, as a share of the way.
+    pub overshoot: f64,
+}
+
+/// A column over time, cubic between its points where its slope is known.
+struct Track<'a> {
+    time: &'a [f64],
+    value: &'a [f64],
+    slope: Option<&'a [f64]>,
+}
+
+impl Track<'_> {
+    /// The first time from `from` on at which the value comes to `level`, to the piece's end.
+    fn reaches(&self, level: f64, from: f64, until: f64) -> Option<f64> {
+        let at = |list: &[f64], i: usize| list.get(i).copied();
+        for i in 1..self.time.len() {
+            let (a, b) = (at(self.time, i - 1)?, at(self.time, i)?);
+            if b <= from || a >= until {
+                continue;
+            }
+            let (x, y) = (at(self.value, i - 1)? - level, at(self.value, i)? - level);
+            if x == 0.0 && a >= from {
+                return Some(a);
+            }
+            if x * y > 0.0 || x == 0.0 {
+                continue;
+            }
+            let h = b - a;
+            let (k, l) = match self.slope {
+                Some(s) => (h * at(s, i - 1)?, h * at(s, i)?),
+                None => (y - x, y - x),
+            };
+            // Hermite's cubic, halved: it changes its sign within.
+            let cubic = |s: f64| {
+                let r = 1.0 - s;
+                x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + k * s * r * r - l * s * s * r
+            };
+            let (mut low, mut high) = (0.0, 1.0);
+            for _ in 0..60 {
+                let mid = 0.5 * (low + high);
+                if cubic(mid) * x > 0.0 { low = mid } else { high = mid }
+            }
+            return Some(a + h * high);
+        }
+        None
+    }
+
+    /// The last time within the piece at which the value is farther than `band` from `level`.
+    fn leaves(&self, level: f64, band: f64, from: f64, until: f64) -> Option<f64> {
+        let inside = |t: f64| t >= from && t <= until;
+        let far = self.time.iter().zip(self.value).filter(|(t, v)| inside(**t) && (**v - level).abs() > band);
+        far.map(|(t, _)| *t).reduce(f64::max)
+    }
+}
+
+/// The time from 10 % to 90 % of the way between two positions after a time.
+pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, after: f64, until: f64) -> Option<f64> {
+    let track = Track { time: &motion.time_s, value: &motion.coordinate, slope: Some(&motion.velocity) };
+    let tenth = track.reaches(from + 0.1 * (to - from), after, until)?;
+    let most = track.reaches(from + 0.9 * (to - from), tenth, until)?;
+    Some(most - tenth)
+}
+
+/// Where a command changes, with what it is before and after.
+pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
+    let mut times: Vec<f64> = drive
+        .target
+        .commands()
+        .iter()
+        .filter(|c| c.period_s().is_none())
+        .flat_map(|c| {
+            let moved = |t: &f64| c.value_within(*t, *t) != c.value_within(*t, t - 1e-9 * drive.until_s);
+            c.breakpoints().into_iter().filter(moved).collect::<Vec<_>>()
+        })
+        .filter(|t| *t < drive.until_s)
+        .collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    times
+}
+
+/// Fills in the figures of a motion.
+pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, cycle: Option<f64>) {
+    let (time, value) = (motion.time_s.clone(), motion.coordinate.clone());
+    let velocity = motion.velocity.clone();
+    let track = Track { time: &time, value: &value, slope: Some(&velocity) };
+    let at = |list: &[f64], t: f64| {
+        let i = time.partition_point(|x| *x <= t).saturating_sub(1);
+        list.get(i).copied().unwrap_or(0.0)
+    };
+    let mut ends = changes(drive);
+    let starts = ends.clone();
+    ends.push(drive.until_s);
+    for (begin, end) in starts.iter().zip(ends.iter().skip(1)) {
+        let (from, to) = (at(&value, *begin), at(&value, *end));
+        let way = to - from;
+        if way.abs() > 1e-9 * drive.mechanism.lever(0, 0.0).per_coordinate.abs().max(1e-9).recip() {
+            let beyond = |v: &f64| (v - to) / way;
+            let inside = time.iter().zip(&value).filter(|(t, _)| **t >= *begin && **t <= *end);
+            let overshoot = inside.map(|(_, v)| beyond(v)).fold(0.0, f64::max);
+            let left = track.leaves(to, 0.02 * way.abs(), *begin, *end);
+            // Of the last tenth of the piece nothing can be said to have settled.
+            let settled = left.filter(|t| *t < end - 0.1 * (end - begin)).map(|t| t - begin);
+            motion.steps.push(StepFigures {
+                time_s: *begin,
+                from,
+                to,
+                rise_time_s: rise_time(motion, from, to, *begin, *end),
+                settling_time_s: settled,
+                overshoot,
+            });
+        }
+        let Some(muscle) = motion.muscles.first() else { continue };
+        let pressure = Track { time: &time, value: &muscle.pressure_mpa, slope: None };
+        let (p, r) = (at(&muscle.pressure_mpa, *begin), at(&muscle.pressure_mpa, *end));
+        let slot = if r > p { &mut motion.fill_time_s } else { &mut motion.vent_time_s };
+        if slot.is_none() && (r - p).abs() > 1e-6 {
+            *slot = pressure.reaches(p + 0.98 * (r - p), *begin, *end).map(|t| t - begin);
+        }
+    }
+    let first = motion.steps.first().copied();
+    motion.rise_time_s = first.and_then(|f| f.rise_time_s);
+    motion.settling_time_s = first.and_then(|f| f.settling_time_s);
+    motion.overshoot = first.map(|f| f.overshoot);
+    let Some((from, muscle)) = cycle.zip(motion.muscles.first()) else { return };
+    let points: Vec<(f64, f64)> = time
+        .iter()
+        .zip(muscle.pressure_mpa.iter().zip(&value))
+        .filter(|(t, _)| **t >= from)
+        .map(|(_, (p, x))| (*p, *x))
+        .collect();
+    // Trapezoids, closed from the last point to the first.
+    let closed = points.iter().zip(points.iter().cycle().skip(1));
+    motion.loop_area = Some(closed.map(|(a, b)| 0.5 * (a.0 + b.0) * (b.1 - a.1)).sum::<f64>().abs());
+}

@@ -1,0 +1,101 @@
+//! The smallest valve that is quick enough.
+
+use crate::command::Command;
+use crate::drive::{Actuator, Drive, Target};
+use crate::equilibrium::equilibrium;
+use crate::error::MotionError;
+use crate::metrics::{changes, rise_time};
+use crate::run::{Motion, run};
+use mckibben::progress::Progress;
+use serde::{Deserialize, Serialize};
+
+/// A valve that is large enough.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Sized {
+    /// C of the supply path of the first valve in L/(s bar); all conductances were changed by the same factor.
+    pub conductance_l_per_s_bar: f64,
+    /// Rise time with it in s.
+    pub rise_time_s: f64,
+    /// Runs that were made.
+    pub runs: usize,
+    /// The motion with it.
+    pub motion: Motion,
+}
+
+/// The largest conductance that is tried, in L/(s bar): a valve of 24,000 l/min.
+const LARGEST: f64 = 100.0;
+
+/// The smallest conductance with which the first step of a pressure's command rises (10–90 % of the way between the static equilibria)
+/// within a time. A larger valve is quicker: the root is bracketed by factors of four, and halved to 0.1 %.
+///
+/// # Errors
+/// [`MotionError::NoValve`] where even 100 L/(s bar) is too slow; [`MotionError::NoRise`] without a step that moves it; those of
+/// [`run`].
+pub fn size(drive: &Drive<'_>, rise_time_s: f64, progress: &dyn Progress) -> Result<Sized, MotionError> {
+    MotionError::positive("the rise time in s", rise_time_s)?;
+    drive.check()?;
+    let valve = drive.muscles.iter().find_map(|m| match m.actuator {
+        Actuator::Valve(v) => Some(v.supply.conductance_l_per_s_bar()),
+        Actuator::Regulator { .. } => None,
+    });
+    let (Some(own), Target::Pressure(commands)) = (valve, &drive.target) else {
+        return Err(MotionError::NoRise);
+    };
+    let begin = changes(drive).first().copied().ok_or(MotionError::NoRise)?;
+    let end = changes(drive).get(1).copied().unwrap_or(drive.until_s);
+    let still = |within: f64| {
+        let pressures: Vec<f64> = commands.iter().map(|c: &Command| c.value_within(within, within)).collect();
+        equilibrium(drive, &pressures).map(|e| e.coordinate)
+    };
+    let (from, to) = (still(0.5 * begin)?, still(0.5 * (begin + end))?);
+    if from == to {
+        return Err(MotionError::NoRise);
+    }
+    let mut runs = 0;
+    let mut rise = |c: f64| -> Result<(Option<f64>, Motion), MotionError> {
+        runs += 1;
+        let mut drive = drive.clone();
+        for muscle in &mut drive.muscles {
+            if let Actuator::Valve(v) = &mut muscle.actuator {
+                (v.supply, v.exhaust) = (v.supply.scaled(c / own), v.exhaust.scaled(c / own));
+            }
+        }
+        match run(&drive, progress) {
+            Ok(motion) => Ok((rise_time(&motion, from, to, begin, end), motion)),
+            // With a small valve the load may not be lifted in time.
+            Err(MotionError::NeverLifted { .. }) => Ok((None, Motion::default())),
+            Err(error) => Err(error),
+        }
+    };
+    let met = |rise: Option<f64>| rise.is_some_and(|r| r <= rise_time_s);
+    let (mut c, mut best) = (own.min(LARGEST), None);
+    loop {
+        let (reached_s, motion) = rise(c)?;
+        if met(reached_s) {
+            best = Some((c, reached_s, motion));
+            c /= 4.0;
+            if c < 1e-6 {
+                break;
+            }
+        } else if best.is_some() {
+            break;
+        } else if c >= LARGEST {
+            return Err(MotionError::NoValve { wanted_s: rise_time_s, largest_l_per_s_bar: c, reached_s });
+        } else {
+            c = (4.0 * c).min(LARGEST);
+        }
+    }
+    let (mut high, mut reached, mut motion) = best.ok_or(MotionError::NoRise)?;
+    let mut low = c;
+    while high / low > 1.001 {
+        let mid = (high * low).sqrt();
+        let (r, m) = rise(mid)?;
+        if met(r) {
+            (high, reached, motion) = (mid, r, m);
+        } else {
+            low = mid;
+        }
+    }
+    let rise_time_s = reached.unwrap_or(rise_time_s);
+    Ok(Sized { conductance_l_per_s_bar: high, rise_time_s, runs, motion })
+}

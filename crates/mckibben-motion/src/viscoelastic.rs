@@ -1,0 +1,38 @@
+//! The rubber's viscoelasticity.
+
+use crate::error::MotionError;
+
+/// One branch: its share g of the wall's part of the pull, and its time constant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Branch {
+    /// gᵢ, over the long-time part.
+    pub share: f64,
+    /// τᵢ in s.
+    pub time_constant_s: f64,
+}
+
+/// A Prony series on the wall's part of the pull.
+///
+/// ```text
+/// F = F_model + Σ gᵢ (F_w − aᵢ),   τᵢ ȧᵢ = F_w − aᵢ,   F_w = F_model(P, ε) − F_ideal(P, ε)
+/// ```
+///
+/// The wall's part F_w is what the model says less the ideal formula (1), which has no wall \[chou1996\]. After a step of F_w the pull is
+/// too large by Σ gᵢ of it and relaxes to the static pull, which the long-time limit is by definition. Linear viscoelasticity in the
+/// pull, not in the stress: fit for shares below some tenths. Empty: none.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Prony(pub Vec<Branch>);
+
+impl Prony {
+    pub(crate) fn check(&self) -> Result<(), MotionError> {
+        self.0.iter().try_for_each(|b| {
+            MotionError::within("a branch's share of the wall's pull", b.share, 0.0, f64::MAX)?;
+            MotionError::positive("a branch's time constant in s", b.time_constant_s)
+        })
+    }
+
+    /// Σ gᵢ (F_w − aᵢ) in N.
+    pub(crate) fn excess_n(&self, wall_n: f64, states: &[f64]) -> f64 {
+        self.0.iter().zip(states).map(|(b, a)| b.share * (wall_n - a)).sum()
+    }
+}

@@ -1,0 +1,129 @@
+//! Charge and discharge of a rigid vessel, closed forms of the design note: C 0.5 L/(s bar), b 0.3, V 0.2 L, supply 701 325 Pa.
+
+use crate::support::{close, last, ran, vessel};
+use mckibben_motion::*;
+
+const SUPPLY: f64 = 0.701325;
+/// R T0 ρ0 C/V in 1/s.
+const K: f64 = 2.492905;
+
+fn run_vessel(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Motion {
+    let model = vessel();
+    let held = SingleMuscle::held(&model);
+    let valve = Valve::new(Orifice::new(0.5, 0.3).unwrap());
+    let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
+    muscle.air.heat = heat;
+    muscle.initial_pressure_mpa = Some(from_mpa);
+    let mut drive =
+        Drive::new(&held, vec![muscle], Target::Opening(vec![Command::Constant(opening)]), until_s);
+    drive.tolerance.relative = 1e-11;
+    drive.output_step_s = until_s;
+    ran(&drive)
+}
+
+fn absolute(motion: &Motion) -> f64 {
+    last(&motion.muscles[0].pressure_mpa) + ATMOSPHERE_MPA
+}
+
+#[test]
+fn closed_form_isothermal_charge_is_linear_while_choked() {
+    let t = (0.3 - 0.101325 / SUPPLY) / K;
+    close(t, 0.0623864, 1e-6);
+    close(absolute(&run_vessel(Heat::Isothermal, 1.0, 0.0, t)), 0.3 * SUPPLY, 1e-6);
+}
+
+#[test]
+fn closed_form_isothermal_charge_goes_on_as_a_sine() {
+    // Up to 0.99 p_s the flow is that of the standard; the whole charge would take 0.5034611 s.
+    let whole = ((0.3 - 0.101325 / SUPPLY) + std::f64::consts::FRAC_PI_2 * 0.7) / K;
+    close(whole, 0.5034611, 1e-6);
+    let t = ((0.3 - 0.101325 / SUPPLY) + 0.7 * (0.69_f64 / 0.7).asin()) / K;
+    close(absolute(&run_vessel(Heat::Isothermal, 1.0, 0.0, t)), 0.99 * SUPPLY, 1e-6);
+}
+
+#[test]
+fn closed_form_adiabatic_charge_ends_warm() {
+    let motion = run_vessel(Heat::Adiabatic, 1.0, 0.0, 2.0);
+    close(absolute(&motion), SUPPLY, 1e-7);
+    close(last(&motion.muscles[0].temperature_k), 387.9879, 1e-6);
+    let same = run_vessel(Heat::Polytropic(1.4), 1.0, 0.0, 2.0);
+    close(last(&same.muscles[0].temperature_k), 387.9879, 1e-6);
+}
+
+#[test]
+fn closed_form_discharges() {
+    close(absolute(&run_vessel(Heat::Isothermal, -1.0, 0.6, 0.1)), 0.5465801, 2e-7);
+    let motion = run_vessel(Heat::Adiabatic, -1.0, 0.6, 0.2);
+    close(absolute(&motion), 0.3605412, 2e-7);
+    close(last(&motion.muscles[0].temperature_k), 242.3978, 2e-7);
+}
+
+#[test]
+fn limits_of_heat_transfer_are_the_adiabatic_and_the_isothermal_charge() {
+    let p = |heat| absolute(&run_vessel(heat, 1.0, 0.0, 0.2));
+    close(p(Heat::Conductance(0.0)), p(Heat::Adiabatic), 1e-9);
+    close(p(Heat::Conductance(1e5)), p(Heat::Isothermal), 1e-4);
+    assert!(p(Heat::Transfer(50.0)) < p(Heat::Adiabatic) && p(Heat::Transfer(50.0)) > p(Heat::Isothermal));
+}
+
+#[test]
+fn identity_air_and_energy_are_conserved() {
+    for heat in [Heat::Isothermal, Heat::Polytropic(1.2), Heat::Adiabatic, Heat::Transfer(30.0)] {
+        let motion = run_vessel(heat, 1.0, 0.0, 0.3);
+        assert!(motion.mass_defect < 1e-12, "{}", motion.mass_defect);
+        let e = motion.energies;
+        let balance = e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j;
+        assert!(balance.abs() < 1e-7 * e.enthalpy_in_j, "{heat:?}: {balance} of {}", e.enthalpy_in_j);
+    }
+}
+
+#[test]
+fn continuity_of_the_flow_and_its_slope_near_equal_pressures_and_its_reverse() {
+    let valve = Orifice::new(0.5, 0.3).unwrap();
+    let flow = |p2: f64| valve.flow((0.7, 293.15), (p2, 293.15)).mass_g_per_s;
+    let slope = |p2: f64| (flow(p2 + 1e-9) - flow(p2 - 1e-9)) / 2e-9;
+    let edge = 0.7 * (1.0 - LINEAR_SHARE);
+    close(flow(edge - 1e-12), flow(edge + 1e-12), 1e-9);
+    close(slope(edge - 1e-8), slope(edge + 1e-8), 1e-3);
+    close(slope(0.7 - 1e-8), slope(0.7 + 1e-8), 1e-3);
+    assert_eq!(flow(0.7), 0.0);
+    let back = valve.flow((0.2, 300.0), (0.7, 293.15));
+    assert_eq!(back.mass_g_per_s, -valve.flow((0.7, 293.15), (0.2, 300.0)).mass_g_per_s);
+    assert_eq!(back.temperature_k, 293.15);
+    // Choked: C p1 ρ0.
+    close(flow(0.1), 0.5 * 7.0 * 1.185, 1e-12);
+}
+
+#[test]
+fn two_orifices_in_series_by_their_exact_flow() {
+    // Both flows equal at the pressure between them, by bisection; the rule is good to 1 % choked and 3 % before it chokes.
+    let pairs = [((0.5, 0.3), (0.5, 0.3)), ((1.0, 0.25), (0.5, 0.4)), ((0.4, 0.3), (1.2, 0.2))];
+    for (a, b) in pairs {
+        let (a, b) = (Orifice::new(a.0, a.1).unwrap(), Orifice::new(b.0, b.1).unwrap());
+        let whole = in_series(&[a, b]).unwrap();
+        for down in [0.05, 0.5, 0.65] {
+            let (mut low, mut high) = (down, 0.7);
+            for _ in 0..100 {
+                let mid = 0.5 * (low + high);
+                let more = a.flow((0.7, 293.15), (mid, 293.15)).mass_g_per_s
+                    > b.flow((mid, 293.15), (down, 293.15)).mass_g_per_s;
+                if more { low = mid } else { high = mid }
+            }
+            let exact = a.flow((0.7, 293.15), (low, 293.15)).mass_g_per_s;
+            let rule = whole.flow((0.7, 293.15), (down, 293.15)).mass_g_per_s;
+            println!("{a:?} {b:?} {down}: {}", rule / exact - 1.0);
+            close(rule, exact, 0.06);
+        }
+    }
+}
+
+#[test]
+fn a_rated_flow_is_that_of_its_conductance() {
+    // 1 L/(s bar), b 0.3, from 7.01325 to 6.01325 bar: Q = 60 · 7.01325 · √(1 − ((0.857413 − 0.3)/0.7)²) l/min.
+    let ratio: f64 = 6.01325 / 7.01325;
+    let litres = 60.0 * 7.01325 * (1.0 - ((ratio - 0.3) / 0.7).powi(2)).sqrt();
+    close(conductance_of_rated_flow(litres, 0.3).unwrap(), 1.0, 1e-12);
+    assert_eq!(valves().len(), 6);
+    let valve = valve_named("ckd-m3ga1").unwrap();
+    assert_eq!((valve.supply.conductance_l_per_s_bar(), valve.exhaust.critical_ratio()), (0.86, 0.19));
+}

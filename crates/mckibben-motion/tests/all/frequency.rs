@@ -1,0 +1,109 @@
+//! Small oscillations and frequency responses.
+
+use crate::support::{close, note_muscle, ran, regulator};
+use mckibben::model::{ForceModel, ModelKind, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_motion::*;
+use std::f64::consts::{PI, TAU};
+
+/// The muscle of the note with its air shut in and a mass of 10 kg.
+fn shut<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Drive<'a> {
+    let valve = Valve::new(Orifice::new(0.5, 0.3).unwrap());
+    let mut muscle = Actuated::new(model, Actuator::Valve(valve));
+    muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
+    muscle.initial_pressure_mpa = Some(0.3);
+    Drive::new(load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 1.0)
+}
+
+#[test]
+fn closed_form_of_the_note_closed_valve_by_finite_elements() {
+    let model = Axisymmetric::new(&note_muscle()).unwrap();
+    let load = SingleMuscle::hanging(&model, 10.0);
+    for (heat, index, stiffness, hertz) in
+        [(Heat::Isothermal, 1.0, 8.73229, 4.7031), (Heat::Adiabatic, 1.4, 8.95607, 4.7630)]
+    {
+        let drive = shut(&model, &load, heat);
+        // (dP/dε)_m = −g p V_ε/(V + g p V_P); K = K_P − (1/L0) ∂F/∂P dP/dε
+        let at = equilibrium(&drive, &[0.3]).unwrap();
+        let contraction = at.coordinate / 220.0;
+        close(contraction, 0.2659460, 1e-6);
+        let r = model.response(&mut Workspace::new(), 0.3, contraction).unwrap();
+        let (v, vp, ve) = (
+            r.volume_mm3.unwrap() + 10e3,
+            r.volume_per_pressure_mm3_per_mpa.unwrap(),
+            r.volume_per_contraction_mm3.unwrap(),
+        );
+        let p = 0.3 + ATMOSPHERE_MPA;
+        let slope = -index * p * ve / (v + index * p * vp);
+        let total = r.stiffness_n_per_mm.unwrap() - r.force_per_pressure_mm2.unwrap() * slope / 220.0;
+        close(total, stiffness, 1e-5);
+        close((1e3 * total / 10.0).sqrt() / TAU, hertz, 1e-4);
+        let linear = Linear::new(&drive).unwrap();
+        let (f, damping) = linear.oscillation().unwrap();
+        close(f, hertz, 1e-4);
+        assert!(damping.abs() < 1e-4, "{damping}");
+    }
+}
+
+/// The frequency of a motion of some periods after a displacement of a hundredth of a mm, on shut air.
+fn simulated(drive: &Drive<'_>, periods: f64) -> f64 {
+    let linear = Linear::new(drive).unwrap();
+    let (f, _) = linear.oscillation().unwrap();
+    let mut drive = drive.clone();
+    drive.initial_coordinate = Some(linear.coordinate() + 0.01);
+    drive.tolerance.relative = 1e-9;
+    (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
+    let motion = ran(&drive);
+    let x: Vec<f64> = motion.coordinate.iter().map(|x| x - linear.coordinate()).collect();
+    let falls: Vec<f64> = (1..x.len())
+        .filter(|&i| x[i - 1] > 0.0 && x[i] <= 0.0)
+        .map(|i| motion.time_s[i - 1] + drive.output_step_s * x[i - 1] / (x[i - 1] - x[i]))
+        .collect();
+    (falls.len() - 1) as f64 / (falls[falls.len() - 1] - falls[0])
+}
+
+#[test]
+fn closed_form_of_the_note_is_what_the_simulated_mass_does() {
+    let (fe, universal) =
+        (Axisymmetric::new(&note_muscle()).unwrap(), ModelKind::Universal.build(&note_muscle()).unwrap());
+    let load = SingleMuscle::hanging(&fe, 10.0);
+    close(simulated(&shut(&fe, &load, Heat::Isothermal), 2.0), 4.7031, 1e-4);
+    for heat in [Heat::Isothermal, Heat::Adiabatic] {
+        let drive = shut(&*universal, &load, heat);
+        close(simulated(&drive, 10.0), Linear::new(&drive).unwrap().oscillation().unwrap().0, 1e-4);
+    }
+}
+
+#[test]
+fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
+    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let load = SingleMuscle { damping_n_s_per_m: 600.0, ..SingleMuscle::hanging(&*model, 10.0) };
+    let drive = |command: Command, until_s: f64| {
+        let target = Target::Pressure(vec![command]);
+        Drive::new(&load, vec![Actuated::new(&*model, regulator(0.02))], target, until_s)
+    };
+    let linear = Linear::new(&drive(Command::Constant(0.25), 1.0)).unwrap();
+    let f = linear.bandwidth_hz().unwrap();
+    let rest = linear.response(1e-4).unwrap().gain;
+    for (share, expected) in [(0.3, None), (1.0, Some(rest / 2f64.sqrt()))] {
+        let hz = share * f;
+        let amplitude = 1e-3;
+        let sine = Command::Sine { mean: 0.25, amplitude, frequency_hz: hz, phase_rad: 0.0 };
+        let motion = ran(&drive(sine, 12.0 / hz));
+        // Fourier coefficient over the last four periods.
+        let (mut c, mut s, mut n) = (0.0, 0.0, 0.0);
+        let mean = linear.coordinate();
+        for (t, x) in motion.time_s.iter().zip(&motion.coordinate) {
+            if *t > 8.0 / hz && *t <= 12.0 / hz {
+                let y = (x - mean) / model.muscle().length_mm();
+                (c, s, n) = (c + y * (TAU * hz * t).cos(), s + y * (TAU * hz * t).sin(), n + 1.0);
+            }
+        }
+        let gain = 2.0 * f64::hypot(c, s) / n / amplitude;
+        let response = linear.response(hz).unwrap();
+        close(gain, expected.unwrap_or(response.gain), 2e-3);
+        let phase = f64::atan2(c, s);
+        assert!(((phase - response.phase_rad + PI).rem_euclid(TAU) - PI).abs() < 5e-3);
+    }
+}

@@ -1,0 +1,10 @@
+//! Motion against closed forms, identities and rates of convergence.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+
+mod chamber;
+mod control;
+mod frequency;
+mod mechanics;
+mod refusals;
+mod support;

@@ -1,0 +1,273 @@
+//! Muscles that move: balances, friction, stops, slack, convergence.
+
+use crate::support::{close, elbow, last, note_muscle, ran, regulator, sprung, steps, valve};
+use mckibben::load::Load;
+use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall};
+use mckibben::muscle::Muscle;
+use mckibben_motion::*;
+
+#[test]
+fn identity_energies_balance_to_a_millionth_of_the_work() {
+    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let load = SingleMuscle {
+        damping_n_s_per_m: 200.0,
+        stops_mm: (0.0, 60.0),
+        ..SingleMuscle::new(&*model, sprung(5.0, 1.0))
+    };
+    for heat in [Heat::Isothermal, Heat::Adiabatic, Heat::Transfer(50.0)] {
+        let mut muscle = Actuated::new(&*model, valve());
+        muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
+        muscle.friction = Some(Dahl { coefficient: 20.0, exponent: 0.7, presliding_mm: 0.5 });
+        muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
+        let target = steps(&[(0.0, 0.0), (0.1, 0.3), (0.8, 0.05)]);
+        let mut drive = Drive::new(&load, vec![muscle], target, 1.5);
+        drive.tolerance.relative = 1e-9;
+        let motion = ran(&drive);
+        let e = motion.energies;
+        assert!(motion.mass_defect < 1e-12, "{}", motion.mass_defect);
+        let air = e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j;
+        assert!(air.abs() < 1e-6 * e.work_j, "air: {air} of {}", e.work_j);
+        let pulled = e.static_work_j + e.viscoelastic_j - e.friction_j;
+        let used = e.load_j + e.kinetic_j + e.damper_j + e.impacts_j;
+        assert!((pulled - used).abs() < 1e-6 * e.work_j, "work: {pulled}, {used}");
+        assert!(e.friction_j > 0.0 && e.viscoelastic_j < 0.0 && e.damper_j > 0.0);
+        assert!(e.work_j < e.exergy_j && motion.efficiency.unwrap() < 1.0);
+    }
+}
+
+#[test]
+fn identity_a_cycle_stores_nothing_in_rubber_and_braid() {
+    // ∮ P dV = ∮ F dx where the model has a potential: there and back to the same pressure and position.
+    let muscle = note_muscle();
+    let (wall, ideal) = (ThickWall::new(&muscle), Ideal::new(&muscle));
+    for model in [&wall as &dyn ForceModel, &ideal] {
+        let load = SingleMuscle { damping_n_s_per_m: 200.0, ..SingleMuscle::hanging(model, 5.0) };
+        let target = steps(&[(0.0, 0.1), (0.1, 0.3), (1.5, 0.1)]);
+        let mut drive = Drive::new(&load, vec![Actuated::new(model, regulator(0.05))], target, 4.0);
+        drive.tolerance.relative = 1e-9;
+        let motion = ran(&drive);
+        close(last(&motion.coordinate), motion.coordinate[0], 1e-8);
+        let e = motion.energies;
+        assert!(e.stored_j.abs() < 1e-6 * e.work_j, "{e:?}");
+    }
+}
+
+#[test]
+fn closed_form_dahl_loop_of_a_slow_stroke() {
+    let model = Ideal::new(&note_muscle());
+    let spring = SingleMuscle {
+        damping_n_s_per_m: 1e3,
+        added_mass_kg: 1.0,
+        ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
+    };
+    let level = 10.0;
+    let cycle = |frequency_hz: f64| {
+        let mut muscle = Actuated::new(&model, regulator(0.02));
+        muscle.friction = Some(Dahl { coefficient: level, exponent: 0.0, presliding_mm: 0.02 });
+        let sine = Command::Sine { mean: 0.25, amplitude: 0.15, frequency_hz, phase_rad: 0.0 };
+        let run_until = |periods: f64| {
+            let target = Target::Pressure(vec![sine.clone()]);
+            let mut drive = Drive::new(&spring, vec![muscle.clone()], target, periods / frequency_hz);
+            drive.tolerance.relative = 1e-8;
+            ran(&drive)
+        };
+        let (one, two) = (run_until(1.0), run_until(2.0));
+        let x = &two.coordinate[two.coordinate.len() / 2..];
+        let stroke = x.iter().copied().fold(f64::MIN, f64::max) - x.iter().copied().fold(f64::MAX, f64::min);
+        assert!(two.events.iter().any(|e| e.kind == EventKind::Reversal));
+        (1e3 * (two.energies.friction_j - one.energies.friction_j), stroke)
+    };
+    for hz in [0.1, 1.0] {
+        let (area, stroke) = cycle(hz);
+        // After each of the two reversals z goes from 1 to −1 as 2 e^(−x/x_s) − 1, which takes 2 F_c x_s from the loop.
+        close(area, 2.0 * level * (stroke - 2.0 * 0.02), 1e-4);
+    }
+}
+
+#[test]
+fn identity_a_slow_loop_has_the_static_pull_plus_and_minus_friction() {
+    // At the same contraction the pulls of the branches differ by 2 C P^β about the model's.
+    let muscle = note_muscle();
+    let model = Ideal::new(&muscle);
+    let spring = SingleMuscle {
+        damping_n_s_per_m: 100.0,
+        added_mass_kg: 1.0,
+        ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
+    };
+    let mut driven = Actuated::new(&model, regulator(0.02));
+    driven.friction = Some(Dahl { coefficient: 30.0, exponent: 0.7, presliding_mm: 0.05 });
+    let ramps = Command::Ramps(vec![(0.0, 0.1), (20.0, 0.4), (40.0, 0.1)]);
+    let drive = Drive::new(&spring, vec![driven], Target::Pressure(vec![ramps]), 40.0);
+    let motion = ran(&drive);
+    for (t, sign) in [(10.0, -1.0), (30.0, 1.0)] {
+        let i = motion.time_s.iter().position(|x| *x >= t).unwrap();
+        let (p, e) = (motion.muscles[0].pressure_mpa[i], motion.muscles[0].contraction[i]);
+        let expected = model.pull(p, e) + sign * 30.0 * p.powf(0.7);
+        close(motion.muscles[0].force_n[i], expected, 1e-6);
+    }
+}
+
+#[test]
+fn rate_of_convergence_follows_the_tolerance() {
+    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let load = SingleMuscle {
+        stops_mm: (0.0, 90.0),
+        damping_n_s_per_m: 50.0,
+        ..SingleMuscle::hanging(&*model, 10.0)
+    };
+    let end = |relative: f64| {
+        let target = steps(&[(0.0, 0.0), (0.05, 0.3)]);
+        let mut drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 0.5);
+        drive.tolerance.relative = relative;
+        let motion = ran(&drive);
+        (last(&motion.coordinate), last(&motion.velocity), motion.integration_steps)
+    };
+    let exact = end(1e-12);
+    let error = |r: f64| (end(r).0 - exact.0).abs().max(0.01 * (end(r).1 - exact.1).abs()) / exact.0;
+    let errors: Vec<f64> = [1e-4, 1e-6, 1e-8, 1e-10].into_iter().map(error).collect();
+    println!("errors {errors:?}");
+    assert!(errors[1] < 1e-5 && errors[2] < 1e-7 && errors[3] < 1e-9, "{errors:?}");
+    // The local error goes with h⁴ of the estimate, the result with h⁵: steps grow by less than 100^(1/4) for each hundredth.
+    assert!(end(1e-8).2 < 4 * end(1e-6).2);
+}
+
+#[test]
+fn closed_form_an_impact_loses_its_kinetic_energy_and_a_stop_holds() {
+    // A heavy mass falls freely on a muscle without pressure … from rest h above the stop: v² = 2 g h.
+    let model = crate::support::vessel();
+    let load = SingleMuscle { stops_mm: (-20.0, 50.0), ..SingleMuscle::hanging(&model, 2.0) };
+    let mut drive = Drive::new(&load, vec![Actuated::new(&model, regulator(0.1))], steps(&[(0.0, 0.1)]), 0.2);
+    drive.initial_coordinate = Some(0.0);
+    drive.tolerance.relative = 1e-9;
+    let motion = ran(&drive);
+    let impact = motion.events.iter().find(|e| e.kind == EventKind::LowerStop).unwrap();
+    close(impact.time_s, (2.0 * 0.020_f64 / 9.80665).sqrt(), 1e-8);
+    close(impact.lost_j, 2.0 * 9.80665 * 0.020, 1e-8);
+    assert_eq!((last(&motion.coordinate), last(&motion.velocity)), (-20.0, 0.0));
+}
+
+#[test]
+fn identity_a_slack_muscle_hangs_at_its_free_contraction_and_keeps_its_air() {
+    // An inflated muscle that throws a light mass up: it goes slack, the mass flies, and is caught.
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let load = SingleMuscle { ..SingleMuscle::hanging(&*model, 3.0) };
+    let mut muscle = Actuated::new(&*model, valve());
+    muscle.air.heat = Heat::Adiabatic;
+    muscle.initial_pressure_mpa = Some(0.2);
+    let target = Target::Opening(vec![Command::Constant(0.0)]);
+    let mut drive = Drive::new(&load, vec![muscle], target, 1.0);
+    drive.initial_coordinate = Some(20.0);
+    drive.tolerance.relative = 1e-9;
+    let motion = ran(&drive);
+    let kinds: Vec<EventKind> = motion.events.iter().map(|e| e.kind).collect();
+    assert!(kinds.starts_with(&[EventKind::Slack, EventKind::Taut]), "{kinds:?}");
+    // Between the two the mass is in free flight: x is a parabola of −g.
+    let (out, back) = (motion.events[0].time_s, motion.events[1].time_s);
+    let flying: Vec<usize> =
+        (0..motion.time_s.len()).filter(|&i| motion.time_s[i] > out && motion.time_s[i] < back).collect();
+    assert!(flying.iter().all(|&i| motion.muscles[0].force_n[i] == 0.0));
+    let (a, b) = (flying[0], flying[flying.len() - 1]);
+    close(motion.velocity[a] - motion.velocity[b], 9806.65 * (motion.time_s[b] - motion.time_s[a]), 1e-7);
+    assert!(motion.mass_defect < 1e-12);
+    // A shut muscle without losses comes back to where it began.
+    let e = motion.energies;
+    assert!((e.static_work_j - e.load_j - e.kinetic_j).abs() < 1e-6 * e.work_j, "{e:?}");
+    assert!((e.internal_j + e.gas_work_j).abs() < 1e-6 * e.work_j, "{e:?}");
+}
+
+#[test]
+fn identity_two_antagonists_rest_at_zero_and_oscillate_by_their_stiffness() {
+    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let joint = elbow(0.0);
+    let muscle = Actuated::new(&*model, regulator(0.01));
+    let both = |a: f64, b: f64| {
+        let target = Target::Pressure(vec![Command::Constant(a), Command::Constant(b)]);
+        Drive::new(&joint, vec![muscle.clone(), muscle.clone()], target, 0.5)
+    };
+    let at = equilibrium(&both(0.3, 0.3), &[0.3, 0.3]).unwrap();
+    assert!(at.coordinate.abs() < 1e-10, "{}", at.coordinate);
+    // τ' = r² (K1 + K2) at the pressures that the regulators hold.
+    let w = &mut mckibben::model::Workspace::new();
+    let k = model.response(w, 0.3, 0.1).unwrap().stiffness_n_per_mm.unwrap();
+    let (f, _) = Linear::new(&both(0.3, 0.3)).unwrap().oscillation().unwrap();
+    close(f, (400.0 * 2.0 * k / 20.0).sqrt() / std::f64::consts::TAU, 1e-6);
+    assert!(equilibrium(&both(0.3, 0.15), &[0.3, 0.15]).unwrap().coordinate > 0.1);
+}
+
+#[test]
+fn closed_form_relaxation_of_the_rubber() {
+    // Held, its pressure goes up by a step: the pull is above the static one by g F_w e^(−t/τ) in the end.
+    let model = ThickWall::new(&note_muscle());
+    let held = SingleMuscle::held(&model);
+    let mut muscle = Actuated::new(&model, regulator(0.001));
+    muscle.rubber = Prony(vec![Branch { share: 0.3, time_constant_s: 0.2 }]);
+    let mut drive = Drive::new(&held, vec![muscle], steps(&[(0.0, 0.1), (0.1, 0.3)]), 1.0);
+    drive.initial_coordinate = Some(22.0);
+    drive.tolerance.relative = 1e-9;
+    let motion = ran(&drive);
+    let w = &mut mckibben::model::Workspace::new();
+    let still = model.force_n(w, 0.3, 0.1).unwrap();
+    let excess = |t: f64| {
+        let i = motion.time_s.iter().position(|x| *x >= t - 1e-12).unwrap();
+        motion.muscles[0].force_n[i] - still
+    };
+    close(excess(0.6) / excess(0.4), (-1.0_f64).exp(), 1e-5);
+    let ideal = Ideal::new(&note_muscle());
+    let wall =
+        |p: f64| model.force_n(&mut mckibben::model::Workspace::new(), p, 0.1).unwrap() - ideal.pull(p, 0.1);
+    // The regulator's own lag of 1 ms adds τ_r/τ to the start: e^(−0.3/0.2)/(1 − 0.001/0.2).
+    close(excess(0.4), 0.3 * (wall(0.3) - wall(0.1)) * (-1.5_f64).exp() / (1.0 - 0.005), 2e-2);
+}
+
+#[test]
+fn a_muscle_lifts_a_mass_from_its_stop() {
+    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let load = SingleMuscle {
+        stops_mm: (0.0, 100.0),
+        damping_n_s_per_m: 400.0,
+        ..SingleMuscle::hanging(&*model, 10.0)
+    };
+    let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
+    let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 1.0);
+    let motion = ran(&drive);
+    // It leaves the stop where the pull is the weight.
+    let lifted = motion.events.iter().find(|e| e.kind == EventKind::Lifted).unwrap();
+    let until = Drive { until_s: lifted.time_s + 1e-9, ..drive.clone() };
+    close(last(&ran(&until).muscles[0].force_n), 98.0665, 1e-6);
+    // And comes to rest where it is in equilibrium.
+    close(last(&motion.coordinate), equilibrium(&drive, &[0.3]).unwrap().coordinate, 1e-5);
+    assert!(motion.rise_time_s.is_some() && motion.settling_time_s > motion.rise_time_s);
+    println!(
+        "{} steps, {} rates, {} answers",
+        motion.integration_steps, motion.evaluations, motion.model_answers
+    );
+}
+
+#[test]
+fn identity_a_joints_load_is_the_slope_of_its_energy_and_its_arms_that_of_its_contractions() {
+    use mckibben::joint::{Joint, JointMuscle, JointSpring, Link, Path};
+    let path = Path::Points { origin_mm: [-20.0, 250.0], insertion_mm: [30.0, 12.0] };
+    let muscle = JointMuscle { muscle: note_muscle(), path, contraction_at_neutral: 0.05 };
+    let link = Link {
+        mass_kg: 1.2,
+        centre_mm: 150.0,
+        inclination_deg: 20.0,
+        payload_kg: 0.5,
+        payload_at_mm: 300.0,
+        ..Link::default()
+    };
+    let rope =
+        JointSpring::Rope { path: Path::Pulley { radius_mm: -25.0 }, rate_n_per_mm: 2.0, preload_n: 40.0 };
+    let torsion = JointSpring::Torsion { rate_nm_per_rad: 3.0, preload_nm: 1.0 };
+    for spring in [None, Some(rope), Some(torsion)] {
+        let joint = Joint::new(vec![muscle.clone()], spring, link, (-60.0, 60.0)).unwrap();
+        let (joint, h) = (&joint as &dyn Mechanism, 1e-5);
+        assert_eq!(joint.load_energy_mj(0.0), 0.0);
+        for q in [-0.7, -0.1, 0.3, 0.9] {
+            let slope = (joint.load_energy_mj(q + h) - joint.load_energy_mj(q - h)) / (2.0 * h);
+            assert!((slope - joint.load(q)).abs() < 1e-4, "{spring:?} {q}: {slope} {}", joint.load(q));
+            let arm = (joint.lever(0, q + h).contraction - joint.lever(0, q - h).contraction) / (2.0 * h);
+            assert!((arm - joint.lever(0, q).per_coordinate).abs() < 1e-8);
+        }
+    }
+}

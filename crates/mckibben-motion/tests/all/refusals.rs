@@ -1,0 +1,78 @@
+//! What is refused, and how it is said.
+
+use crate::support::{Vessel, note_muscle, regulator, steps, valve, vessel};
+use mckibben::budget::{Budget, Limits, Resource};
+use mckibben::load::Load;
+use mckibben::model::ModelKind;
+use mckibben::progress::{Progress, Silent};
+use mckibben_motion::*;
+
+#[test]
+fn commands_with_times_that_go_back_or_no_numbers_are_refused() {
+    let back = Command::table(vec![(0.0, 1.0), (1.0, 2.0), (0.5, 1.0)]).unwrap_err();
+    assert_eq!(back.to_string(), "the command's times must grow: 0.5 s follows 1 s (point 3)");
+    assert!(matches!(Command::table(vec![(0.0, f64::NAN)]), Err(CommandError::NotFinite { .. })));
+    assert_eq!(Command::table(vec![]), Err(CommandError::Empty));
+}
+
+#[test]
+fn what_cannot_be_is_said_with_its_values() {
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
+    let drive = |target, actuator| Drive::new(&load, vec![Actuated::new(&*model, actuator)], target, 0.5);
+    let refused = |drive: &Drive<'_>| run(drive, &Silent).unwrap_err();
+
+    let error = refused(&drive(steps(&[(0.0, 0.0), (0.1, 0.8)]), valve()));
+    assert_eq!(error, MotionError::Supply { command_mpa: 0.8, supply_mpa: 0.6 });
+    let error = refused(&drive(Target::Opening(vec![Command::Constant(1.0)]), regulator(0.1)));
+    assert_eq!(error, MotionError::NoOpening { muscle: 1 });
+    assert!(matches!(refused(&drive(steps(&[(0.0, 0.0)]), regulator(0.0))), MotionError::Value { .. }));
+    assert!(matches!(Orifice::new(0.0, 0.3), Err(MotionError::Value { .. })));
+    assert!(matches!(Orifice::new(0.5, 1.0), Err(MotionError::Value { .. })));
+
+    // 60 kg are more than 0.1 MPa can lift.
+    let heavy = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 60.0) };
+    let drive = Drive { mechanism: &heavy, ..drive(steps(&[(0.0, 0.0), (0.1, 0.1)]), valve()) };
+    let error = refused(&drive);
+    let MotionError::NeverLifted { net, pressure_mpa, .. } = error else { panic!("{error}") };
+    assert!(net < -100.0 && (pressure_mpa - 0.1).abs() < 1e-3);
+
+    let none = Vessel { volume_mm3: None, ..vessel() };
+    let drive = Drive { muscles: vec![Actuated::new(&none, valve())], ..drive };
+    assert!(matches!(refused(&drive), MotionError::NoVolume { .. }), "{}", refused(&drive));
+}
+
+struct Ended(Budget);
+
+impl Progress for Ended {
+    fn budget(&self) -> Budget {
+        self.0.clone()
+    }
+}
+
+#[test]
+fn a_run_ends_with_its_budget_and_its_steps() {
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
+    let target = steps(&[(0.0, 0.0), (0.1, 0.2)]);
+    let mut drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], target, 0.5);
+    let spent = Ended(Budget::new(Limits::default().with(Resource::Seconds, 0.0)));
+    assert!(matches!(run(&drive, &spent), Err(MotionError::Exceeded(_))));
+    let many = Drive { output_step_s: 1e-12, ..drive.clone() };
+    assert!(matches!(run(&many, &Silent), Err(MotionError::Exceeded(_))));
+    drive.tolerance.steps = 20;
+    let error = run(&drive, &Silent).unwrap_err();
+    assert!(matches!(error, MotionError::Steps { steps: 21, .. }), "{error}");
+}
+
+#[test]
+fn a_model_without_answer_ends_the_run_with_time_and_state() {
+    // Thrown against nothing: an unlimited pull stretches the muscle past where its strands are straight.
+    let model = mckibben::model::Ideal::new(&note_muscle());
+    let load = SingleMuscle { added_mass_kg: 5.0, ..SingleMuscle::new(&model, Load::Force { force_n: 1e5 }) };
+    let mut drive = Drive::new(&load, vec![Actuated::new(&model, regulator(0.1))], steps(&[(0.0, 0.3)]), 0.5);
+    drive.initial_coordinate = Some(0.0);
+    let error = run(&drive, &Silent).unwrap_err();
+    let MotionError::Model { time_s, contraction, muscle: 1, .. } = error else { panic!("{error}") };
+    assert!(time_s > 0.0 && time_s < 0.1 && contraction < 0.0, "{error}");
+}

@@ -1,0 +1,101 @@
+//! What several tests need.
+
+use mckibben::joint::{Joint, JointMuscle, Link, Path};
+use mckibben::load::Load;
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben_motion::*;
+
+/// A vessel of a fixed volume that does not pull.
+pub struct Vessel {
+    pub muscle: Muscle,
+    pub volume_mm3: Option<f64>,
+}
+
+impl ForceModel for Vessel {
+    fn name(&self) -> &str {
+        "vessel"
+    }
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+    fn source(&self) -> &str {
+        ""
+    }
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        Ok(Response {
+            pressure_mpa: p,
+            contraction: e,
+            volume_mm3: self.volume_mm3,
+            stiffness_n_per_mm: Some(1.0),
+            force_per_pressure_mm2: Some(0.0),
+            volume_per_pressure_mm3_per_mpa: Some(0.0),
+            volume_per_contraction_mm3: Some(0.0),
+            ..Response::default()
+        })
+    }
+}
+
+pub fn vessel() -> Vessel {
+    Vessel { muscle: Muscle::prototype(), volume_mm3: Some(0.2e6) }
+}
+
+/// Runs, or says why not.
+pub fn ran(drive: &Drive<'_>) -> Motion {
+    run(drive, &mckibben::progress::Silent).unwrap()
+}
+
+pub fn close(a: f64, b: f64, relative: f64) {
+    assert!((a / b - 1.0).abs() <= relative, "{a} against {b}: {:.3e}", a / b - 1.0);
+}
+
+/// The last value of a list.
+pub fn last(list: &[f64]) -> f64 {
+    *list.last().unwrap()
+}
+
+/// The muscle of the design note: D0 20, s 1.5, L0 220, 24°, C10 0.1 MPa, k 900 N/mm.
+pub fn note_muscle() -> Muscle {
+    use mckibben::muscle::{Braid, BraidStiffness, Rubber, Terminals, Tube};
+    use mckibben::rubber::{Law, MooneyRivlin};
+    let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.1, c01_mpa: 0.0 }));
+    let tube = Tube { outer_diameter_mm: 20.0, wall_mm: 1.5, length_mm: 220.0, rubber };
+    let stiffness = BraidStiffness::NewtonPerMm(900.0);
+    let braid = Braid { angle_deg: 24.0, stiffness, ..Braid::paper() };
+    Muscle::new(tube, braid, Terminals::default(), None).unwrap()
+}
+
+/// Two muscles of the note over a pulley, against each other.
+pub fn elbow(damping_nm_s_per_rad: f64) -> Joint {
+    let muscle = |radius_mm: f64| JointMuscle {
+        muscle: note_muscle(),
+        path: Path::Pulley { radius_mm },
+        contraction_at_neutral: 0.1,
+    };
+    let link = Link { inertia_kg_m2: Some(0.02), damping_nm_s_per_rad, ..Link::default() };
+    Joint::new(vec![muscle(20.0), muscle(-20.0)], None, link, (-60.0, 60.0)).unwrap()
+}
+
+/// A hanging mass with a spring.
+pub fn sprung(mass_kg: f64, rate_n_per_mm: f64) -> Load {
+    Load::Sum(vec![Load::Mass { mass_kg, level: false }, Load::Spring { rate_n_per_mm, preload_n: 0.0 }])
+}
+
+/// A proportional valve of 0.5 L/(s bar).
+pub fn valve() -> Actuator {
+    Actuator::Valve(Valve::new(Orifice::new(0.5, 0.3).unwrap()))
+}
+
+pub fn regulator(time_constant_s: f64) -> Actuator {
+    Actuator::Regulator { time_constant_s }
+}
+
+pub fn steps(points: &[(f64, f64)]) -> Target {
+    Target::Pressure(vec![Command::Steps(points.to_vec())])
+}
