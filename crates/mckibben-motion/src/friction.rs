@@ -10,7 +10,8 @@ use crate::error::MotionError;
 ///
 /// F_f opposes shortening at speed v = L0 ε̇; z in −1 … 1; x_s presliding length. After a reversal z follows e^(−x/x_s), whatever the
 /// speed: a stroke S ≫ x_s there and back encloses 2 F_c S. The sign of v is fixed between its zeros, which are events. The element
-/// creeps under small oscillations about a load, as is known of it. Source: Dahl (1976) \[dahl1976\]; F_c: Tondu (2012) \[tondu2012\].
+/// creeps under small oscillations about a load, as is known of it. Together with the overstress of the rubber it is no larger than the
+/// model's pull, so that the end of a muscle that goes slack is free of force. Source: Dahl (1976) \[dahl1976\]; F_c: Tondu (2012) \[tondu2012\].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dahl {
     /// C in N/MPa^β.

@@ -94,7 +94,7 @@ pub(crate) struct Member<'a> {
     /// Questions asked last, with their answers: differences for the Jacobian ask the same again.
     kept: RefCell<[Option<(f64, f64, Answer)>; 4]>,
     next: Cell<usize>,
-    hung: Cell<Option<(f64, f64)>>,
+    hung: Cell<Option<f64>>,
     pub asked: Cell<usize>,
     /// In place of the model, where there is one.
     pub stand: Cell<Option<Stand>>,
@@ -194,36 +194,39 @@ impl<'a> Member<'a> {
             return Ok(h);
         }
         let p = pressure_mpa.max(LEAST_MPA);
-        let mut found = None;
-        if let Some((_, last)) = self.hung.get() {
-            let mut e = last;
-            for _ in 0..8 {
-                let Ok(a) = self.answer(p, e) else { break };
-                if a.force_e >= 0.0 {
-                    break;
-                }
-                let step = -a.force_n / a.force_e;
-                e += step;
-                if step.abs() < 1e-13 {
-                    found = Some(e);
-                    break;
-                }
-            }
-        }
-        let contraction = match found {
+        let near = self.hung.get().and_then(|last| self.polished(p, last));
+        let contraction = match near {
             Some(e) => e,
             None => {
-                let w = &mut *self.workspace.borrow_mut();
-                free_contraction(self.model, w, p, Options::extrapolating()).map_err(|error| {
-                    ModelError::NoEquilibrium {
-                        reason: format!("a slack muscle has no free contraction: {error}"),
-                    }
-                })?
+                let search = free_contraction(
+                    self.model,
+                    &mut self.workspace.borrow_mut(),
+                    p,
+                    Options::extrapolating(),
+                );
+                let e = search.map_err(|error| ModelError::NoEquilibrium {
+                    reason: format!("a slack muscle has no free contraction: {error}"),
+                })?;
+                self.polished(p, e).unwrap_or(e)
             }
         };
-        self.hung.set(Some((p, contraction)));
+        self.hung.set(Some(contraction));
         let at = self.answer(p, contraction)?;
         let contraction_p = if at.force_e < 0.0 { -at.force_p / at.force_e } else { 0.0 };
         Ok(Hanging { contraction, answer: at, contraction_p })
+    }
+
+    /// The free contraction by Newton's method from near it, to the model's last digits.
+    fn polished(&self, p: f64, mut e: f64) -> Option<f64> {
+        let mut before = f64::INFINITY;
+        for _ in 0..12 {
+            let a = self.answer(p, e).ok().filter(|a| a.force_e < 0.0)?;
+            let step = -a.force_n / a.force_e;
+            if step.abs() < 1e-13 || step.abs() < 1e-9 && step.abs() >= 0.5 * before {
+                return Some(e);
+            }
+            (e, before) = (e + step, step.abs());
+        }
+        None
     }
 }

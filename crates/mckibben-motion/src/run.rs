@@ -360,22 +360,24 @@ impl<'s, 'd> Course<'s, 'd> {
                 *standing = (-g, time, state.get(slot).copied().unwrap_or(0.0) - ATMOSPHERE_MPA);
             }
             let mut first: Option<(Guard, f64)> = None;
-            for (guard, _) in guards.into_iter().filter(|(_, g)| *g < 0.0) {
-                let cheap = !matches!(guard, Guard::Release | Guard::Slack(_) | Guard::Taut(_));
-                let low = if cheap { before } else { from };
-                let function = |time: f64| -> Result<f64, MotionError> {
-                    let state = method.within(time).unwrap_or_else(|| y.to_vec());
-                    let all = self.system.guards(time, &state, !cheap)?;
-                    Ok(all.into_iter().find(|g| g.0 == guard).map_or(0.0, |g| g.1))
-                };
-                let at = match find_root(function, low, time, 1e-12 * (t - from)) {
-                    Ok(at) => at,
-                    Err(RootError::Function(error)) => return Err(error),
-                    Err(RootError::NotBracketed { .. }) => low,
-                };
+            let failing = |guards: Vec<(Guard, f64)>| guards.into_iter().filter(|(_, g)| *g < 0.0);
+            for (guard, _) in failing(guards) {
+                let low = if asks_a_model(guard) { from } else { before };
+                let at = self.root(method, guard, (low, time))?;
                 if first.is_none_or(|f| at < f.1) {
                     first = Some((guard, at));
                 }
+            }
+            // What asks a model may have come before what does not.
+            while let Some((_, at)) = first {
+                let Some(state) = method.within(at) else { break };
+                let all = self.system.guards(at, &state, true)?;
+                let Some((guard, _)) = failing(all).find(|(g, _)| asks_a_model(*g)) else { break };
+                let earlier = self.root(method, guard, (from, at))?;
+                if earlier >= at {
+                    break;
+                }
+                first = Some((guard, earlier));
             }
             if first.is_some() {
                 return Ok(first);
@@ -383,6 +385,25 @@ impl<'s, 'd> Course<'s, 'd> {
             before = time;
         }
         Ok(None)
+    }
+
+    /// When a guard that holds at the one time and not at the other stops to hold, on the dense output.
+    fn root(
+        &self,
+        method: &mut dyn Stepper,
+        guard: Guard,
+        (low, high): (f64, f64),
+    ) -> Result<f64, MotionError> {
+        let function = |time: f64| -> Result<f64, MotionError> {
+            let Some(state) = method.within(time) else { return Ok(0.0) };
+            let all = self.system.guards(time, &state, asks_a_model(guard))?;
+            Ok(all.into_iter().find(|g| g.0 == guard).map_or(0.0, |g| g.1))
+        };
+        match find_root(function, low, high, 1e-12 * (high - self.t)) {
+            Ok(at) => Ok(at),
+            Err(RootError::Function(error)) => Err(error),
+            Err(RootError::NotBracketed { .. }) => Ok(low),
+        }
     }
 
     /// The output that is due up to a time within the last step, which ended at `t`. Pull and volume between its ends are cubic in time, by
@@ -516,4 +537,9 @@ impl System<'_> {
             (energy + own, volume + m.volume_mm3)
         }))
     }
+}
+
+/// Whether the function of a guard needs an answer of a model.
+fn asks_a_model(guard: Guard) -> bool {
+    matches!(guard, Guard::Release | Guard::Slack(_) | Guard::Taut(_))
 }

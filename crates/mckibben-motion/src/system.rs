@@ -513,9 +513,9 @@ fn pull(
         (Some(dahl), Some(z)) => dahl.level_n(pressure) * z,
         _ => 0.0,
     };
-    // A rope cannot push: what friction would take beyond the pull it does not find.
-    let left = answer.force_n + excess - friction;
-    let pull = if friction > 0.0 || excess < 0.0 { left.max(answer.force_n.min(0.0)) } else { left };
+    // A rope cannot push, and its end is free of force where it goes slack: friction and overstress are no larger than the pull.
+    let most = answer.force_n.max(0.0);
+    let pull = answer.force_n + (excess - friction).clamp(-most, most);
     (answer.force_n, excess, answer.force_n + excess - pull, pull)
 }
 

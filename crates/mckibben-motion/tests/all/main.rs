@@ -6,5 +6,6 @@ mod chamber;
 mod control;
 mod frequency;
 mod mechanics;
+mod random;
 mod refusals;
 mod support;
