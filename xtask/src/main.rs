@@ -138,7 +138,10 @@ fn checks(_: bool) -> Done {
     run(script("checks/oracle.py").arg(&program))?;
     run(script("checks/campaign.py").arg(&program))?;
     let answer = made.join("motion.json");
-    save(cargo().args(["run", "--locked", "--quiet", "-p", "mckibben-motion", "--example", "exported"]), &answer)?;
+    save(
+        cargo().args(["run", "--locked", "--quiet", "-p", "mckibben-motion", "--example", "exported"]),
+        &answer,
+    )?;
     run(script("checks/motion.py").arg(&answer))?;
     for (name, line) in [
         ("checks/vtu.py", "-e 10% -p 0.05..0.25:0.05"),

@@ -4,10 +4,9 @@
 pub const GAS_CONSTANT_J_PER_KG_K: f64 = 287.05;
 /// γ = cp/cv of air.
 pub const HEAT_RATIO: f64 = 1.4;
-/// The atmosphere in MPa, absolute.
-pub const ATMOSPHERE_MPA: f64 = 0.101_325;
-/// Density of a normal litre: ISO 8778's reference atmosphere (20 °C, 1 bar, 65 % humidity), ρ0 of \[iso2013\].
-pub const NORMAL_DENSITY_G_PER_L: f64 = 1.185;
+pub use mckibben::analysis::ATMOSPHERE_MPA;
+/// Density of ISO 8778's reference atmosphere (20 °C, 1 bar, 65 % humidity), ρ0 of \[iso2013\].
+pub const REFERENCE_DENSITY_G_PER_L: f64 = 1.185;
 
 /// cp in J/(kg K).
 pub(crate) const CP: f64 = HEAT_RATIO * GAS_CONSTANT_J_PER_KG_K / (HEAT_RATIO - 1.0);
@@ -174,6 +173,12 @@ impl Air {
         let stored = (rate * cavity.volume_mm3 + absolute_mpa * swelling) / (HEAT_RATIO - 1.0);
         stored + absolute_mpa * swelling - flows.iter().map(|f| f.enthalpy_mw()).sum::<f64>()
     }
+}
+
+/// Normal litres (DIN 1343: 0 °C, 101.325 kPa, dry) of a mass of air in g.
+pub(crate) fn normal_litres(mass_g: f64) -> f64 {
+    // mm³ at 20 °C and atmospheric pressure; J/(kg K) is mJ/(g K), and 1 MPa mm³ is 1 mJ
+    mckibben::analysis::normal_litres(mass_g * GAS_CONSTANT_J_PER_KG_K * 293.15 / ATMOSPHERE_MPA)
 }
 
 /// Specific exergy of supplied air in J/kg (mJ/g): flow exergy against the atmosphere at `ambient_k`,

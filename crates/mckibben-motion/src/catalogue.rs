@@ -31,7 +31,7 @@ pub fn conductance_of_rated_flow(litres_per_minute: f64, critical_ratio: f64) ->
     MotionError::positive("the rated flow in l/min", litres_per_minute)?;
     let one = Orifice::new(1.0, critical_ratio)?;
     let flow = one.flow((0.701_325, 293.15), (0.601_325, 293.15)).mass_g_per_s;
-    Ok(litres_per_minute / 60.0 * crate::air::NORMAL_DENSITY_G_PER_L / flow)
+    Ok(litres_per_minute / 60.0 * crate::air::REFERENCE_DENSITY_G_PER_L / flow)
 }
 
 /// All of them (`data/valves.toml`).

@@ -48,7 +48,7 @@ mod valve;
 mod viscoelastic;
 
 pub use air::{
-    ATMOSPHERE_MPA, Air, Cavity, Flow, GAS_CONSTANT_J_PER_KG_K, HEAT_RATIO, Heat, NORMAL_DENSITY_G_PER_L,
+    ATMOSPHERE_MPA, Air, Cavity, Flow, GAS_CONSTANT_J_PER_KG_K, HEAT_RATIO, Heat, REFERENCE_DENSITY_G_PER_L,
     cavity_area_mm2,
 };
 pub use catalogue::{NamedValve, conductance_of_rated_flow, valve_named, valves};

@@ -1,6 +1,6 @@
 //! From a drive to its motion.
 
-use crate::air::{ATMOSPHERE_MPA, NORMAL_DENSITY_G_PER_L, exergy_mj_per_g};
+use crate::air::{ATMOSPHERE_MPA, exergy_mj_per_g, normal_litres};
 use crate::drive::Drive;
 use crate::error::MotionError;
 use crate::events::{Event, EventKind, Guard};
@@ -104,7 +104,7 @@ pub struct Motion {
     pub largest_speed: f64,
     /// Largest power of the muscles on the mechanism in W.
     pub largest_power_w: f64,
-    /// Air from the supply in normal litres (20 °C, 1 bar).
+    /// Air from the supply in normal litres (0 °C, 101.325 kPa).
     pub air_normal_litres: f64,
     /// The same over one period of a periodic command: the last whole one.
     pub air_normal_litres_per_cycle: Option<f64>,
@@ -513,8 +513,8 @@ impl<'s, 'd> Course<'s, 'd> {
         let e = &motion.energies;
         motion.efficiency = (e.exergy_j > 0.0).then(|| e.work_j / e.exergy_j);
         motion.mass_defect = missing / flowed.max(f64::MIN_POSITIVE);
-        motion.air_normal_litres = supplied / NORMAL_DENSITY_G_PER_L;
-        motion.air_normal_litres_per_cycle = self.cycle.map(|c| (supplied - c.1) / NORMAL_DENSITY_G_PER_L);
+        motion.air_normal_litres = normal_litres(supplied);
+        motion.air_normal_litres_per_cycle = self.cycle.map(|c| normal_litres(supplied - c.1));
         motion.integration_steps = self.steps;
         motion.evaluations = system.evaluations.get();
         motion.model_answers = system.members.iter().map(|m| m.asked.get()).sum();

@@ -1,6 +1,6 @@
 //! Valves after ISO 6358.
 
-use crate::air::{Flow, NORMAL_DENSITY_G_PER_L};
+use crate::air::{Flow, REFERENCE_DENSITY_G_PER_L};
 use crate::error::MotionError;
 use crate::hose::Hose;
 
@@ -81,7 +81,7 @@ impl Orifice {
     pub fn flow(&self, from: (f64, f64), to: (f64, f64)) -> Flow {
         let (sign, up, down) = if from.0 >= to.0 { (1.0, from, to) } else { (-1.0, to, from) };
         // 1 L/(s bar) · 10 bar/MPa · 1.185 g/L
-        let choked = self.conductance_l_per_s_bar * 10.0 * up.0 * NORMAL_DENSITY_G_PER_L;
+        let choked = self.conductance_l_per_s_bar * 10.0 * up.0 * REFERENCE_DENSITY_G_PER_L;
         let mass = choked * (REFERENCE_K / up.1).sqrt() * self.shape(down.0 / up.0);
         Flow { mass_g_per_s: sign * mass, temperature_k: up.1 }
     }

@@ -18,9 +18,8 @@ fn a_load_and_its_force_have_the_same_contraction() {
 
 #[test]
 fn the_stroke_between_two_pressures_is_that_of_its_equilibria() {
-    let found = json(
-        "curve isobaric -p 1bar,2bar,3bar -e 0..0.3:0.1 --load spring:5N/mm@50N --model universal",
-    );
+    let found =
+        json("curve isobaric -p 1bar,2bar,3bar -e 0..0.3:0.1 --load spring:5N/mm@50N --model universal");
     let at = found["loaded"]["at"].as_array().unwrap();
     let x = |i: usize| at[i]["equilibria"][0]["shortening_mm"].as_f64().unwrap();
     let cycle = &found["loaded"]["cycle"];
@@ -35,8 +34,7 @@ fn a_table_is_a_load() {
     let dir = folder();
     let path = dir.path().join("load.csv");
     std::fs::write(&path, "Weg [mm];Kraft [N]\n-10;100\n100;100\n").unwrap();
-    let table =
-        json(&format!("contraction -p 0.2 --model universal --load table:{} ", path.display()));
+    let table = json(&format!("contraction -p 0.2 --model universal --load table:{} ", path.display()));
     let force = json("contraction -p 0.2 --model universal -F 100N");
     let of = |v: &serde_json::Value| v["contraction"].as_f64().unwrap();
     assert!((of(&table) - of(&force)).abs() < 1e-9);
@@ -44,8 +42,7 @@ fn a_table_is_a_load() {
 
 #[test]
 fn a_joint_says_torques_rests_and_pressures() {
-    let torques =
-        json("joint examples/elbow.toml -p 2bar,1bar --angle 10deg --model universal");
+    let torques = json("joint examples/elbow.toml -p 2bar,1bar --angle 10deg --model universal");
     let point = &torques["points"][0];
     for key in [
         "angle_deg",
@@ -112,7 +109,7 @@ fn what_no_joint_or_load_can_do_is_an_error_with_its_words() {
         (format!("joint {lone} -p 2bar"), 2, "file", "none.toml"),
         ("joint examples/prototype.toml -p 2bar".into(), 2, "file", "unknown key"),
     ] {
-        let ran = mckibben(&format!("{line}"));
+        let ran = mckibben(&format!("{line} --format json"));
         let error = ran.error();
         assert_eq!((ran.code, error["kind"].as_str()), (code, Some(kind)), "{line}: {error}");
         assert!(error["message"].as_str().unwrap().contains(said), "{line}: {error}");

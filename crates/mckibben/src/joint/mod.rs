@@ -170,7 +170,7 @@ impl Joint {
         let least = 1e-3 * path.length_mm(0.0);
         let past = (0..=180)
             .map(|k| low + (high - low) * f64::from(k) / 180.0)
-            .find(|deg| matches!(path, Path::Points { .. }) && !(path.length_mm(deg.to_radians()) > least));
+            .find(|deg| matches!(path, Path::Points { .. }) && path.length_mm(deg.to_radians()) <= least);
         past.map_or(Ok(()), |angle_deg| Err(JointError::Geometry { muscle: i + 1, angle_deg }))
     }
 

@@ -66,11 +66,11 @@ impl LoadTable {
     }
 
     pub(super) fn energy_n_mm(&self, x: f64) -> f64 {
-        self.from_first(x) - self.from_first(0.0)
+        self.area_to(x) - self.area_to(0.0)
     }
 
     /// ∫ F dx from the first point.
-    fn from_first(&self, x: f64) -> f64 {
+    fn area_to(&self, x: f64) -> f64 {
         let part = |(x0, f0): (f64, f64), (x1, f1): (f64, f64)| 0.5 * (x1 - x0) * (f0 + f1);
         let whole = self.points.windows(2).take_while(|w| w[1].0 <= x).map(|w| part(w[0], w[1]));
         let last = self.points.iter().rev().find(|p| p.0 <= x).or(self.points.first());
