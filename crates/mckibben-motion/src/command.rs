@@ -73,6 +73,20 @@ pub enum Command {
 }
 
 impl Command {
+    /// The same in another unit.
+    #[must_use]
+    pub(crate) fn scaled(mut self, factor: f64) -> Self {
+        match &mut self {
+            Self::Constant(value) => *value *= factor,
+            Self::Steps(points) | Self::Ramps(points) => points.iter_mut().for_each(|p| p.1 *= factor),
+            Self::Sine { mean, amplitude, .. } | Self::Chirp { mean, amplitude, .. } => {
+                *mean *= factor;
+                *amplitude *= factor;
+            }
+        }
+        self
+    }
+
     /// A sampled table of times and values.
     ///
     /// # Errors

@@ -240,6 +240,36 @@ impl<'s> Section<'s> {
         list.map(Some).map_err(|p| self.error(key, p))
     }
 
+    /// A list of pairs, such as times and pressures; without a dimension a plain number.
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn pairs(
+        &self,
+        key: &str,
+        dimensions: (Option<Dimension>, Option<Dimension>),
+        expected: &'static str,
+    ) -> Result<Option<Vec<(f64, f64)>>, FileError> {
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        let wrong = || self.error(key, Problem::Type { found: value_kind(value), expected });
+        let read = |v: &Value, dimension: Option<Dimension>| match dimension {
+            Some(dimension) => to_quantity(v, dimension),
+            None => to_number(v),
+        };
+        let pair = |item: &Value| -> Result<(f64, f64), FileError> {
+            let list = item.as_array().ok_or_else(wrong)?;
+            let (Some(a), Some(b), 2) = (list.get(0), list.get(1), list.len()) else { return Err(wrong()) };
+            let both = read(a, dimensions.0).and_then(|a| Ok((a, read(b, dimensions.1)?)));
+            both.map_err(|p| self.error(key, p))
+        };
+        value.as_array().ok_or_else(wrong)?.iter().map(pair).collect::<Result<_, _>>().map(Some)
+    }
+
+    /// Whether a text stands at a key.
+    pub fn is_text(&self, key: &str) -> bool {
+        self.table.and_then(|t| t.get(key)).is_some_and(Item::is_str)
+    }
+
     /// Values: a text with a list or a range, a bare number, or a TOML list; and whether `suffix` stood behind them.
     ///
     /// # Errors
