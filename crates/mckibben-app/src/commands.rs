@@ -66,6 +66,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
         command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
         command!("joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
+        command!("motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
         command!("study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
         command!("simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
         command!("validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),

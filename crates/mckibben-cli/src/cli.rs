@@ -11,6 +11,7 @@ use crate::commands::formula::FormulaShowArgs;
 use crate::commands::identify::IdentifyArgs;
 use crate::commands::joint::JointArgs;
 use crate::commands::models::ModelsArgs;
+use crate::commands::motion::MotionArgs;
 use crate::commands::muscle::MuscleShowArgs;
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
 use crate::commands::rubber::{RubberListArgs, RubberShowArgs};
@@ -75,6 +76,9 @@ pub enum Command {
     /// A muscle against a spring, or two against each other, about a joint: torque, stiffness, rest, pressures
     #[command(after_help = commands::joint::EXAMPLES)]
     Joint(Box<JointArgs>),
+    /// A muscle or a joint on a valve, over time
+    #[command(after_help = commands::motion::EXAMPLES)]
+    Motion(Box<MotionArgs>),
     /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),

@@ -173,6 +173,30 @@ pub fn parse_drive(text: &str) -> Result<DriveFile, FileError> {
     })
 }
 
+/// The text of a drive file with another value at a dotted key: a number, `true` or `false`, or else a text.
+///
+/// # Errors
+/// [`FileError`] for a text that is no TOML, or a key whose parents are no tables.
+pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileError> {
+    // Errors of syntax with their places.
+    let source = Source::parse(text)?;
+    let wrong = |what: &str| source.error(dotted, Problem::Said(what.into()));
+    let mut document: toml_edit::DocumentMut = text.parse().map_err(|_| wrong("stands in no TOML"))?;
+    let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
+    let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
+    for part in parents.split('.').filter(|p| !p.is_empty()) {
+        let item = table.entry(part).or_insert_with(toml_edit::table);
+        table = item.as_table_like_mut().ok_or_else(|| wrong("is no key of a table"))?;
+    }
+    let item = match (value.parse::<f64>(), value.parse::<bool>()) {
+        (Ok(number), _) if number.is_finite() => toml_edit::value(number),
+        (_, Ok(yes)) => toml_edit::value(yes),
+        _ => toml_edit::value(value),
+    };
+    table.insert(last, item);
+    Ok(document.to_string())
+}
+
 fn said(section: &Section<'_>, key: &str, text: impl Into<String>) -> FileError {
     section.error(key, Problem::Said(text.into()))
 }
@@ -496,7 +520,7 @@ mod tests {
             (format!("{HEAD}[supply]\ntemperature = '-300 degC'\n{TAIL}"), "absolute zero"),
             (format!("{HEAD}hose_length = '1 m'\n{TAIL}"), "hose_diameter"),
             (format!("{HEAD}[command]\nposition = '10%'\nuntil = '1 s'\n"), "proportional"),
-            ("joint = 'j.toml'\n[load]\nmass = '1 kg'\n".into(), "own file"),
+            ("joint = 'j.toml'\n[valve]\nname = 'festo-mh2'\n[load]\nmass = '1 kg'\n".into(), "own file"),
         ] {
             let error = parse_drive(&text).map(|_| String::new()).unwrap_or_else(|e| e.to_string());
             assert!(error.contains(words), "{text}: {error}");

@@ -10,6 +10,7 @@ pub mod formula;
 pub mod identify;
 pub mod joint;
 pub mod models;
+pub mod motion;
 pub mod muscle;
 pub mod point;
 pub mod rubber;
@@ -35,6 +36,7 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Curve(args) if args.study.is_some() => study::run(&args, format),
         Command::Curve(args) => curve::run(&args, format),
         Command::Joint(args) => joint::run(&args, format),
+        Command::Motion(args) => motion::run(&args, format),
         Command::Simulate(args) => simulate::run(&args, format),
         Command::Validate(args) => validate::run(&args, format),
         Command::Compare(args) => compare::run(&args, format),

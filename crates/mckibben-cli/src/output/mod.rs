@@ -50,6 +50,7 @@ pub fn show<T: Serialize>(
         let mut value = json(answer)?;
         Ok(match value.get_mut(rows).map(Value::take) {
             Some(Value::Array(list)) => list,
+            Some(Value::Object(columns)) => rows::of_columns(&columns),
             _ if rows.is_empty() => vec![value],
             _ => vec![],
         })

@@ -169,8 +169,13 @@ fn the_example_muscles_are_muscles() {
     for entry in std::fs::read_dir(root().join("examples")).unwrap() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|e| e == "toml") {
-            if std::fs::read_to_string(&path).unwrap().contains("[joint]") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            if text.contains("[joint]") {
                 mckibben(&format!("joint {} -p 2bar,1bar --model universal", path.display())).ok();
+                continue;
+            }
+            if text.contains("[command]") {
+                mckibben(&format!("motion {} --model universal", path.display())).ok();
                 continue;
             }
             mckibben(&format!("muscle show {}", path.display())).ok();

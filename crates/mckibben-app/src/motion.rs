@@ -1,0 +1,424 @@
+//! `motion`: a muscle or a joint on a valve, over time.
+
+use crate::fields::{ModelFields, MuscleFields, TextFile};
+use crate::figure;
+use crate::joint::JointFields;
+use crate::model::{Model, Purpose};
+use crate::muscle::MuscleSummary;
+use crate::point::finite;
+use crate::problem::{Problem, ProblemKind};
+use crate::units::Units;
+use mckibben::joint::Joint;
+use mckibben::load::Load;
+use mckibben::model::ForceModel;
+use mckibben::progress::Progress;
+use mckibben::warning::Warning;
+use mckibben_motion::{
+    Actuated, Command, Dahl, Drive, DriveFile, Energies, Event, Linear, Mechanism, Motion, MotionError,
+    SingleMuscle, StepFigures, Subject, Target, Tolerance, parse_drive, run, size, with_value,
+};
+use mckibben_report::Figure;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// A drive to be run: its file, and those that it names.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MotionRequest {
+    /// Drive file (TOML).
+    pub drive: Option<TextFile>,
+    /// The muscle file that it names, of a drive with one muscle.
+    pub muscle: Option<TextFile>,
+    /// The joint file that it names, with its muscle files.
+    #[serde(flatten)]
+    pub joint: JointFields,
+    /// The model.
+    #[serde(flatten)]
+    pub model: ModelFields,
+    /// A key of the drive file and values that take its place, one run each: `valve.sonic_conductance`.
+    pub sweep: Option<MotionSweep>,
+    /// Find the smallest valve with this rise time (10–90 %), s.
+    pub rise_time_s: Option<f64>,
+    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    pub figure: Option<Units>,
+}
+
+/// Values of a key of the drive file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct MotionSweep {
+    /// The key, dotted: `valve.sonic_conductance`, `load.mass`.
+    pub key: String,
+    /// Its values as the file would have them: `0.5 L/(s bar)`.
+    pub values: Vec<String>,
+}
+
+/// A motion.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MotionRun {
+    /// The value of the sweep's key, where there is a sweep.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub value: Option<String>,
+    /// What was recorded, lists of one length.
+    pub series: MotionSeries,
+    /// 10–90 % of the first step that moved it, s.
+    pub rise_time_s: Option<f64>,
+    /// Until it stays within 2 % of its way, s.
+    pub settling_time_s: Option<f64>,
+    /// How far it went beyond its end, as a share of its way.
+    pub overshoot: Option<f64>,
+    /// Until the pressure is within 2 % of its first rise, s.
+    pub fill_time_s: Option<f64>,
+    /// Likewise of its first fall, s.
+    pub vent_time_s: Option<f64>,
+    /// Every step of the command that moved it.
+    #[schemars(with = "Vec<serde_json::Value>")]
+    pub steps: Vec<StepFigures>,
+    /// Largest speed, mm/s or °/s.
+    pub largest_speed: f64,
+    /// Largest power of the muscles, W.
+    pub largest_power_w: f64,
+    /// Air from the supply, normal litres (0 °C, 101.325 kPa).
+    pub air_normal_litres: f64,
+    /// The same over the last whole period of a periodic command.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub air_normal_litres_per_cycle: Option<f64>,
+    /// Area of the loop of position (mm or rad) over pressure in MPa, over that period.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub loop_area: Option<f64>,
+    /// Energies, J.
+    #[schemars(with = "serde_json::Value")]
+    pub energies: Energies,
+    /// Work of the muscles while they shorten over the exergy of the air from the supply.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub efficiency: Option<f64>,
+    /// Of one muscle with a commanded pressure: frequency up to which small changes of the highest command are followed (−3 dB), Hz.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bandwidth_hz: Option<f64>,
+    /// What happened: ends of stroke, slack, valve switching, reversals.
+    #[schemars(with = "Vec<serde_json::Value>")]
+    pub events: Vec<Event>,
+    /// Questions to the models.
+    pub model_answers: usize,
+}
+
+/// What is recorded over time; of a joint with the number of the muscle.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+#[serde(default)]
+pub struct MotionSeries {
+    /// Time, s.
+    pub time_s: Vec<f64>,
+    /// Angle of a joint, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_deg: Option<Vec<f64>>,
+    /// Its speed, °/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity_deg_per_s: Option<Vec<f64>>,
+    /// Speed of the load of a muscle, mm/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub velocity_mm_per_s: Option<Vec<f64>>,
+    /// Of a muscle, or of both of a joint.
+    #[serde(flatten)]
+    pub muscle: Option<MuscleOverTime>,
+    /// Of the first muscle of a joint.
+    #[serde(flatten)]
+    pub first: Option<FirstOverTime>,
+    /// Of the second muscle of a joint.
+    #[serde(flatten)]
+    pub second: Option<SecondOverTime>,
+}
+
+/// Lists of one muscle, under names with a number behind them or without.
+macro_rules! over_time {
+    ($(#[$doc:meta])* $name:ident, $p:literal, $e:literal, $f:literal, $m:literal, $t:literal, $v:literal, $o:literal, $c:literal) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema)]
+        pub struct $name {
+            /// Gauge pressure, MPa.
+            #[serde(rename = $p)]
+            pub pressure_mpa: Vec<f64>,
+            /// Contraction ratio.
+            #[serde(rename = $e)]
+            pub contraction: Vec<f64>,
+            /// Pull, N.
+            #[serde(rename = $f)]
+            pub force_n: Vec<f64>,
+            /// Mass of its air, g.
+            #[serde(rename = $m)]
+            pub air_mass_g: Vec<f64>,
+            /// Temperature of its air, °C.
+            #[serde(rename = $t)]
+            pub temperature_degc: Vec<f64>,
+            /// Volume of its air with dead volume and hose, mm³.
+            #[serde(rename = $v)]
+            pub volume_mm3: Vec<f64>,
+            /// Opening of its valve, −1 to 1.
+            #[serde(rename = $o)]
+            pub opening: Vec<f64>,
+            /// What is commanded: pressure in MPa, or opening.
+            #[serde(rename = $c)]
+            pub command: Vec<f64>,
+        }
+
+        impl From<&mckibben_motion::MuscleSeries> for $name {
+            fn from(series: &mckibben_motion::MuscleSeries) -> Self {
+                Self {
+                    pressure_mpa: series.pressure_mpa.clone(),
+                    contraction: series.contraction.clone(),
+                    force_n: series.force_n.clone(),
+                    air_mass_g: series.air_mass_g.clone(),
+                    temperature_degc: series.temperature_k.iter().map(|t| t - 273.15).collect(),
+                    volume_mm3: series.volume_mm3.clone(),
+                    opening: series.opening.clone(),
+                    command: series.command.clone(),
+                }
+            }
+        }
+    };
+}
+
+over_time!(
+    /// A muscle over time.
+    MuscleOverTime, "pressure_mpa", "contraction", "force_n", "air_mass_g", "temperature_degc", "volume_mm3", "opening", "command"
+);
+over_time!(
+    /// The first muscle of a joint over time.
+    FirstOverTime, "pressure_1_mpa", "contraction_1", "force_1_n", "air_mass_1_g", "temperature_1_degc", "volume_1_mm3", "opening_1", "command_1"
+);
+over_time!(
+    /// The second muscle of a joint over time.
+    SecondOverTime, "pressure_2_mpa", "contraction_2", "force_2_n", "air_mass_2_g", "temperature_2_degc", "volume_2_mm3", "opening_2", "command_2"
+);
+
+/// The answer to a drive: its motion, or those of a sweep.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct MotionAnswer {
+    /// The model's name.
+    pub model: String,
+    /// The muscles.
+    pub muscles: Vec<MuscleSummary>,
+    /// The motion; of a sweep the first.
+    #[serde(flatten)]
+    pub motion: MotionRun,
+    /// The other motions of a sweep.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub others: Vec<MotionRun>,
+    /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sonic_conductance_l_per_s_bar: Option<f64>,
+    /// What the user should know.
+    #[schemars(with = "Vec<String>")]
+    pub warnings: Vec<Warning>,
+    /// The figure, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub figure: Option<Figure>,
+}
+
+/// Most runs of a sweep.
+const MOST_RUNS: usize = 100;
+
+/// What a drive moves, ready to be asked.
+struct Moved {
+    joint: Option<Joint>,
+    models: Vec<Box<dyn ForceModel>>,
+}
+
+impl MotionRequest {
+    /// The file that a drive file names.
+    ///
+    /// # Errors
+    /// [`Problem`] for a file that is none.
+    pub fn subject_of(drive: &TextFile) -> Result<Subject, Problem> {
+        Ok(parse_drive(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))?.subject)
+    }
+
+    fn moved(&self, file: &DriveFile, progress: &dyn Progress) -> Result<Moved, Problem> {
+        let model = Model::choose(&self.model, Purpose::Answer)?;
+        let budget = progress.budget();
+        let build = |muscle: &mckibben::muscle::Muscle| -> Result<Box<dyn ForceModel>, Problem> {
+            model.admit(muscle, &budget)?;
+            Ok(model.build(muscle)?)
+        };
+        match &file.subject {
+            Subject::Muscle(_) => {
+                let muscle = MuscleFields { muscle: self.muscle.clone(), ..MuscleFields::default() };
+                if self.muscle.is_none() {
+                    return Err(Problem::missing("muscle", "the muscle file that the drive names"));
+                }
+                Ok(Moved { joint: None, models: vec![build(&muscle.resolve()?)?] })
+            }
+            Subject::Joint(_) => {
+                let joint = self.joint.resolve()?;
+                let models = joint.muscles().iter().map(|m| build(&m.muscle)).collect::<Result<_, _>>()?;
+                Ok(Moved { joint: Some(joint), models })
+            }
+        }
+    }
+}
+
+/// Runs a drive.
+///
+/// # Errors
+/// [`Problem`].
+pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer, Problem> {
+    let text = request.drive.as_ref().ok_or_else(|| Problem::missing("drive", "a drive file (TOML)"))?;
+    let read = |text_of: &str| parse_drive(text_of).map_err(|e| Problem::from(e.of(Path::new(&text.name))));
+    let files: Vec<(Option<String>, DriveFile)> = match &request.sweep {
+        None => vec![(None, read(&text.text)?)],
+        Some(sweep) if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS => {
+            let message = format!("a sweep has 1 to {MOST_RUNS} values, not {}", sweep.values.len());
+            return Err(Problem::new(ProblemKind::Range, message, "").in_field("sweep"));
+        }
+        Some(sweep) => {
+            let one = |value: &String| {
+                let changed = with_value(&text.text, &sweep.key, value)
+                    .map_err(|e| Problem::from(e.of(Path::new(&text.name))))?;
+                Ok((Some(value.clone()), read(&changed)?))
+            };
+            sweep.values.iter().map(one).collect::<Result<_, Problem>>()?
+        }
+    };
+    let Some((_, first)) = files.first() else { return Err(Problem::missing("drive", "a drive file")) };
+    let moved = request.moved(first, progress)?;
+    let mut sized = None;
+    let mut runs = vec![];
+    for (i, (value, file)) in files.iter().enumerate() {
+        progress.report(i, files.len());
+        let (motion, conductance, bandwidth_hz) = moved.go(file, request.rise_time_s, progress)?;
+        sized = sized.or(conductance);
+        runs.push(MotionRun::of(value.clone(), &motion, moved.joint.is_some(), bandwidth_hz));
+    }
+    let summaries: Vec<MuscleSummary> = moved.models.iter().map(|m| m.muscle().into()).collect();
+    let said = moved.models.iter().flat_map(|m| m.muscle().warnings());
+    let warnings = Warning::gravest(&said.map(Warning::from).collect::<Vec<_>>());
+    let mut runs = runs.into_iter();
+    let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
+    let mut answer = MotionAnswer {
+        model: moved.models.first().map_or_else(String::new, |m| m.name().into()),
+        muscles: summaries,
+        motion,
+        others: runs.collect(),
+        sonic_conductance_l_per_s_bar: sized,
+        warnings,
+        figure: None,
+    };
+    let sweep = request.sweep.as_ref().map(|s| s.key.as_str());
+    answer.figure = request.figure.as_ref().map(|unit| figure::motion(&answer, sweep, unit));
+    Ok(answer)
+}
+
+impl Moved {
+    /// The motion, the conductance that was sought, and the bandwidth.
+    fn go(
+        &self,
+        file: &DriveFile,
+        rise_time_s: Option<f64>,
+        progress: &dyn Progress,
+    ) -> Result<(Motion, Option<f64>, Option<f64>), Problem> {
+        let single = match (&self.joint, self.models.first()) {
+            (None, Some(model)) => {
+                let text = file.load.as_deref().ok_or_else(|| {
+                    let hint = "such as mass = \"10 kg\" in [load]";
+                    Problem::new(ProblemKind::File, "the drive has no [load], and nothing that moves", hint)
+                })?;
+                let load = Load::parse(text, &|_| None)
+                    .map_err(|e| Problem::new(ProblemKind::File, format!("load.line: {e}"), ""))?;
+                let (damping_n_s_per_m, stops_mm) = (file.damping_n_s_per_m, file.stops_mm);
+                Some(SingleMuscle { damping_n_s_per_m, stops_mm, ..SingleMuscle::new(&**model, load) })
+            }
+            _ => None,
+        };
+        let mechanism: &dyn Mechanism = match (&single, &self.joint) {
+            (Some(single), _) => single,
+            (None, Some(joint)) => joint,
+            (None, None) => return Err(Problem::missing("muscle", "what the drive moves")),
+        };
+        let muscles = self.models.iter().map(|model| Actuated {
+            air: file.air,
+            friction: model.muscle().friction().map(|f| Dahl::of(f, file.presliding_mm)),
+            rubber: file.rubber.clone(),
+            ..Actuated::new(&**model, file.actuator)
+        });
+        let mut target = file.target.clone();
+        if let (Target::Pressure(list) | Target::Opening(list), 1) = (&mut target, self.models.len()) {
+            // A joint with one muscle takes one command.
+            list.truncate(1);
+        }
+        let drive = Drive {
+            supply: file.supply,
+            output_step_s: file.output_step_s,
+            tolerance: Tolerance::default(),
+            ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
+        };
+        let bandwidth = match &drive.target {
+            Target::Pressure(list) if list.len() == 1 => {
+                let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();
+                let held = Drive { target: Target::Pressure(most), ..drive.clone() };
+                Linear::new(&held).ok().and_then(|l| l.bandwidth_hz())
+            }
+            _ => None,
+        };
+        match rise_time_s {
+            None => Ok((run(&drive, progress)?, None, bandwidth)),
+            Some(wanted) => {
+                let found = size(&drive, finite("rise_time_s", wanted)?, progress)?;
+                Ok((found.motion, Some(found.conductance_l_per_s_bar), bandwidth))
+            }
+        }
+    }
+}
+
+impl MotionRun {
+    fn of(value: Option<String>, m: &Motion, joint: bool, bandwidth_hz: Option<f64>) -> Self {
+        let degrees = |list: &[f64]| -> Vec<f64> { list.iter().map(|v| v.to_degrees()).collect() };
+        let (first, second) = (m.muscles.first(), m.muscles.get(1));
+        let series = MotionSeries {
+            time_s: m.time_s.clone(),
+            angle_deg: joint.then(|| degrees(&m.coordinate)),
+            velocity_deg_per_s: joint.then(|| degrees(&m.velocity)),
+            velocity_mm_per_s: (!joint).then(|| m.velocity.clone()),
+            muscle: first.filter(|_| !joint).map(MuscleOverTime::from),
+            first: first.filter(|_| joint).map(FirstOverTime::from),
+            second: second.map(SecondOverTime::from),
+        };
+        Self {
+            value,
+            series,
+            rise_time_s: m.rise_time_s,
+            settling_time_s: m.settling_time_s,
+            overshoot: m.overshoot,
+            fill_time_s: m.fill_time_s,
+            vent_time_s: m.vent_time_s,
+            steps: m.steps.clone(),
+            largest_speed: if joint { m.largest_speed.to_degrees() } else { m.largest_speed },
+            largest_power_w: m.largest_power_w,
+            air_normal_litres: m.air_normal_litres,
+            air_normal_litres_per_cycle: m.air_normal_litres_per_cycle,
+            loop_area: m.loop_area,
+            energies: m.energies,
+            efficiency: m.efficiency,
+            bandwidth_hz,
+            events: m.events.clone(),
+            model_answers: m.model_answers,
+        }
+    }
+}
+
+impl From<MotionError> for Problem {
+    fn from(error: MotionError) -> Self {
+        let kind = match &error {
+            MotionError::Exceeded(exceeded) => return (*exceeded).into(),
+            MotionError::Model { error: model, .. } => Self::from((**model).clone()).kind,
+            MotionError::Diverged { .. } | MotionError::Steps { .. } | MotionError::Chatter { .. } => {
+                ProblemKind::NotConverged
+            }
+            MotionError::NoEquilibrium { .. }
+            | MotionError::NeverLifted { .. }
+            | MotionError::NoValve { .. }
+            | MotionError::NotAtRest { .. } => ProblemKind::NoAnswer,
+            _ => ProblemKind::File,
+        };
+        Self::new(kind, error.to_string(), "")
+    }
+}

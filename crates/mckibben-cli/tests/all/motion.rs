@@ -1,0 +1,81 @@
+//! Motion as a user meets it.
+
+use crate::common::{folder, json, mckibben, number, root};
+
+#[test]
+fn a_drive_file_becomes_series_of_one_length() {
+    let found = json("motion examples/drive.toml --model universal");
+    let series = found["series"].as_object().unwrap();
+    let count = series["time_s"].as_array().unwrap().len();
+    for key in ["pressure_mpa", "contraction", "velocity_mm_per_s", "force_n", "air_mass_g"] {
+        assert_eq!(series[key].as_array().unwrap().len(), count, "{key}");
+    }
+    for key in ["rise_time_s", "settling_time_s", "overshoot", "air_normal_litres"] {
+        assert!(number(&found, key) >= 0.0, "{key}");
+    }
+    // It stands on its stop until it is lifted, where the pull is the weight.
+    let lifted = found["events"].as_array().unwrap().iter().find(|e| e["kind"] == "lifted").unwrap();
+    let i = series["time_s"].as_array().unwrap().iter().position(|t| t.as_f64() >= lifted["time_s"].as_f64());
+    let force = series["force_n"][i.unwrap()].as_f64().unwrap();
+    assert!((force / 98.0665 - 1.0).abs() < 0.5, "{force}");
+    // It settles where the static model has it under that load.
+    let held =
+        json("contraction -p 3bar --load mass:10kg --model universal --muscle examples/prototype.toml");
+    let at_2_s = series["contraction"][count / 2 - 1].as_f64().unwrap();
+    assert!((at_2_s - number(&held, "contraction")).abs() < 1e-5, "{at_2_s} {held}");
+}
+
+#[test]
+fn a_larger_valve_is_quicker_and_the_smallest_one_is_just_quick_enough() {
+    let swept = json("motion examples/drive.toml --model universal --sweep valve.sonic_conductance=0.3,0.6");
+    let slow = number(&swept, "rise_time_s");
+    let fast = number(&swept["others"][0], "rise_time_s");
+    assert!(fast < 0.7 * slow, "{fast} {slow}");
+    let sized = json("motion examples/drive.toml --model universal --size valve --rise-time 0.4s");
+    assert!((number(&sized, "rise_time_s") / 0.4 - 1.0).abs() < 0.01, "{}", sized["rise_time_s"]);
+    assert!(number(&sized, "sonic_conductance_l_per_s_bar") > 0.1);
+}
+
+#[test]
+fn a_joint_moves_to_its_rest() {
+    let found = json("motion examples/elbow-drive.toml --model universal");
+    let angles = found["series"]["angle_deg"].as_array().unwrap();
+    let rest = json("joint examples/elbow.toml -p 2bar,1bar --model universal");
+    let (end, rest) = (angles.last().unwrap().as_f64().unwrap(), number(&rest["points"][0], "angle_deg"));
+    assert!((end - rest).abs() < 0.02, "{end} {rest}");
+}
+
+#[test]
+fn rows_of_csv_are_the_points_of_time() {
+    let ran = mckibben("motion examples/drive.toml --model universal --format csv").ok();
+    let mut lines = ran.text().lines();
+    assert!(lines.next().unwrap().starts_with("time_s,velocity_mm_per_s,pressure_mpa,contraction"));
+    assert!(lines.count() > 900);
+}
+
+#[test]
+fn what_does_not_move_is_an_error_with_its_words() {
+    let dir = folder();
+    let prototype = root().join("examples/prototype.toml");
+    let head = format!("muscle = '{}'\n", prototype.display());
+    let tail = "[command]\npressure = [['0 s', '0 bar'], ['0.1 s', '2 bar']]\nuntil = '1 s'\n";
+    let valve = "[valve]\nsonic_conductance = '0.5 L/(s bar)'\n";
+    for (text, code, kind, said) in [
+        (format!("{head}{valve}[load]\nmass = '200 kg'\nstops = '0..80 mm'\n{tail}"), 1, "no_answer", "never lifted"),
+        (format!("{head}{valve}[load]\nmass = '5 kg'\n[supply]\npressure = '1 bar'\n{tail}"), 2, "file", "supply"),
+        (format!("{head}{valve}{tail}"), 2, "file", "[load]"),
+        (format!("{head}[load]\nmass = '5 kg'\n{tail}"), 2, "file", "[regulator]"),
+        (format!("{head}{valve}[load]\nmass = '5 kg'\n[command]\npressure = [['1 s', '1 bar'], ['0 s', '2 bar']]\nuntil = '1 s'\n"), 2, "file", "must grow"),
+        (format!("{head}{valve}[load]\nmass = '5 kg'\n[command]\npressure = '2 bar'\nuntil = '1e9 s'\noutput_step = '1 ms'\n"), 2, "budget", "points"),
+        ("muscle = 'nowhere.toml'\n[valve]\nname = 'festo-mh2'\n[command]\npressure = '2 bar'\nuntil = '1 s'\n".into(), 2, "file", "nowhere"),
+    ] {
+        let path = dir.path().join("drive.toml");
+        std::fs::write(&path, &text).unwrap();
+        let ran = mckibben(&format!("motion {} --model universal --format json", path.display()));
+        let error = ran.error();
+        assert_eq!((ran.code, error["kind"].as_str()), (code, Some(kind)), "{text}: {error}");
+        assert!(error["message"].as_str().unwrap().contains(said), "{text}: {error}");
+    }
+    let ran = mckibben("motion examples/drive.toml --model paper --format json");
+    assert_eq!((ran.code, ran.error()["kind"].as_str()), (2, Some("file")), "{ran:?}");
+}
