@@ -63,6 +63,25 @@ pub fn force_on<M: ForceModel + ?Sized>(
     Ok(force_n + friction(model, direction).map_or(0.0, |f| f.force_n(pressure_mpa, direction)))
 }
 
+/// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does not state it.
+///
+/// # Errors
+/// The model's.
+pub(crate) fn stiffness_of<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    response: &Response,
+    direction: Direction,
+) -> Result<f64, ModelError> {
+    const STEP: f64 = 1e-5;
+    if let Some(k) = response.stiffness_n_per_mm {
+        return Ok(k);
+    }
+    let (p, e) = (response.pressure_mpa, response.contraction);
+    let mut pull = |e: f64| force_on(model, workspace, p, e, direction);
+    Ok((pull(e - STEP)? - pull(e + STEP)?) / (2.0 * STEP * model.muscle().length_mm()))
+}
+
 /// Where an answer comes from: the model's source, and that of the friction.
 pub fn source_of<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> String {
     let branch = match (friction(model, direction), direction) {

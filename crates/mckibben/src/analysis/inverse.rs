@@ -12,7 +12,7 @@ use super::error::AnalysisError;
 use super::golden::golden;
 use super::root::{RootError, find_root};
 use crate::model::{ForceModel, ModelError, Workspace, rising_root};
-use crate::muscle::Direction;
+use crate::muscle::{Direction, Muscle};
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
 const HIGHEST_PRESSURE_MPA: f64 = 20.0;
@@ -237,7 +237,7 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
     let natural = if blocked > 0.0 {
         (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95)
     } else {
-        1.3 * (1.0 - 1.0 / model.muscle().braid().angle_deg.to_radians().cos()) - 0.05
+        straight_strands(model.muscle())
     };
     let end = if options.extrapolate { natural } else { natural.clamp(range.0, range.1) };
     let (lowest, highest) = (start.min(end), start.max(end));
@@ -268,6 +268,11 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
         }
     }
     Err(none(nearest.0, nearest.1 + force_n))
+}
+
+/// A contraction below that at which the strands are straight and hold any pull; strands that stretch reach a little further.
+pub(crate) fn straight_strands(muscle: &Muscle) -> f64 {
+    1.3 * (1.0 - 1.0 / muscle.braid().angle_rad().cos()) - 0.05
 }
 
 /// What is varied, and what is held.

@@ -1,7 +1,9 @@
 //! Pressures for an angle, a torque and a stiffness.
 
 use super::{JointError, JointModel, JointPoint, Turning};
-use crate::analysis::{AnalysisError, RootError, find_root, force_on, pressure_at, response_on};
+use crate::analysis::{
+    AnalysisError, RootError, find_root, force_on, pressure_at, response_on, stiffness_of,
+};
 use crate::model::Workspace;
 use crate::muscle::Direction;
 
@@ -169,10 +171,8 @@ impl Line<'_, '_> {
             let r = response_on(self.model.of(i), workspace, p, here.contraction, Direction::Mean)
                 .map_err(JointError::model(i))?;
             if r.force_n > 0.0 {
-                let k = match r.stiffness_n_per_mm {
-                    Some(k) => k,
-                    None => self.model.stiffness(i, workspace, p, here.contraction, Direction::Mean)?,
-                };
+                let k = stiffness_of(self.model.of(i), workspace, &r, Direction::Mean)
+                    .map_err(JointError::model(i))?;
                 sum += k * here.arm_mm * here.arm_mm - r.force_n * here.arm_by_angle_mm;
             }
         }

@@ -1,5 +1,6 @@
 //! Which angles and stiffnesses a joint reaches.
 
+use super::model::Fixed;
 use super::{JointError, JointModel, Rest, Turning};
 use crate::model::Workspace;
 use crate::progress::Progress;
@@ -8,8 +9,10 @@ use serde::{Deserialize, Serialize};
 
 /// Steps of Newton's method from the neighbour's angle before all rests are sought.
 const STEPS: usize = 8;
-/// An angle is known to this, in rad.
-const SMALL: f64 = 1e-10;
+/// Newton's step with which it ends, in rad: what is left of the angle is of the order of its square, and of the stiffness, which
+/// the last two points give at the angle found, as well. A first step has no point before it and must be smaller.
+const SMALL: f64 = 1e-6;
+const SMALL_FIRST: f64 = 1e-9;
 
 /// A rest at a pair of pressures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -54,25 +57,36 @@ impl JointModel<'_> {
         let count = count.max(2);
         let grid: Vec<f64> = (0..count).map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64).collect();
         let two = self.joint().muscles().len() == 2;
-        let row = |&first: &f64| -> Result<Vec<Option<MapPoint>>, JointError> {
+        // What a muscle's free contraction depends on is its pressure alone.
+        let workspaces = &mut self.workspaces(progress);
+        let mut free = vec![];
+        for (i, workspace) in workspaces.iter_mut().enumerate() {
+            free.push(grid.iter().map(|p| self.free(i, workspace, *p)).collect::<Result<Vec<_>, _>>()?);
+        }
+        let row = |&i: &usize| -> Result<Vec<Option<MapPoint>>, JointError> {
             if progress.cancelled() {
                 return Err(JointError::Cancelled);
             }
             let mut workspaces = self.workspaces(progress);
-            let second: &[f64] = if two { &grid } else { &[0.0] };
-            let mut near = None;
-            second
-                .iter()
-                .map(|&second| {
-                    let pressures = [first, second];
-                    let pressures = if two { &pressures[..] } else { &pressures[..1] };
-                    let found = self.rest_near(&mut workspaces, pressures, near)?;
-                    near = found.as_ref().map(|p| p.angle_deg);
+            // The last two angles.
+            let (mut near, mut before): (Option<f64>, Option<f64>) = (None, None);
+            (0..if two { count } else { 1 })
+                .map(|j| {
+                    let mut fixed = Fixed {
+                        workspaces: &mut workspaces,
+                        pressures_mpa: free.iter().zip([i, j]).map(|(_, k)| grid[k]).collect(),
+                        free: free.iter().zip([i, j]).map(|(list, k)| list[k]).collect(),
+                        turning: Turning::Mean,
+                    };
+                    let start = near.zip(before).map_or(near, |(near, before)| Some(2.0 * near - before));
+                    let found = self.rest_near(&mut fixed, start)?;
+                    (near, before) = (found.as_ref().map(|p| p.angle_deg), near);
                     Ok(found)
                 })
                 .collect()
         };
-        let rows = Threads::shared().map(&grid, row).into_iter().collect::<Result<Vec<_>, _>>()?;
+        let places: Vec<usize> = (0..count).collect();
+        let rows = Threads::shared().map(&places, row).into_iter().collect::<Result<Vec<_>, _>>()?;
         let border = if two { around(&rows) } else { rows.iter().flatten().flatten().cloned().collect() };
         Ok(JointMap {
             torques: self.torques(max_pressure_mpa, progress)?,
@@ -90,22 +104,22 @@ impl JointModel<'_> {
     /// The stable rest nearest to an angle.
     fn rest_near(
         &self,
-        workspaces: &mut [Workspace],
-        pressures: &[f64],
+        fixed: &mut Fixed<'_>,
         near_deg: Option<f64>,
     ) -> Result<Option<MapPoint>, JointError> {
         let (low, high) = self.joint().range_deg();
         let (low, high) = (low.to_radians(), high.to_radians());
         let mut angle = near_deg.unwrap_or(0.0).to_radians().clamp(low, high);
-        let mut fixed = self.fixed(workspaces, pressures, Turning::Mean)?;
+        let pressures_mpa = fixed.pressures_mpa.clone();
         let point = |angle: f64, slope: f64, at_limit: bool| MapPoint {
-            pressures_mpa: pressures.to_vec(),
+            pressures_mpa: pressures_mpa.clone(),
             angle_deg: angle.to_degrees(),
             stiffness_nm_per_rad: -slope,
             at_limit,
         };
+        let mut before: Option<(f64, f64)> = None;
         for _ in 0..STEPS {
-            let (torque, slope) = self.torque(&mut fixed, angle)?;
+            let (torque, slope) = self.torque(fixed, angle)?;
             if slope >= 0.0 {
                 break;
             }
@@ -113,12 +127,15 @@ impl JointModel<'_> {
             if (next >= high && angle == high) || (next <= low && angle == low) {
                 return Ok(Some(point(angle, slope, true)));
             }
-            if (next - angle).abs() < SMALL {
+            let curvature = before.map(|(at, was)| (slope - was) / (angle - at));
+            if (next - angle).abs() < if curvature.is_some() { SMALL } else { SMALL_FIRST } {
+                let slope = slope + curvature.unwrap_or(0.0) * (next - angle);
                 return Ok(Some(point(next, slope, false)));
             }
+            before = Some((angle, slope));
             angle = next.clamp(low, high);
         }
-        let rests = self.rests(fixed.workspaces, pressures, 0.0)?;
+        let rests = self.rests_at(fixed, 0.0)?;
         let from = near_deg.unwrap_or(0.0);
         let far = |r: &&Rest| (r.angle_deg() - from).abs();
         let Some(rest) = rests.iter().filter(|r| r.is_stable()).min_by(|a, b| far(a).total_cmp(&far(b)))
@@ -129,8 +146,7 @@ impl JointModel<'_> {
             return Ok(None);
         }
         let angle = rest.angle_deg().to_radians();
-        let mut fixed = self.fixed(workspaces, pressures, Turning::Mean)?;
-        let slope = self.torque(&mut fixed, angle)?.1;
+        let slope = self.torque(fixed, angle)?.1;
         Ok(Some(point(angle, slope, matches!(rest, Rest::Limit { .. }))))
     }
 

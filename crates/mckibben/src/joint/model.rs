@@ -1,7 +1,7 @@
 //! Torque and stiffness at pressures and an angle.
 
 use super::{Joint, JointError};
-use crate::analysis::{AnalysisError, Options, free_contraction, response_on};
+use crate::analysis::{AnalysisError, Options, free_contraction, response_on, stiffness_of};
 use crate::answer::{self, Answer};
 use crate::model::{ForceModel, Workspace};
 use crate::muscle::Direction;
@@ -70,8 +70,8 @@ pub(super) struct Fixed<'w> {
     pub(super) workspaces: &'w mut [Workspace],
     pub(super) pressures_mpa: Vec<f64>,
     /// Free contractions; beyond them a muscle is slack.
-    free: Vec<Option<f64>>,
-    turning: Turning,
+    pub(super) free: Vec<Option<f64>>,
+    pub(super) turning: Turning,
 }
 
 impl<'m> JointModel<'m> {
@@ -138,10 +138,11 @@ impl<'m> JointModel<'m> {
             let answer =
                 answer::force(model, workspace, p, contraction, options).map_err(JointError::model(i))?;
             let force = answer.response.force_n;
-            let k = if answer.slack { Some(0.0) } else { answer.response.stiffness_n_per_mm };
-            let k = match k {
-                Some(k) => k,
-                None => self.stiffness(i, workspace, p, contraction, options.direction)?,
+            let k = if answer.slack {
+                0.0
+            } else {
+                stiffness_of(model, workspace, &answer.response, options.direction)
+                    .map_err(JointError::model(i))?
             };
             torque += 1e-3 * force * s.arm_mm;
             stiffness += 1e-3 * (k * s.arm_mm * s.arm_mm - force * s.arm_by_angle_mm);
@@ -175,17 +176,24 @@ impl<'m> JointModel<'m> {
         turning: Turning,
     ) -> Result<Fixed<'w>, JointError> {
         self.check_pressures(pressures_mpa)?;
-        let mut free = vec![];
-        for (i, (model, workspace)) in self.models.iter().zip(workspaces.iter_mut()).enumerate() {
-            let found = free_contraction(*model, workspace, pressures_mpa[i], self.options(Direction::Mean));
-            free.push(match found {
-                Ok(e) => Some(e),
-                // It pulls up to the end of its range.
-                Err(AnalysisError::NoContraction { .. }) => None,
-                Err(error) => return Err(JointError::analysis(i)(error)),
-            });
-        }
+        let each = workspaces.iter_mut().zip(pressures_mpa).enumerate();
+        let free = each.map(|(i, (workspace, &p))| self.free(i, workspace, p)).collect::<Result<_, _>>()?;
         Ok(Fixed { workspaces, pressures_mpa: pressures_mpa.to_vec(), free, turning })
+    }
+
+    /// The free contraction of a muscle at a pressure; `None` where it pulls up to the end of its model's range.
+    pub(super) fn free(
+        &self,
+        muscle: usize,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+    ) -> Result<Option<f64>, JointError> {
+        let options = self.options(Direction::Mean);
+        match free_contraction(self.models[muscle], workspace, pressure_mpa, options) {
+            Ok(e) => Ok(Some(e)),
+            Err(AnalysisError::NoContraction { .. }) => Ok(None),
+            Err(error) => Err(JointError::analysis(muscle)(error)),
+        }
     }
 
     /// (τ in N m, dτ/dφ) at fixed pressures.
@@ -203,31 +211,10 @@ impl<'m> JointModel<'m> {
             if r.force_n <= 0.0 {
                 continue;
             }
-            let k = match r.stiffness_n_per_mm {
-                Some(k) => k,
-                None => self.stiffness(i, workspace, p, contraction, direction)?,
-            };
+            let k = stiffness_of(self.models[i], workspace, &r, direction).map_err(JointError::model(i))?;
             torque += 1e-3 * r.force_n * s.arm_mm;
             slope += 1e-3 * (r.force_n * s.arm_by_angle_mm - k * s.arm_mm * s.arm_mm);
         }
         Ok((torque, slope))
-    }
-
-    /// K of a model that does not state it, by differences.
-    pub(super) fn stiffness(
-        &self,
-        i: usize,
-        workspace: &mut Workspace,
-        p: f64,
-        contraction: f64,
-        direction: Direction,
-    ) -> Result<f64, JointError> {
-        const STEP: f64 = 1e-5;
-        let mut pull = |e: f64| {
-            let r = response_on(self.models[i], workspace, p, e, direction);
-            r.map(|r| r.force_n.max(0.0)).map_err(JointError::model(i))
-        };
-        let length = self.joint.muscles()[i].muscle.length_mm();
-        Ok((pull(contraction - STEP)? - pull(contraction + STEP)?) / (2.0 * STEP * length))
     }
 }

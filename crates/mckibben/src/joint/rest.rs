@@ -1,5 +1,6 @@
 //! Where a joint comes to rest.
 
+use super::model::Fixed;
 use super::{JointError, JointModel, Turning};
 use crate::analysis::find_root;
 use crate::model::Workspace;
@@ -59,10 +60,13 @@ impl JointModel<'_> {
         pressures_mpa: &[f64],
         outside_nm: f64,
     ) -> Result<Vec<Rest>, JointError> {
-        let mut fixed = self.fixed(workspaces, pressures_mpa, Turning::Mean)?;
+        self.rests_at(&mut self.fixed(workspaces, pressures_mpa, Turning::Mean)?, outside_nm)
+    }
+
+    pub(super) fn rests_at(&self, fixed: &mut Fixed<'_>, outside_nm: f64) -> Result<Vec<Rest>, JointError> {
         let (low, high) = self.joint().range_deg();
         let (low, high) = (low.to_radians(), high.to_radians());
-        let mut at = |angle: f64| Ok::<_, JointError>(self.torque(&mut fixed, angle)?.0 + outside_nm);
+        let mut at = |angle: f64| Ok::<_, JointError>(self.torque(fixed, angle)?.0 + outside_nm);
         let mut found = vec![];
         let mut before = (low, at(low)?);
         // Start of a stretch in which nothing acts.

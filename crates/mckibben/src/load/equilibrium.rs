@@ -1,7 +1,10 @@
 //! Where muscle and load are in balance.
 
 use super::Load;
-use crate::analysis::{AnalysisError, Options, find_root, force_on, free_contraction, response_on};
+use crate::analysis::{
+    AnalysisError, Options, find_root, force_on, free_contraction, response_on, stiffness_of,
+    straight_strands,
+};
 use crate::answer::{self, Answer};
 use crate::model::{ForceModel, ModelError, Workspace};
 use thiserror::Error;
@@ -80,7 +83,7 @@ pub fn balances<M: ForceModel + ?Sized>(
     let length = model.muscle().length_mm();
     let one_sided = Options { two_sided: false, ..options };
     let (reach, range) = (load.reach_mm(), model.range().contraction);
-    let start = if options.two_sided { lowest(model) } else { 0.0 };
+    let start = if options.two_sided { straight_strands(model.muscle()) } else { 0.0 };
     let start = start.max(reach.0 / length);
     let start = if options.extrapolate { start } else { start.max(range.0) };
     // Beyond it nothing pulls.
@@ -138,8 +141,8 @@ pub fn balances<M: ForceModel + ?Sized>(
         .map(|e| {
             let answer = answer::force(model, workspace, pressure_mpa, e, options)?;
             // A muscle at its free contraction is as stiff as one that pulls a little.
-            let k = response_on(model, workspace, pressure_mpa, e, options.direction)?.stiffness_n_per_mm;
-            let k = k.map_or_else(|| differences(model, workspace, pressure_mpa, e, options), Ok)?;
+            let response = response_on(model, workspace, pressure_mpa, e, options.direction)?;
+            let k = stiffness_of(model, workspace, &response, options.direction)?;
             let stiffness = k + load.slope_n_per_mm(e * length);
             let stable = stiffness > 0.0;
             let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
@@ -152,25 +155,6 @@ pub fn balances<M: ForceModel + ?Sized>(
             })
         })
         .collect()
-}
-
-/// The contraction at which the strands are nearly straight; below zero.
-fn lowest<M: ForceModel + ?Sized>(model: &M) -> f64 {
-    1.3 * (1.0 - 1.0 / model.muscle().braid().angle_rad().cos()) - 0.05
-}
-
-/// K of a model that does not know it.
-fn differences<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-    options: Options,
-) -> Result<f64, ModelError> {
-    const STEP: f64 = 1e-5;
-    let mut at = |e: f64| force_on(model, workspace, pressure_mpa, e, options.direction);
-    let (less, more) = (at(contraction - STEP)?, at(contraction + STEP)?);
-    Ok((less - more) / (2.0 * STEP * model.muscle().length_mm()))
 }
 
 #[cfg(test)]

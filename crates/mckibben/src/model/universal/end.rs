@@ -101,8 +101,8 @@ struct Point<const N: usize> {
 }
 
 impl EndZone {
-    /// The end of a muscle whose middle is in a state; `None` where no section is found.
-    pub fn at(&self, p: f64, l: f64, state: &State) -> Option<End> {
+    /// The end of a muscle whose middle is in a state, from guesses of λs at both sections; `None` where no section is found.
+    pub fn at(&self, p: f64, l: f64, state: &State, near: Option<[f64; 2]>) -> Option<End> {
         let lambda = Dual::new(l, [1.0, 0.0]);
         let axial = Dual::new(state.axial, state.axial_by);
         let h = Dual::new(state.energy, state.energy_by) - axial * lambda;
@@ -118,7 +118,10 @@ impl EndZone {
             return Some(self.linear(l, state, way, self.kept(axial)));
         }
         let [a, b] = self.radii(way);
-        let sections = [self.section(a, h, l, state)?, self.section(b, h, l, state)?];
+        let sections = [
+            self.section(a, h, l, state, near.map(|n| n[0]))?,
+            self.section(b, h, l, state, near.map(|n| n[1]))?,
+        ];
         let end = self.shape(&middle, way, sections)?;
         if share < 1.0 {
             let linear = self.linear(l, state, way, self.kept(axial));
@@ -206,15 +209,15 @@ impl EndZone {
         }
     }
 
-    fn section(&self, r: Dual, h: Dual, l: f64, state: &State) -> Option<Section> {
+    fn section(&self, r: Dual, h: Dual, l: f64, state: &State, near: Option<f64>) -> Option<Section> {
         let (sin2, cos2) = self.wall.squares();
         let at = r.v / self.ro;
         let taut = self.wall.taut_stretch(r.v);
         if self.wall.stiffness().is_some() {
             // The strands here are about as long as those of the middle.
             let strand2 = cos2 * l * l + sin2 * (state.r / self.ro).powi(2);
-            let guess = ((strand2 - sin2 * at * at) / cos2).max(0.01).sqrt();
-            return self.stretched(r, h, guess);
+            let guess = || ((strand2 - sin2 * at * at) / cos2).max(0.01).sqrt();
+            return self.stretched(r, h, near.unwrap_or_else(guess));
         }
         if taut > 0.0 {
             let w = self.wall.energy(taut, r.v);

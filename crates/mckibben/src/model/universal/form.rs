@@ -71,19 +71,26 @@ impl Bound {
         self.form
     }
 
-    /// δ in mm.
-    pub fn at(&self, p: f64, l: f64, state: &State, zone: &EndZone) -> Option<Dual> {
-        let delta = match self.form {
+    /// δ in mm, and the end where the form is that of a membrane, from guesses of λs at its sections.
+    pub fn at(
+        &self,
+        p: f64,
+        l: f64,
+        state: &State,
+        zone: &EndZone,
+        near: Option<[f64; 2]>,
+    ) -> Option<(Dual, Option<End>)> {
+        let (delta, end) = match self.form {
             Form::Membrane => {
-                let end = zone.at(p, l, state)?;
-                self.with_wall(&end, Dual::new(state.strain, state.strain_by))
+                let end = zone.at(p, l, state, near)?;
+                (self.with_wall(&end, Dual::new(state.strain, state.strain_by)), Some(end))
             }
             Form::Bulge => {
                 let inner = self.of_bulge(p, l, state);
-                inner.factor * self.sum(inner.x)
+                (inner.factor * self.sum(inner.x), None)
             }
         };
-        delta.is_finite().then_some(delta)
+        delta.is_finite().then_some((delta, end))
     }
 
     /// δ of a membrane with what the wall adds, in mm, at a strain of the middle's strands.
@@ -103,7 +110,7 @@ impl Bound {
     ) -> Option<(f64, Vec<f64>)> {
         let (start, inner) = match self.form {
             Form::Membrane => {
-                let end = zone.at(p, l, state)?;
+                let end = zone.at(p, l, state, None)?;
                 (end.deficit.v, self.of_membrane(&end, Dual::new(state.strain, state.strain_by)))
             }
             Form::Bulge => (0.0, self.of_bulge(p, l, state)),

@@ -34,7 +34,7 @@ use dual::Dual;
 use end::EndZone;
 use form::Bound;
 use pushing::Zero;
-use search::{ITERATIONS, Middle, Place};
+use search::{ITERATIONS, Place};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -115,7 +115,7 @@ impl Universal {
             if step.abs() < 1e-12 {
                 let known = (&state, &self.zone);
                 let (start_mm, columns_mm) = self.deficit.columns((p, l), known, self.angle, products)?;
-                let m = Middle { l, state, deficit: self.deficit.at(p, l, &state, &self.zone)? };
+                let m = self.middle(p, l, state, None)?;
                 return Some(EndPoint {
                     deficit_mm: 0.5 * self.length * (1.0 - l - contraction),
                     start_mm,
@@ -134,7 +134,11 @@ impl Universal {
     fn volume(&self, p: f64, place: &Place) -> Option<Dual> {
         let tube = self.muscle.tube();
         let section = tube.outer_radius_mm().powi(2) - tube.inner_radius_mm().powi(2);
-        let ends = self.zone.at(p, place.ends.l, &place.ends.state)?.volume_mm3;
+        let ends = &place.ends;
+        let ends = match ends.volume_mm3 {
+            Some(volume) => volume,
+            None => self.zone.at(p, ends.l, &ends.state, None)?.volume_mm3,
+        };
         let (l, r) = (Dual::new(place.l, [1.0, 0.0]), Dual::new(place.state.r, place.state.r_by));
         // The ends of a muscle that pushes are those of the contraction at which it ceases to pull.
         let ends = match place.ends_by_pressure() {

@@ -51,8 +51,7 @@ impl Universal {
 
     fn sought_zero(&self, p: f64) -> Option<Zero> {
         let (l, state) = self.without_pull(p)?;
-        let deficit = self.deficit.at(p, l, &state, &self.zone)?;
-        let middle = Middle { l, state, deficit };
+        let middle = self.middle(p, l, state, None)?;
         let slope = self.slope(&middle).max(LEAST_SLOPE);
         Some(Zero { contraction: self.contraction(&middle), slope, middle })
     }

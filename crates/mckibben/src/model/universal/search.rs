@@ -22,6 +22,8 @@ pub(super) struct Middle {
     pub l: f64,
     pub state: State,
     pub deficit: Dual,
+    /// What an end takes from the volume of a uniform tube, where δ is a membrane's.
+    pub volume_mm3: Option<Dual>,
 }
 
 /// The middle that answers a question.
@@ -56,11 +58,22 @@ impl Universal {
         l - 0.8 * self.zone.ro / self.length * (1.0 - 1.0 / bulge.max(0.5))
     }
 
-    pub(super) fn tried(&self, p: f64, l: f64, near: Option<f64>) -> Result<Middle, ModelError> {
+    /// The middle in a state, from guesses of λs at the sections of the end.
+    pub(super) fn middle(&self, p: f64, l: f64, state: State, near: Option<[f64; 2]>) -> Option<Middle> {
+        let (deficit, end) = self.deficit.at(p, l, &state, &self.zone, near)?;
+        Some(Middle { l, state, deficit, volume_mm3: end.map(|e| e.volume_mm3) })
+    }
+
+    /// The middle at λ, from guesses of the radius and of λs at the sections of the end.
+    fn tried(
+        &self,
+        p: f64,
+        l: f64,
+        near: Option<f64>,
+        sections: Option<[f64; 2]>,
+    ) -> Result<Middle, ModelError> {
         let state = self.zone.wall.state_near(p, l, near)?;
-        let deficit = self.deficit.at(p, l, &state, &self.zone);
-        let deficit = deficit.ok_or_else(|| Self::not_converged(p, 1.0 - l, f64::NAN))?;
-        Ok(Middle { l, state, deficit })
+        self.middle(p, l, state, sections).ok_or_else(|| Self::not_converged(p, 1.0 - l, f64::NAN))
     }
 
     /// −dε/dλ = 1 + (2/L0) ∂δ/∂λ
@@ -78,7 +91,7 @@ impl Universal {
         let (mut l, mut low, mut high) = (start, low, f64::INFINITY);
         let (mut near, mut good, mut residual) = (None, None::<f64>, f64::NAN);
         for _ in 0..ITERATIONS {
-            let m = match self.tried(p, l, near) {
+            let m = match self.tried(p, l, near, None) {
                 Ok(m) => m,
                 // Outside of where the infinitely long muscle has a state: back towards where it has one.
                 Err(error) => {
@@ -169,14 +182,14 @@ impl Universal {
         p: f64,
         contraction: f64,
     ) -> Result<Place, ModelError> {
-        let (l, near) = match self.coupled(p, contraction, None) {
-            Some(root) => (root.l, Some(root.r)),
+        let (l, near, sections) = match self.coupled(p, contraction, None) {
+            Some(root) => (root.l, Some(root.r), Some(root.end.stretches)),
             None => match self.pulling(workspace, p, contraction)? {
-                Ok((m, step)) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step)),
+                Ok((m, step)) => (m.l + step, Some(m.state.r + m.state.r_by[0] * step), None),
                 Err(l) => return self.pushed(workspace, p, contraction, l),
             },
         };
-        let m = self.tried(p, l, near)?;
+        let m = self.tried(p, l, near, sections)?;
         let slope = self.slope(&m);
         if slope.is_nan() || slope <= LEAST_SLOPE {
             return Err(Self::not_converged(p, contraction, (self.contraction(&m) - contraction).abs()));
