@@ -30,7 +30,7 @@ fn grids(c: &mut Criterion) {
         (ModelKind::ThickWall, tenths(50, 800), tenths(5, 100)),
     ] {
         let spec = Spec {
-            points: vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }],
+            wanted: vec![OperatingPoint { force_n: 700.0, contraction: 0.15 }].into(),
             max_pressure_mpa: 0.25,
             base: Muscle::prototype(),
             outer_diameter_mm: diameters,

@@ -5,8 +5,8 @@ use crate::muscle::MuscleSummary;
 use crate::units::Units;
 use crate::words::{number, percent};
 use mckibben::design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, Limit, OperatingPoint, Outcome, Rejected, Relaxation,
-    Spec, Spread,
+    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected,
+    Relaxation, Spec, Spread,
 };
 use mckibben::model::Response;
 use mckibben::warning::Warning;
@@ -23,6 +23,9 @@ pub struct DesignAnswer {
     pub searched_with: String,
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: f64,
+    /// The load that is lifted, as it was written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub load: Option<String>,
     /// Muscles that were looked at.
     pub looked_at: usize,
     /// How many of them fit.
@@ -90,11 +93,25 @@ pub struct CandidateAnswer {
     pub points: Vec<DesignPoint>,
     /// Quantities that the model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<String>,
+    /// Of a joint: its pulley, and how the muscle is put on it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint: Option<CandidateJoint>,
     /// The model that all its numbers come from.
     pub model: String,
     /// The limit that keeps it from being better, where less than 1 % of it is left.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub binds: Option<Limit>,
+}
+
+/// The joint around a candidate.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
+pub struct CandidateJoint {
+    /// Radius of the pulley, mm.
+    pub radius_mm: f64,
+    /// Contraction of both muscles at the neutral angle.
+    pub contraction_at_neutral: f64,
+    /// Largest angle to either side, degrees.
+    pub largest_angle_deg: f64,
 }
 
 /// A candidate at one operating point.
@@ -256,9 +273,10 @@ impl DesignAnswer {
             model: model.name().into(),
             searched_with: model.searches().into(),
             max_pressure_mpa: spec.max_pressure_mpa,
+            load: None,
             looked_at: outcome.looked_at.0,
             fitting: outcome.looked_at.1,
-            candidates: outcome.candidates.iter().map(CandidateAnswer::from).collect(),
+            candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
             warnings: model
@@ -276,9 +294,17 @@ impl DesignAnswer {
     }
 }
 
-impl From<&Candidate> for CandidateAnswer {
-    fn from(c: &Candidate) -> Self {
+impl CandidateAnswer {
+    fn new(c: &Candidate, spec: &Spec) -> Self {
         Self {
+            joint: match &spec.wanted {
+                Demand::Joint(joint) => Some(CandidateJoint {
+                    radius_mm: joint.radius_mm,
+                    contraction_at_neutral: joint.contraction_at_neutral(c.muscle.length_mm()),
+                    largest_angle_deg: joint.largest_angle_deg,
+                }),
+                _ => None,
+            },
             muscle: (&c.muscle).into(),
             pressure_mpa: c.pressure_mpa,
             margin: c.margin,
@@ -392,7 +418,8 @@ fn out_of_reach(spec: &Spec) -> Option<String> {
     let BraidChoice::Angle(angles) = &spec.braid else { return None };
     let smallest = angles.bounds().0;
     let most = |angle: f64| 1.0 - 1.0 / (3f64.sqrt() * angle.to_radians().cos());
-    let wanted = spec.points.iter().map(|q| q.contraction).fold(0.0, f64::max);
+    let points = spec.wanted.points(spec.length_mm.as_ref().map_or(spec.base.length_mm(), |l| l.bounds().1));
+    let wanted = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
     if wanted < most(smallest) {
         return None;
     }

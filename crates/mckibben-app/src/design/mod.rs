@@ -4,10 +4,10 @@ mod answer;
 mod request;
 
 pub use answer::{
-    CandidateAnswer, ClosestAnswer, DesignAnswer, DesignPoint, RejectedAnswer, RelaxationAnswer,
-    SpreadAnswer, Verified, VerifiedPoint,
+    CandidateAnswer, CandidateJoint, ClosestAnswer, DesignAnswer, DesignPoint, RejectedAnswer,
+    RelaxationAnswer, SpreadAnswer, Verified, VerifiedPoint,
 };
-pub use request::{Choice, DesignRequest, ObjectiveWord, ToleranceFields, Verify, Wanted};
+pub use request::{Choice, DesignRequest, ObjectiveWord, ToleranceFields, TorqueWanted, Verify, Wanted};
 
 use crate::figure;
 use crate::model::Model;
@@ -15,7 +15,7 @@ use crate::problem::Problem;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
 use mckibben::design::{
-    Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, design_with, fits, spread,
+    Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, design_joint, design_with, fits, spread,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
@@ -30,13 +30,17 @@ const DRAWN: usize = 3;
 /// # Errors
 /// [`Problem`] for a specification that cannot be searched; that nothing fits is an answer.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
-    let Search { spec, model } = request.search()?;
+    let Search { spec, model, radius_mm } = request.search()?;
     let budget = progress.budget();
     // A mesh that one muscle has no room for is no reason against each of them.
     model.decide(&spec.base, &budget)?;
     let (look, decide) = (|m: &Muscle| model.look(m, &budget), |m: &Muscle| model.decide(m, &budget));
     let settle: Option<&Build<'_>> = if matches!(model, Searching::Named(_)) { None } else { Some(&decide) };
-    let outcome = design_with(&spec, Models { search: &look, settle }, progress)?;
+    let models = Models { search: &look, settle };
+    let (spec, outcome) = match &radius_mm {
+        Some(radius_mm) => design_joint(&spec, radius_mm, models, progress)?,
+        None => design_with(&spec, models, progress).map(|outcome| (spec, outcome))?,
+    };
     let spreads = spreads(request, &decide, &outcome)?;
     let winner = outcome.candidates.first();
     let verified = match (request.verify, winner) {
@@ -47,7 +51,8 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
-    Ok(DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure))
+    let answer = DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure);
+    Ok(DesignAnswer { load: request.load.load.clone(), ..answer })
 }
 
 fn spreads(request: &DesignRequest, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>, Problem> {
@@ -65,8 +70,7 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
     let mut workspace = Workspace::new();
     let options = Options { extrapolate: true, ..spec.options() };
     let mut points = vec![];
-    for point in &spec.points {
-        let OperatingPoint { force_n, contraction } = *point;
+    for &OperatingPoint { force_n, contraction } in spec.wanted.points(winner.muscle.length_mm()).iter() {
         let max = spec.max_pressure_mpa;
         let available = force_on(&*fe, &mut workspace, max, contraction, options.direction);
         let pressure = pressure_at(&*fe, &mut workspace, force_n, contraction, options);
@@ -95,5 +99,6 @@ fn draw(
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =
         drawn.map(|c| Ok((c, build(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
-    Ok(figure::design(&drawn, &spec.points, spec.max_pressure_mpa, options, unit))
+    let length = outcome.candidates.first().map_or(spec.base.length_mm(), |c| c.muscle.length_mm());
+    Ok(figure::design(&drawn, &spec.wanted.points(length), spec.max_pressure_mpa, options, unit))
 }

@@ -1,6 +1,7 @@
 //! What is wanted, and what may be varied.
 
 use crate::fields::{ModelFields, MuscleFields, Stiffness, TextFile};
+use crate::load::LoadFields;
 use crate::model::{Model, Purpose};
 use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
@@ -8,7 +9,8 @@ use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use mckibben::budget::Budget;
 use mckibben::design::{
-    BraidChoice, Limits, Objective, OperatingPoint, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN,
+    BraidChoice, Demand, JointDemand, Limits, Objective, OperatingPoint, SAFETY, Spec, Tolerances,
+    VALIDATED_STRAND_STRAIN, Way,
 };
 use mckibben::model::{ForceModel, ModelError};
 use mckibben::muscle::{Braid, Muscle, Tube};
@@ -26,6 +28,18 @@ pub struct DesignRequest {
     pub contraction: Option<f64>,
     /// Several operating points, in place of the two fields above.
     pub points: Vec<Wanted>,
+    /// A load that is lifted over the stroke, or to the contraction, in place of a pull.
+    #[serde(flatten)]
+    pub load: LoadFields,
+    /// Torques wanted of a joint with two equal muscles against each other on a pulley, in place of operating points.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub torques: Vec<TorqueWanted>,
+    /// Largest angle of the joint to either side of the neutral one, degrees; the largest of `torques` where it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_angle_deg: Option<f64>,
+    /// Radii of the pulley, mm; searched where they are left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radius_mm: Option<Choice>,
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: Option<f64>,
     /// Stroke in mm: with contractions it sets the length, with a length the contraction.
@@ -86,6 +100,15 @@ pub struct Wanted {
     pub force_n: f64,
     /// Contraction ratio.
     pub contraction: f64,
+}
+
+/// A torque that a joint must hold at an angle, to either side.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct TorqueWanted {
+    /// Torque away from the neutral angle, N m.
+    pub torque_nm: f64,
+    /// Angle from the neutral one, degrees.
+    pub angle_deg: f64,
 }
 
 /// Values to search through: one, several, or all between two.
@@ -159,6 +182,8 @@ pub struct ToleranceFields {
 pub(super) struct Search {
     pub(super) spec: Spec,
     pub(super) model: Searching,
+    /// Radii of a joint's pulley in mm.
+    pub(super) radius_mm: Option<Values>,
 }
 
 /// Which model looks at a muscle of the search, and which one decides.
@@ -222,15 +247,19 @@ impl Searching {
     }
 }
 
+/// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It bounds the radii of a joint's pulley.
+const LARGEST_CONTRACTION: f64 = 0.42;
+/// The smallest radius that is searched, as a share of the largest.
+const SMALLEST_RADIUS: f64 = 0.1;
+
 /// Diameters and walls in mm that are searched where nothing else is said.
 const SECTIONS: ((f64, f64), (f64, f64)) = ((5.0, 80.0), (0.5, 10.0));
 
 impl DesignRequest {
     pub(super) fn search(&self) -> Result<Search, Problem> {
-        let wanted = self.wanted()?;
+        let (base, wanted, radius_mm) = self.demand()?;
         let max_pressure_mpa =
             given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
-        let (base, points) = self.with_stroke(wanted)?;
         let model = Model::choose(&self.model, Purpose::Search)?;
         let (diameters, walls) = model.sections().unwrap_or(SECTIONS);
         let model = match self.model.model {
@@ -262,7 +291,7 @@ impl DesignRequest {
             return Err(Problem::new(ProblemKind::Specification, message, hint));
         }
         let spec = Spec {
-            points,
+            wanted,
             max_pressure_mpa,
             length_mm: match &self.length_mm {
                 Some(Choice::One(_)) | None => None,
@@ -284,7 +313,7 @@ impl DesignRequest {
             top: self.top.unwrap_or(5).clamp(1, 1000),
             extrapolate: self.extrapolate,
         };
-        Ok(Search { spec, model })
+        Ok(Search { spec, model, radius_mm })
     }
 
     /// The named sleeves, or the base muscle's.
@@ -305,6 +334,75 @@ impl DesignRequest {
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };
         self.braids.iter().map(braid).collect()
+    }
+
+    /// The muscle around the search, what it must do, and the radii of a joint's pulley.
+    fn demand(&self) -> Result<(Muscle, Demand, Option<Values>), Problem> {
+        let points = !self.points.is_empty() || self.force_n.is_some();
+        let asked = [points, self.load.load.is_some(), !self.torques.is_empty()];
+        if asked.iter().filter(|a| **a).count() > 1 {
+            let message = "`force_n` or `points`, `load` and `torques` each say what the muscle must do: give one of them";
+            return Err(Problem::new(ProblemKind::Usage, message, ""));
+        }
+        if !self.torques.is_empty() {
+            let (base, joint, radius) = self.joint()?;
+            return Ok((base, Demand::Joint(joint), Some(radius)));
+        }
+        if let Some(stray) =
+            [("radius_mm", self.radius_mm.is_some()), ("largest_angle_deg", self.largest_angle_deg.is_some())]
+                .into_iter()
+                .find(|s| s.1)
+        {
+            let message = "belongs to a joint";
+            return Err(Problem::new(ProblemKind::Usage, message, "give `torques`").in_field(stray.0));
+        }
+        if self.load.load.is_some() {
+            // The load sets the pull; a stroke or a contraction how far it is lifted.
+            let way = match (self.contraction, self.stroke_mm) {
+                (Some(e), _) => Way::Contraction(ratio(e)?),
+                (None, Some(stroke)) => Way::Stroke(stroke),
+                (None, None) => {
+                    return Err(Problem::missing("stroke_mm", "how far the load is lifted, such as 40 mm")
+                        .with_hint("or give `contraction`, such as 0.15 (15 %)"));
+                }
+            };
+            let (base, _) = self.with_stroke(vec![(1.0, self.contraction)])?;
+            let load = self.load.resolve(base.length_mm())?;
+            let Some(load) = load else { return Err(Problem::missing("load", "a load, such as mass:20kg")) };
+            return Ok((base, Demand::Load { load, way }, None));
+        }
+        let (base, points) = self.with_stroke(self.wanted()?)?;
+        Ok((base, points.into(), None))
+    }
+
+    /// The muscle around the search, the torques, and the radii of the pulley.
+    fn joint(&self) -> Result<(Muscle, JointDemand, Values), Problem> {
+        if self.stroke_mm.is_some() || self.contraction.is_some() {
+            let message = "the angles and the pulley set the contraction of a joint's muscles";
+            return Err(Problem::new(ProblemKind::Usage, message, "leave out `stroke_mm` and `contraction`"));
+        }
+        let torques: Vec<(f64, f64)> = self
+            .torques
+            .iter()
+            .map(|t| Ok((finite("torques", t.torque_nm)?, finite("torques", t.angle_deg)?)))
+            .collect::<Result<_, Problem>>()?;
+        let largest = torques.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
+        let largest_angle_deg = finite("largest_angle_deg", self.largest_angle_deg.unwrap_or(largest))?;
+        let (base, _) = self.with_stroke(vec![])?;
+        let radius = match &self.radius_mm {
+            Some(choice) => choice.values("radius_mm")?,
+            None => {
+                let longest = match &self.length_mm {
+                    Some(choice) => choice.values("length_mm")?.bounds().1,
+                    None => base.length_mm(),
+                };
+                let turn = torques.iter().map(|t| t.1).fold(0.0, f64::max) + largest_angle_deg;
+                let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
+                Values::Interval(SMALLEST_RADIUS * most, most)
+            }
+        };
+        let radius_mm = radius.bounds().1;
+        Ok((base, JointDemand { torques, largest_angle_deg, radius_mm }, radius))
     }
 
     /// The operating points; without a contraction where a stroke is to set it.

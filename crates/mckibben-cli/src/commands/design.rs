@@ -4,7 +4,7 @@ mod text;
 
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{Format, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::flags::{Format, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
 use crate::output::{Content, Target, check, clean, colour, emit, save, show, warn};
@@ -16,8 +16,8 @@ use clap::Args;
 use mckibben::muscle::file::to_toml;
 use mckibben::units::{Dimension, Values};
 use mckibben_app::{
-    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields, Verify,
-    Wanted,
+    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields,
+    TorqueWanted, Verify, Wanted,
 };
 use std::path::PathBuf;
 
@@ -28,7 +28,10 @@ pub const EXAMPLES: &str = "Examples:
   mckibben design -F 300N --stroke 40mm --length 285 --max-pressure 3bar \\
     -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
   mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
-    --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml";
+    --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml
+  mckibben design --load mass:20kg --stroke 40mm --length 285 --max-pressure 3bar
+  mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --length 250 \\
+    --max-bulged-diameter 40mm --rubber dragon-skin-30";
 
 /// `design`.
 #[derive(Debug, Args)]
@@ -54,6 +57,18 @@ pub struct DesignArgs {
     /// Several operating points: 700N@15%,1200N@5%
     #[arg(long, value_name = "F@E,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction"], help_heading = "Specification")]
     pub at: Option<String>,
+    #[command(flatten, next_help_heading = "Specification")]
+    pub load: LoadFlag,
+    /// Torques that a joint must hold at angles, to either side: 8Nm@45deg,3Nm@60deg. Two equal muscles against each other
+    /// on a pulley, one of them without pressure
+    #[arg(long, value_name = "T@ANGLE,…", allow_hyphen_values = true, conflicts_with_all = ["force", "contraction", "at", "load", "stroke"], help_heading = "Specification")]
+    pub joint: Option<String>,
+    /// Largest angle of the joint to either side [the largest of --joint]
+    #[arg(long, value_name = "ANGLE", requires = "joint", help_heading = "Specification")]
+    pub largest_angle: Option<String>,
+    /// Radii of the joint's pulley [searched]
+    #[arg(long, value_name = "RANGE", requires = "joint", help_heading = "Search space")]
+    pub radius: Option<String>,
     /// Pressure of the supply
     #[arg(
         short = 'p',
@@ -226,6 +241,13 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
             Some(text) => text.split(',').map(|one| at(one.trim())).collect::<Result<_, _>>()?,
             None => vec![],
         },
+        load: args.load.fields()?,
+        torques: match &args.joint {
+            Some(text) => text.split(',').map(|one| torque(one.trim())).collect::<Result<_, _>>()?,
+            None => vec![],
+        },
+        largest_angle_deg: quantity("--largest-angle", args.largest_angle.as_deref(), Dimension::Angle)?,
+        radius_mm: choice("--radius", &args.radius, Dimension::Length)?,
         force_n: quantity("--force", args.force.as_deref(), Dimension::Force)?,
         contraction: contraction_ratio("--contraction", args.contraction.as_deref())?,
         max_pressure_mpa: quantity("--max-pressure", args.max_pressure.as_deref(), Dimension::Pressure)?,
@@ -269,6 +291,18 @@ fn at(text: &str) -> Result<Wanted, Failure> {
     let force_n = quantity("--at", Some(force), Dimension::Force)?.unwrap_or(0.0);
     let contraction = contraction_ratio("--at", Some(contraction))?.unwrap_or(0.0);
     Ok(Wanted { force_n, contraction })
+}
+
+fn torque(text: &str) -> Result<TorqueWanted, Failure> {
+    let Some((torque, angle)) = text.split_once('@') else {
+        let message = format!("--joint: \"{text}\" is no torque at an angle; expected one such as 8Nm@45deg");
+        return Err(Failure::input(ProblemKind::Quantity, message, ""));
+    };
+    // Either side: the joint is symmetric.
+    let angle = angle.trim().trim_start_matches(['±', '+']);
+    let torque_nm = quantity("--joint", Some(torque.trim()), Dimension::Torque)?.unwrap_or(0.0);
+    let angle_deg = quantity("--joint", Some(angle), Dimension::Angle)?.unwrap_or(0.0);
+    Ok(TorqueWanted { torque_nm, angle_deg })
 }
 
 fn tolerances(text: &str) -> Result<ToleranceFields, Failure> {

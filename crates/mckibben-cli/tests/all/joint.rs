@@ -115,3 +115,39 @@ fn what_no_joint_or_load_can_do_is_an_error_with_its_words() {
         assert!(error["message"].as_str().unwrap().contains(said), "{line}: {error}");
     }
 }
+
+#[test]
+fn a_design_for_a_load_is_that_for_its_pull() {
+    let load = json(
+        "design --load spring:4N/mm@40N --stroke 40mm --length 285 -p 2.5bar --model universal --verify none",
+    );
+    let pull = json("design -F 200N --stroke 40mm --length 285 -p 2.5bar --model universal --verify none");
+    assert_eq!(load["candidates"], pull["candidates"]);
+    assert_eq!(load["load"], "spring:4N/mm@40N");
+}
+
+#[test]
+fn a_joint_that_was_designed_holds_its_torque() {
+    let dir = folder();
+    let file = dir.path().join("winner.toml");
+    let line = format!(
+        "design --joint 8Nm@45deg,3Nm@60deg -p 6bar --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30 -o {}",
+        file.display()
+    );
+    let found = json(&line);
+    let joint = &found["candidates"][0]["joint"];
+    let (radius, neutral) =
+        (joint["radius_mm"].as_f64().unwrap(), joint["contraction_at_neutral"].as_f64().unwrap());
+    let muscle = format!("file = 'winner.toml'\ncontraction_at_neutral = {neutral}\n");
+    let text = format!(
+        "[joint]\nradius = '{radius} mm'\nrange = '-60..60 deg'\n[muscle_1]\n{muscle}[muscle_2]\n{muscle}"
+    );
+    let path = dir.path().join("elbow.toml");
+    std::fs::write(&path, text).unwrap();
+    for (angle, torque) in [(45, 8.0), (60, 3.0), (-45, -8.0)] {
+        let p = if angle > 0 { "6bar,0bar" } else { "0bar,6bar" };
+        let there = json(&format!("joint {} -p {p} --angle {angle}deg", path.display()));
+        let held = there["points"][0]["torque_nm"].as_f64().unwrap() / torque;
+        assert!(held > 0.9999, "{angle}: {held}");
+    }
+}

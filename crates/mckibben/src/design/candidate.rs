@@ -97,8 +97,9 @@ pub(super) fn candidate(
     let thick_wall = ThickWall::new(muscle);
     let mut from_thick_wall: Vec<&'static str> = vec![];
     let options = spec.options();
-    let mut points = Vec::with_capacity(spec.points.len());
-    for point in &spec.points {
+    let wanted = spec.points(muscle);
+    let mut points = Vec::with_capacity(wanted.len());
+    for point in wanted.iter() {
         let available_n =
             force_on(model, workspace, spec.max_pressure_mpa, point.contraction, options.direction)?;
         let pressure_mpa = need(spec, model, workspace, point, available_n)?;
@@ -133,7 +134,7 @@ pub(super) fn candidate(
     }
     from_thick_wall.sort_unstable();
     from_thick_wall.dedup();
-    let furthest = spec.points.iter().map(|p| p.contraction).fold(0.0, f64::max);
+    let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, f64::max);
     Ok(Candidate {
         pressure_mpa: points.iter().map(|p| p.pressure_mpa).fold(0.0, f64::max),
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
@@ -158,7 +159,7 @@ fn burst_of(
 ) -> (Option<f64>, bool) {
     let mut lowest: Option<f64> = None;
     let mut helped = false;
-    for contraction in std::iter::once(0.0).chain(spec.points.iter().map(|p| p.contraction)) {
+    for contraction in std::iter::once(0.0).chain(spec.points(model.muscle()).iter().map(|p| p.contraction)) {
         let burst = match burst_pressure_mpa(model, workspace, contraction) {
             Ok(burst) => burst,
             Err(_) => {

@@ -104,7 +104,8 @@ pub(super) fn probe_with(
     let (max, direction) = (spec.max_pressure_mpa, spec.options().direction);
     let thick_wall = ThickWall::new(muscle);
     let mut checks = vec![];
-    for &point in &spec.points {
+    let points = spec.points(muscle);
+    for &point in points.iter() {
         if !spec.extrapolate {
             model.range().check(model.name(), max, point.contraction)?;
         }
@@ -119,7 +120,7 @@ pub(super) fn probe_with(
     let (mut highest, mut air, mut bulge) = (0.0_f64, 0.0_f64, 0.0_f64);
     let strong = checks.iter().all(|c| c.excess() <= 0.0);
     if shaped || by_pressure || scored && strong && spec.objective == Objective::Diameter {
-        for (i, point) in spec.points.iter().enumerate() {
+        for (i, point) in points.iter().enumerate() {
             // Too weak: its other limits are looked at where it pulls hardest.
             let p = if checks[i].excess() > 0.0 {
                 max
@@ -146,7 +147,7 @@ pub(super) fn probe_with(
         }
     }
     checks.extend(strands(spec, model, workspace, &thick_wall)?);
-    let margin = spec.points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
+    let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         Objective::Diameter => muscle.outer_diameter_mm() + 1e-6 * highest / max,
         Objective::Pressure => highest,
@@ -177,7 +178,8 @@ fn strands(
     if limits.strand_strain.is_none() && (limits.burst_margin.is_none() || strength.is_none()) {
         return Ok(checks);
     }
-    let places = || std::iter::once(0.0).chain(spec.points.iter().map(|q| q.contraction));
+    let points = spec.points(muscle);
+    let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
     if let Some(bound) = limits.strand_strain {
         let mut largest: Option<f64> = None;
         for e in places() {

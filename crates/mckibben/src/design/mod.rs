@@ -5,6 +5,8 @@
 //! comes closest and what would have to give.
 
 mod candidate;
+mod demand;
+mod joint;
 mod limit;
 mod line;
 mod reason;
@@ -16,6 +18,8 @@ mod tolerance;
 
 pub use crate::warning::VALIDATED_STRAND_STRAIN;
 pub use candidate::{Candidate, CandidatePoint};
+pub use demand::{Demand, JointDemand, Way};
+pub use joint::design_joint;
 pub use limit::{Limit, fits};
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;

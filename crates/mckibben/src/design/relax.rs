@@ -1,5 +1,6 @@
 //! Where nothing fits: which limit to relax, and by how much.
 
+use super::demand::Demand;
 use super::limit::{Limit, probe};
 use super::spec::{Build, Limits, OperatingPoint, Spec};
 use crate::analysis::{Options, contraction_at, force_on, pressure_at};
@@ -86,9 +87,10 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
     let direction = spec.options().direction;
     let mut pull =
         |p: &OperatingPoint| force_on(model, workspace, spec.max_pressure_mpa, p.contraction, direction).ok();
-    let pulls: Vec<Option<f64>> = spec.points.iter().map(&mut pull).collect();
+    let wanted = spec.points(muscle);
+    let pulls: Vec<Option<f64>> = wanted.iter().map(&mut pull).collect();
     let mut out = vec![];
-    if spec.points.iter().zip(&pulls).any(|(p, pull)| falls_short(p, *pull)) {
+    if wanted.iter().zip(&pulls).any(|(p, pull)| falls_short(p, *pull)) {
         out.extend(pressure(spec, build, muscle));
         out.extend(
             points(spec, build, muscle, &pulls, |p, pull| {
@@ -142,8 +144,9 @@ fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxatio
     let model = build(muscle).ok()?;
     let workspace = &mut Workspace::new();
     let beyond = Options { extrapolate: true, ..spec.options() };
+    let wanted = spec.points(muscle);
     let needs =
-        spec.points.iter().map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, beyond));
+        wanted.iter().map(|p| pressure_at(model.as_ref(), workspace, p.force_n, p.contraction, beyond));
     let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
     let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
     let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };
@@ -162,7 +165,7 @@ fn points(
     pulls: &[Option<f64>],
     mut instead: impl FnMut(&OperatingPoint, Option<f64>) -> Option<OperatingPoint>,
 ) -> Option<Vec<OperatingPoint>> {
-    let mut list = spec.points.clone();
+    let mut list = spec.points(muscle).into_owned();
     let mut changed = vec![];
     for (p, &pull) in list.iter_mut().zip(pulls) {
         if falls_short(p, pull) {
@@ -172,7 +175,7 @@ fn points(
     }
     // The last bit of an inverse must not decide.
     let eased = list.iter().map(|p| OperatingPoint { force_n: p.force_n * (1.0 - 1e-9), ..*p }).collect();
-    let relaxed = Spec { points: eased, ..spec.clone() };
+    let relaxed = Spec { wanted: Demand::Points(eased), ..spec.clone() };
     fits(&relaxed, build, muscle).then_some(changed)
 }
 
@@ -202,8 +205,8 @@ fn wider(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxation> 
         let ratio = at(&other)? / at(own.as_ref())?;
         (ratio.is_finite() && ratio > 0.0).then_some(OperatingPoint { force_n: p.force_n * ratio, ..*p })
     };
-    let points = spec.points.iter().map(scaled).collect::<Option<Vec<_>>>()?;
-    let spec = Spec { points, ..spec.clone() };
+    let points = spec.points(muscle).iter().map(scaled).collect::<Option<Vec<_>>>()?;
+    let spec = Spec { wanted: Demand::Points(points), ..spec.clone() };
     let outer_diameter_mm = smallest_wider(&spec, thick, muscle)?;
     let scaled_to = Some(own.name().into());
     Some(Relaxation::OuterDiameter { outer_diameter_mm, model: other.name().into(), scaled_to })

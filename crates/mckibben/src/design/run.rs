@@ -7,11 +7,10 @@ use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
 use super::search::{Harvest, Pick, Search};
 use super::spec::{Build, Spec, SpecError};
-use crate::muscle::{Muscle, Rubber};
+use crate::muscle::Muscle;
 use crate::progress::{Progress, Silent};
 use crate::threads;
 use crate::units::Values;
-use std::sync::atomic::AtomicUsize;
 
 /// The models of a design.
 #[derive(Clone, Copy)]
@@ -49,8 +48,6 @@ pub struct Closest {
 
 /// Muscles that miss by at most this by the model of the search are asked of the other one, too.
 const NEARLY: f64 = 0.02;
-/// Golden sections on a line whose best muscle another model looks for again.
-const ROUGHLY: usize = 4;
 /// Shares by which the two models' diameters may differ, tried one after the other.
 const WIDTHS: [f64; 3] = [0.01, 0.05, 0.25];
 
@@ -69,14 +66,9 @@ pub fn design(spec: &Spec, build: &Build<'_>) -> Result<Outcome, SpecError> {
 /// As [`design`]; [`SpecError::Cancelled`].
 pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> Result<Outcome, SpecError> {
     spec.check()?;
-    let own = [spec.base.tube().rubber.clone()];
-    let rubbers: &[Rubber] = if spec.rubbers.is_empty() { &own } else { &spec.rubbers };
-    let most = if models.settle.is_some() { spec.top + SPARE } else { spec.top };
     let extrapolate = spec.extrapolate || models.settle.is_some();
     let searched = Spec { extrapolate, ..spec.clone() };
-    let build = models.search;
-    let steps = if models.settle.is_some() { ROUGHLY } else { STEPS };
-    let search = Search { spec: &searched, build, rubbers, progress, done: AtomicUsize::new(0), most, steps };
+    let search = Search::of(&searched, models, progress);
     let mut harvest = search.run();
     if harvest.fits.is_empty()
         && harvest.misses.is_empty()
@@ -112,9 +104,6 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
     Ok(Outcome { candidates, rejected, looked_at: (harvest.looked_at, harvest.fitted), closest })
 }
-
-/// More muscles than are printed: some may not hold by the model that decides.
-const SPARE: usize = 3;
 
 /// The muscles that hold by the model that decides, best first.
 fn settled(search: &Search<'_>, models: Models<'_>, harvest: &Harvest) -> Vec<Candidate> {

@@ -7,6 +7,7 @@
 use super::limit::{probe, probe_with};
 use super::line::{self, Found, Merit, Sample};
 use super::reason::Reason;
+use super::run::Models;
 use super::spec::{BraidChoice, Build, Objective, Spec};
 use crate::analysis::golden;
 use crate::muscle::{Braid, Muscle, MuscleError, Rubber, Tube};
@@ -15,6 +16,10 @@ use crate::threads;
 use crate::units::Values;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// Golden sections on a line whose best muscle another model looks for again.
+const ROUGHLY: usize = 4;
+/// More muscles than are printed: some may not hold by the model that decides.
+const SPARE: usize = 3;
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
 const LEAST_BORE: f64 = 0.1;
 /// Samples of an interval of walls, angles and lengths, and golden sections after them.
@@ -57,7 +62,7 @@ impl Pick {
 pub(super) struct Search<'a> {
     pub(super) spec: &'a Spec,
     pub(super) build: &'a Build<'a>,
-    pub(super) rubbers: &'a [Rubber],
+    pub(super) rubbers: Vec<Rubber>,
     pub(super) progress: &'a dyn Progress,
     /// Walls that are done.
     pub(super) done: AtomicUsize,
@@ -80,7 +85,7 @@ pub(super) struct Harvest {
 impl Harvest {
     /// Of two that are as good the one is better of which a muscle that does not fit misses by less: among stock sizes the next better
     /// one is then within reach.
-    fn merit(&self) -> (Merit, f64) {
+    pub(super) fn merit(&self) -> (Merit, f64) {
         let miss = self.misses.first().map_or(f64::INFINITY, |m| m.0);
         match self.fits.first() {
             Some(fit) => (Merit::new(0.0, (fit.0 * 1e4).round() * 1e-4), miss),
@@ -108,7 +113,21 @@ impl Harvest {
 /// A place of an axis with what it gave.
 type Tried = (f64, Harvest);
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    /// Of a specification, with the model that searches.
+    pub(super) fn of(spec: &'a Spec, models: Models<'a>, progress: &'a dyn Progress) -> Self {
+        let rubbers = match &spec.rubbers[..] {
+            [] => vec![spec.base.tube().rubber.clone()],
+            some => some.to_vec(),
+        };
+        let (most, steps) = match models.settle {
+            Some(_) => (spec.top + SPARE, ROUGHLY),
+            None => (spec.top, line::STEPS),
+        };
+        let build = models.search;
+        Search { spec, build, rubbers, progress, done: AtomicUsize::new(0), most, steps }
+    }
+
     pub(super) fn muscle(&self, pick: Pick) -> Result<Muscle, MuscleError> {
         let base = &self.spec.base;
         let angled = |angle_deg: f64| Braid { angle_deg, ..base.braid().clone() };
@@ -329,7 +348,7 @@ fn best_index(tried: &[Tried]) -> Option<usize> {
 }
 
 /// Round values within bounds, both ends in, in at most about `most` steps.
-fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
+pub(super) fn nice_steps(low: f64, high: f64, most: usize) -> Vec<f64> {
     let wide = (high - low) / most as f64;
     let steps = [0.25, 0.5, 1.0, 2.0, 5.0, 10.0];
     let step = steps.into_iter().find(|&step| step >= wide).unwrap_or(wide);

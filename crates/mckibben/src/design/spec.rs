@@ -1,5 +1,6 @@
 //! What is wanted, and what may be varied.
 
+use super::demand::Demand;
 use crate::analysis::Options;
 use crate::model::{ForceModel, ModelError};
 use crate::muscle::{Braid, Direction, Muscle, MuscleError, Rubber};
@@ -91,8 +92,8 @@ impl Limits {
 /// A specification.
 #[derive(Debug, Clone)]
 pub struct Spec {
-    /// What the muscle must do; at least one.
-    pub points: Vec<OperatingPoint>,
+    /// What the muscle must do.
+    pub wanted: Demand,
     /// What the supply gives, in MPa.
     pub max_pressure_mpa: f64,
     /// Everything that is not searched: length, braid stiffness, terminals, friction.
@@ -122,7 +123,7 @@ pub struct Spec {
 pub enum SpecError {
     /// No operating point.
     #[error(
-        "no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction"
+        "no operating point: give `force_n` and `contraction`, or `points`, each a pull at a contraction, or a load that pulls"
     )]
     NoPoint,
     /// A pull or contraction that is no operating point.
@@ -134,6 +135,30 @@ pub enum SpecError {
         force_n: f64,
         /// Contraction ratio.
         contraction: f64,
+    },
+    /// A torque or angle that makes no sense.
+    #[error(
+        "{torque_nm} N m at {angle_deg}° makes no sense: the torque must be above zero and the angle within ±{largest_deg}°"
+    )]
+    Torque {
+        /// Torque in N m.
+        torque_nm: f64,
+        /// Angle in degrees.
+        angle_deg: f64,
+        /// Largest angle in degrees.
+        largest_deg: f64,
+    },
+    /// A table that ends before the stroke does.
+    #[error(
+        "the load is known for shortenings from {low_mm} to {high_mm} mm, and the stroke goes from 0 to {stroke_mm} mm"
+    )]
+    LoadReach {
+        /// From, in mm.
+        low_mm: f64,
+        /// To, in mm.
+        high_mm: f64,
+        /// The stroke in mm.
+        stroke_mm: f64,
     },
     /// A pressure that is not above zero.
     #[error("the maximum pressure is {0} MPa; it must be above zero")]
@@ -164,7 +189,7 @@ impl Spec {
     pub fn new(points: Vec<OperatingPoint>, max_pressure_mpa: f64) -> Self {
         let base = Muscle::prototype();
         Self {
-            points,
+            wanted: points.into(),
             max_pressure_mpa,
             outer_diameter_mm: Values::Interval(5.0, 80.0),
             wall_mm: Values::Interval(0.5, 10.0),
@@ -185,20 +210,23 @@ impl Spec {
         Options { extrapolate: self.extrapolate, direction, ..Options::default() }
     }
 
+    /// The operating points of a muscle of the search.
+    pub(super) fn points(&self, muscle: &Muscle) -> std::borrow::Cow<'_, [OperatingPoint]> {
+        self.wanted.points(muscle.length_mm())
+    }
+
     /// Checks the specification.
     ///
     /// # Errors
     /// [`SpecError`].
     pub fn check(&self) -> Result<(), SpecError> {
-        if self.points.is_empty() {
-            return Err(SpecError::NoPoint);
-        }
-        let senseless = |p: &&OperatingPoint| {
-            !(p.force_n > 0.0 && p.force_n.is_finite() && (0.0..1.0).contains(&p.contraction))
+        let lengths = match &self.length_mm {
+            Some(Values::List(list)) => list.clone(),
+            // The longest has most to give.
+            Some(Values::Interval(_, high)) => vec![*high],
+            None => vec![self.base.length_mm()],
         };
-        if let Some(p) = self.points.iter().find(senseless) {
-            return Err(SpecError::Point { force_n: p.force_n, contraction: p.contraction });
-        }
+        lengths.iter().try_for_each(|length| self.wanted.check(*length))?;
         if !(self.max_pressure_mpa.is_finite() && self.max_pressure_mpa > 0.0) {
             return Err(SpecError::Pressure(self.max_pressure_mpa));
         }

@@ -2,11 +2,12 @@
 
 use mckibben::analysis::Options;
 use mckibben::design::{
-    BraidChoice, Build, Limits, Objective, OperatingPoint, Reason, Relaxation, Spec, Tolerances, design,
-    spread,
+    BraidChoice, Build, Demand, JointDemand, Limits, Models, Objective, OperatingPoint, Reason, Relaxation,
+    Spec, Tolerances, design, design_joint, spread,
 };
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
+use mckibben::progress::Silent;
 use mckibben::units::Values;
 
 fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelError> {
@@ -15,7 +16,7 @@ fn thick(muscle: &Muscle) -> Result<Box<dyn ForceModel>, mckibben::model::ModelE
 
 fn spec(force_n: f64, contraction: f64) -> Spec {
     Spec {
-        points: vec![OperatingPoint { force_n, contraction }],
+        wanted: vec![OperatingPoint { force_n, contraction }].into(),
         max_pressure_mpa: 0.25,
         base: Muscle::prototype(),
         outer_diameter_mm: Values::Interval(5.0, 80.0),
@@ -106,7 +107,7 @@ fn bounds_bind_and_are_named() {
         assert!(candidate.bulged_diameter_mm().unwrap() <= 60.0);
     }
     // A weak pull that bulges too far: only the bulge binds, and easing it is enough.
-    spec.points[0].force_n = 100.0;
+    spec.wanted = vec![OperatingPoint { force_n: 100.0, contraction: 0.15 }].into();
     spec.limits.bulged_diameter_mm = Some(10.0);
     spec.outer_diameter_mm = Values::Interval(20.0, 50.0);
     let outcome = design(&spec, BUILD).unwrap();
@@ -184,7 +185,11 @@ fn relaxations_of_two_limits_at_once_are_not_promised() {
 #[test]
 fn several_points_are_all_met() {
     let mut spec = spec(700.0, 0.15);
-    spec.points.push(OperatingPoint { force_n: 1200.0, contraction: 0.05 });
+    let (low, high) = (
+        OperatingPoint { force_n: 700.0, contraction: 0.15 },
+        OperatingPoint { force_n: 1200.0, contraction: 0.05 },
+    );
+    spec.wanted = vec![low, high].into();
     let outcome = design(&spec, BUILD).unwrap();
     for candidate in &outcome.candidates {
         for point in &candidate.points {
@@ -274,4 +279,48 @@ fn combinations_that_are_no_muscle_say_why() {
     spec.wall_mm = Values::List(vec![3.0]);
     let error = design(&spec, BUILD).unwrap_err().to_string();
     assert!(error.contains("the wall must be thinner than the radius"), "{error}");
+}
+
+/// Virtual work: the muscles that a design finds for torques, put on the pulley that it names, give these torques by the joint's own
+/// equations; a grid of radii holds no smaller muscle.
+#[test]
+fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle() {
+    use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
+    let torques = vec![(8.0, 45.0), (3.0, 60.0)];
+    let joint = JointDemand { torques: torques.clone(), largest_angle_deg: 60.0, radius_mm: 20.0 };
+    let models = Models { search: &thick, settle: None };
+    let spec = Spec {
+        wanted: Demand::Joint(joint),
+        max_pressure_mpa: 0.6,
+        limits: Limits { bulged_diameter_mm: Some(50.0), ..Limits::default() },
+        ..spec(1.0, 0.0)
+    };
+    let (chosen, outcome) = design_joint(&spec, &Values::Interval(5.0, 40.0), models, &Silent).unwrap();
+    let Demand::Joint(JointDemand { radius_mm, .. }) = chosen.wanted else { panic!() };
+    let best = &outcome.candidates[0];
+    let on = |radius_mm: f64| JointMuscle {
+        muscle: best.muscle.clone(),
+        path: Path::Pulley { radius_mm },
+        contraction_at_neutral: radius_mm.abs() * 60f64.to_radians() / best.muscle.length_mm(),
+    };
+    let built =
+        Joint::new(vec![on(radius_mm), on(-radius_mm)], None, Link::default(), (-60.0, 60.0)).unwrap();
+    let model = ThickWall::new(&best.muscle);
+    let model = JointModel::new(&built, vec![&model, &model], true).unwrap();
+    let w = &mut [Workspace::new(), Workspace::new()][..];
+    let least = torques.iter().map(|&(torque, angle)| {
+        let there = model.at(w, &[0.6, 0.0], angle, Turning::Mean).unwrap();
+        assert!(there.muscles[1].answer.response.force_n.abs() < 1e-9);
+        there.torque_nm / torque
+    });
+    let least = least.fold(f64::INFINITY, f64::min);
+    // A hundredth of a millimetre of D0 is worth a thousandth of the pull.
+    assert!((1.0..1.002).contains(&least), "{least}");
+    for i in 0..36 {
+        let (_, other) =
+            design_joint(&spec, &Values::List(vec![5.0 + f64::from(i)]), models, &Silent).unwrap();
+        if let Some(other) = other.candidates.first() {
+            assert!(best.muscle.outer_diameter_mm() <= other.muscle.outer_diameter_mm() + 0.011);
+        }
+    }
 }

@@ -118,7 +118,9 @@ fn three_hundred_random_specifications_against_a_grid() {
             let found = winner.as_ref().map(|c| c.muscle.outer_diameter_mm());
             // With 1 % to spare.
             let mut tight = case.spec.clone();
-            tight.points.iter_mut().for_each(|q| q.force_n *= 1.01);
+            let mut points = case.spec.wanted.points(0.0).into_owned();
+            points.iter_mut().for_each(|q| q.force_n *= 1.01);
+            tight.wanted = points.into();
             tight.limits.bulged_diameter_mm = tight.limits.bulged_diameter_mm.map(|d| d / 1.01);
             let (grid, surely) = (smallest(case, &case.spec, found), smallest(case, &tight, found));
             let good = match (found, grid) {

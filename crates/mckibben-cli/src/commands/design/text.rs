@@ -1,17 +1,17 @@
 //! A design for people.
 
 use crate::output::text::{Units, aligned, braid_name, columns, number, percent, percents, rubber_name};
-use mckibben::design::{Candidate, Closest, Limit, OperatingPoint, Outcome, Rejected, Relaxation};
+use mckibben::design::{
+    Candidate, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected, Relaxation, Way,
+};
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben_app::{DesignAnswer, SpreadAnswer};
 
 /// The design for people.
 pub fn of(answer: &DesignAnswer, u: &Units) -> String {
     let (spec, outcome) = (&answer.spec, &answer.outcome);
-    let one = |q: &OperatingPoint| format!("{} at {}", u.force.show(q.force_n), percent(q.contraction));
-    let wanted: Vec<String> = spec.points.iter().map(one).collect();
-    let mut out =
-        format!("Wanted: {} with at most {}\n", wanted.join(", "), u.pressure.show(spec.max_pressure_mpa));
+    let wanted = wanted(answer, u);
+    let mut out = format!("Wanted: {wanted} with at most {}\n", u.pressure.show(spec.max_pressure_mpa));
     let with = if answer.searched_with == answer.model {
         String::new()
     } else {
@@ -33,7 +33,8 @@ pub fn of(answer: &DesignAnswer, u: &Units) -> String {
             out.push_str(&format!("{hint}\n"));
         }
     } else {
-        out.push_str(&candidates(outcome, u));
+        out.push_str(&candidates(outcome, spec.length_mm.is_some(), u));
+        out.push_str(&joint(answer, u));
         out.push_str(&verified(answer, u));
         out.push_str(&spread_text(&answer.tolerance, u));
     }
@@ -53,6 +54,48 @@ pub fn of(answer: &DesignAnswer, u: &Units) -> String {
         ));
     }
     out
+}
+
+/// What the muscle must do.
+fn wanted(answer: &DesignAnswer, u: &Units) -> String {
+    let spec = &answer.spec;
+    match &spec.wanted {
+        Demand::Points(points) => {
+            let one =
+                |q: &OperatingPoint| format!("{} at {}", u.force.show(q.force_n), percent(q.contraction));
+            points.iter().map(one).collect::<Vec<_>>().join(", ")
+        }
+        Demand::Load { way, .. } => {
+            let load = answer.load.as_deref().unwrap_or_default();
+            match *way {
+                Way::Stroke(mm) => format!("{load} lifted by {}", u.length.show(mm)),
+                Way::Contraction(ratio) => format!("{load} lifted to {}", percent(ratio)),
+            }
+        }
+        Demand::Joint(joint) => {
+            let one = |&(torque, angle): &(f64, f64)| {
+                format!("{} N m at ±{}°", number(torque, 4), number(angle, 4))
+            };
+            joint.torques.iter().map(one).collect::<Vec<_>>().join(", ")
+        }
+    }
+}
+
+/// The pulley between the muscles, and the joint file that goes with them.
+fn joint(answer: &DesignAnswer, u: &Units) -> String {
+    let Some(j) = answer.candidates.first().and_then(|c| c.joint) else { return String::new() };
+    let angle = number(j.largest_angle_deg, 4);
+    let neutral = number(100.0 * j.contraction_at_neutral, 5);
+    let muscle =
+        |i: u8| format!("[muscle_{i}]\nfile = \"winner.toml\"\ncontraction_at_neutral = \"{neutral}%\"\n");
+    format!(
+        "\nThe first on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file, with the muscle in \
+         winner.toml (-o winner.toml):\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
+        u.length.show(j.radius_mm),
+        number(j.radius_mm, 5),
+        muscle(1),
+        muscle(2)
+    )
 }
 
 /// The braid that is searched with; its stiffness may differ from muscle to muscle.
@@ -84,7 +127,7 @@ fn measures(r: &Rejected, u: &Units) -> String {
     format!("D0 {}, s {}", u.length.to(r.outer_diameter_mm, 4), u.length.to(r.wall_mm, 3))
 }
 
-fn candidates(outcome: &Outcome, u: &Units) -> String {
+fn candidates(outcome: &Outcome, lengths: bool, u: &Units) -> String {
     let list = &outcome.candidates;
     let several_rubbers = list.windows(2).any(|w| w[0].muscle.tube().rubber != w[1].muscle.tube().rubber);
     let several_lengths = list.windows(2).any(|w| w[0].muscle.length_mm() != w[1].muscle.length_mm());
@@ -110,7 +153,7 @@ fn candidates(outcome: &Outcome, u: &Units) -> String {
         (u.length.heading("s"), u.length.column(known(&|c| c.muscle.wall_mm()), 3)),
         ("θ0 [°]".into(), aligned(&known(&|c| c.muscle.braid().angle_deg), 4)),
     ];
-    if several_lengths {
+    if lengths || several_lengths {
         found.push((u.length.heading("L0"), u.length.column(known(&|c| c.muscle.length_mm()), 4)));
     }
     if several_braids {

@@ -1,0 +1,95 @@
+//! Two equal muscles and the pulley between them.
+
+use super::demand::{Demand, JointDemand};
+use super::line::Merit;
+use super::run::{Models, Outcome, design_with};
+use super::search::{Search, nice_steps};
+use super::spec::{Spec, SpecError};
+use crate::analysis::golden;
+use crate::budget::Budget;
+use crate::progress::Progress;
+use crate::units::Values;
+
+/// Samples of an interval of radii, and golden sections after them.
+const RADII: (usize, usize) = (10, 8);
+
+/// Only the wish to end, and the budget: radii are counted, not the muscles of each.
+struct Quiet<'a>(&'a dyn Progress);
+
+impl Progress for Quiet<'_> {
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+
+    fn budget(&self) -> Budget {
+        self.0.budget()
+    }
+}
+
+/// Searches radius and muscle for torques at angles: the radius with the best muscle, and what was found with it.
+///
+/// The radius of the demand in `spec` is not used; `radius_mm` says which are looked at. Of a long lever the muscle must
+/// shorten more, of a short one it must pull more: between them lies the smallest muscle.
+///
+/// # Errors
+/// As [`design_with`]; a spec that does not ask for torques is searched as it is, once.
+pub fn design_joint(
+    spec: &Spec,
+    radius_mm: &Values,
+    models: Models<'_>,
+    progress: &dyn Progress,
+) -> Result<(Spec, Outcome), SpecError> {
+    let with = |radius_mm: f64| match &spec.wanted {
+        Demand::Joint(joint) => {
+            Spec { wanted: Demand::Joint(JointDemand { radius_mm, ..joint.clone() }), ..spec.clone() }
+        }
+        _ => spec.clone(),
+    };
+    let (places, sections) = match radius_mm {
+        Values::List(list) => (list.clone(), 0),
+        Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
+    };
+    let total = places.len() + sections + 1;
+    let mut done = 0;
+    let mut first_error = None;
+    let mut tried = |radius: f64| -> (f64, (Merit, f64)) {
+        progress.report(done, total);
+        done += 1;
+        let spec = with(radius);
+        let merit = match spec.check() {
+            _ if progress.cancelled() => (Merit::NONE, 0.0),
+            Ok(()) => Search::of(&Spec { extrapolate: true, ..spec }, models, &Quiet(progress)).run().merit(),
+            Err(error) => {
+                first_error.get_or_insert(error);
+                (Merit::NONE, 0.0)
+            }
+        };
+        (radius, merit)
+    };
+    let samples: Vec<(f64, (Merit, f64))> = places.iter().map(|&r| tried(r)).collect();
+    let better =
+        |a: &usize, b: &usize| samples[*a].1.partial_cmp(&samples[*b].1).unwrap_or(std::cmp::Ordering::Equal);
+    let best = (0..samples.len()).min_by(better);
+    let best = best.filter(|&i| samples[i].1.0 != Merit::NONE);
+    let Some(i) = best else {
+        return match first_error {
+            _ if progress.cancelled() => Err(SpecError::Cancelled),
+            Some(error) => Err(error),
+            // No muscle at all: the search of the first radius says why.
+            None => {
+                let spec = with(places.first().copied().unwrap_or_default());
+                design_with(&spec, models, progress).map(|outcome| (spec, outcome))
+            }
+        };
+    };
+    let mut chosen = samples[i];
+    if sections > 0 {
+        let (left, right) = (places[i.saturating_sub(1)], places[(i + 1).min(places.len() - 1)]);
+        let found = golden(left, samples[i], right, sections, |t| t.1, &mut tried);
+        // A pulley in tenths of a millimetre.
+        let rounded = tried((found.0 * 10.0).round() / 10.0);
+        chosen = if rounded.1.0.fits() || !found.1.0.fits() { rounded } else { found };
+    }
+    let spec = with(chosen.0);
+    design_with(&spec, models, &Quiet(progress)).map(|outcome| (spec, outcome))
+}
