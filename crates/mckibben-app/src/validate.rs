@@ -1,11 +1,12 @@
 //! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
 
 use crate::problem::Problem;
+use mckibben::joint;
 use mckibben::progress::Progress;
 use mckibben::threads;
+use mckibben::verification::{Kind, Measure, Row};
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
-use mckibben_fem::verification::{Kind, Measure, Row};
 use mckibben_fem::{validation, verification};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -110,6 +111,8 @@ pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<Va
     if request.all {
         rows.extend(verification::bricks::cook_fine());
     }
+    rows.extend(joint::verification::cases());
+    rows.extend(mckibben_motion::verification::cases());
     rows.extend(held_out::cases());
     rows.extend(validation::cases(progress)?);
     Ok(ValidateAnswer { cases: rows.into_iter().map(Case::from).collect() })

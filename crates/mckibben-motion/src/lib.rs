@@ -46,6 +46,7 @@ mod size;
 mod start;
 mod system;
 mod valve;
+pub mod verification;
 mod viscoelastic;
 
 pub use air::{

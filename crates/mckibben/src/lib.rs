@@ -63,6 +63,7 @@ pub mod table;
 pub mod threads;
 pub mod uncertainty;
 pub mod units;
+pub mod verification;
 pub mod warning;
 
 /// The paper whose formula (11) is [`model::Paper`] and whose method makes formulas from campaigns; equation numbers in

@@ -29,60 +29,7 @@ use mckibben::muscle::Bulk;
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, MooneyRivlin};
 
-/// Whether equations are solved right or are the right equations.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Against exact values.
-    Verification,
-    /// Against measurements.
-    Validation,
-}
-
-/// What the numbers of a row are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Measure {
-    /// A value and what it should be.
-    #[default]
-    Value,
-    /// A root mean square of forces in N, beside the largest force or the blocked force; its error is their ratio.
-    Rms,
-    /// A share of points, beside the least share.
-    Share,
-}
-
-/// A row of the table.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Row {
-    /// What is computed.
-    pub name: String,
-    /// Which of the two it is.
-    pub kind: Kind,
-    /// What its numbers are.
-    pub measure: Measure,
-    /// Where the reference comes from.
-    pub source: &'static str,
-    /// The reference.
-    pub reference: f64,
-    /// Our value; `None` where there was no answer.
-    pub ours: Option<f64>,
-    /// |ours − reference|, relative where the reference is not zero.
-    pub error: Option<f64>,
-    /// Largest error that passes.
-    pub tolerance: f64,
-    /// Whether it passes.
-    pub ok: bool,
-}
-
-impl Row {
-    fn new(name: String, source: &'static str, reference: f64, ours: Option<f64>, tolerance: f64) -> Self {
-        let scale = if reference == 0.0 { 1.0 } else { reference.abs() };
-        let ours = ours.filter(|x| x.is_finite());
-        let error = ours.map(|x| (x - reference).abs() / scale);
-        let ok = error.is_some_and(|e| e <= tolerance);
-        let (kind, measure) = (Kind::Verification, Measure::Value);
-        Self { name, kind, measure, source, reference, ours, error, tolerance, ok }
-    }
-}
+pub use mckibben::verification::{Kind, Measure, Row};
 
 /// A case: its rows.
 pub type Case = fn() -> Vec<Row>;

@@ -1,10 +1,11 @@
 //! What is refused, and how it is said.
 
-use crate::support::{Vessel, note_muscle, regulator, steps, valve, vessel};
+use crate::support::{note_muscle, regulator, steps, valve};
 use mckibben::budget::{Budget, Limits, Resource};
 use mckibben::load::Load;
 use mckibben::model::ModelKind;
 use mckibben::progress::{Progress, Silent};
+use mckibben_motion::verification::Vessel;
 use mckibben_motion::*;
 
 #[test]
@@ -37,7 +38,7 @@ fn what_cannot_be_is_said_with_its_values() {
     let MotionError::NeverLifted { net, pressure_mpa, .. } = error else { panic!("{error}") };
     assert!(net < -100.0 && (pressure_mpa - 0.1).abs() < 1e-3);
 
-    let none = Vessel { volume_mm3: None, ..vessel() };
+    let none = Vessel { volume_mm3: None, ..Vessel::default() };
     let drive = Drive { muscles: vec![Actuated::new(&none, valve())], ..drive };
     assert!(matches!(refused(&drive), MotionError::NoVolume { .. }), "{}", refused(&drive));
 }

@@ -16,6 +16,7 @@ mod path;
 mod rest;
 #[cfg(test)]
 mod tests;
+pub mod verification;
 
 pub use error::JointError;
 pub use file::{JointFile, parse_joint};

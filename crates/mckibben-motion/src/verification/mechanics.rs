@@ -1,0 +1,206 @@
+//! Muscles that move: balances, friction, oscillations, convergence.
+
+use super::ran;
+use crate::air::{ATMOSPHERE_MPA, Air, Heat};
+use crate::command::Command;
+use crate::drive::{Actuated, Actuator, Drive, Target};
+use crate::equilibrium::equilibrium;
+use crate::friction::Dahl;
+use crate::linear::Linear;
+use crate::mechanism::SingleMuscle;
+use crate::valve::{Orifice, Valve};
+use crate::viscoelastic::{Branch, Prony};
+use mckibben::load::Load;
+use mckibben::model::{ForceModel, Ideal, ModelKind, ThickWall, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::verification::Row;
+use std::f64::consts::TAU;
+
+const BALANCE: &str = "identity: energies of a drive with every loss";
+const SHUT: &str = "closed form: K_P − (1/L0) ∂F/∂P (∂P/∂ε)_m";
+const DAHL: &str = "closed form: 2 F_c (stroke − 2 x_s)";
+const ORDER: &str = "convergence: against a tolerance of 1e-12";
+
+/// Balances of a drive with all losses, shut air, a slow loop, and what the tolerance makes of the error.
+pub fn mechanics() -> Vec<Row> {
+    let mut rows = balances().unwrap_or_default();
+    rows.extend(shut());
+    rows.extend(loops());
+    rows.extend(convergence());
+    rows
+}
+
+fn valve() -> Option<Valve> {
+    Some(Valve::new(Orifice::new(0.5, 0.3).ok()?))
+}
+
+fn universal() -> Option<Box<dyn ForceModel>> {
+    ModelKind::Universal.build(&Muscle::prototype()).ok()
+}
+
+/// Mass, spring, damper, friction, viscoelastic rubber and warm air at once.
+fn balances() -> Option<Vec<Row>> {
+    let model = universal()?;
+    let spring = Load::Spring { rate_n_per_mm: 1.0, preload_n: 0.0 };
+    let line = Load::Sum(vec![Load::Mass { mass_kg: 5.0, level: false }, spring]);
+    let load =
+        SingleMuscle { damping_n_s_per_m: 200.0, stops_mm: (0.0, 60.0), ..SingleMuscle::new(&*model, line) };
+    let mut rows = vec![];
+    for (name, heat) in
+        [("isothermal", Heat::Isothermal), ("adiabatic", Heat::Adiabatic), ("warm", Heat::Transfer(50.0))]
+    {
+        let mut muscle = Actuated::new(&*model, Actuator::Valve(valve()?));
+        muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
+        muscle.friction = Some(Dahl { coefficient: 20.0, exponent: 0.7, presliding_mm: 0.5 });
+        muscle.rubber = Prony(vec![Branch { share: 0.2, time_constant_s: 0.05 }]);
+        let steps = Command::Steps(vec![(0.0, 0.0), (0.1, 0.2), (0.8, 0.05)]);
+        let mut drive = Drive::new(&load, vec![muscle], Target::Pressure(vec![steps]), 1.5);
+        drive.tolerance.relative = 1e-9;
+        let motion = ran(&drive);
+        let of = |value: &dyn Fn(&crate::run::Energies) -> f64| {
+            motion.as_ref().map(|m| (value(&m.energies) / m.energies.work_j).abs())
+        };
+        let air = of(&|e| e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j);
+        let work = of(&|e| {
+            let pulled = e.static_work_j + e.viscoelastic_j - e.friction_j;
+            pulled - e.load_j - e.kinetic_j - e.damper_j - e.impacts_j
+        });
+        let row = |what: &str, ours, tolerance| {
+            Row::new(format!("drive, {name} air: {what}"), BALANCE, 0.0, ours, tolerance)
+        };
+        rows.push(row("air that is lost, of that in it", motion.as_ref().map(|m| m.mass_defect), 1e-12));
+        rows.push(row("energy of the air that is lost, of the work", air, 1e-6));
+        rows.push(row("work that is lost, of it", work, 1e-6));
+    }
+    Some(rows)
+}
+
+/// The frequency of a mass on shut air: closed form, linearised system, and crossings of a motion.
+fn shut() -> Vec<Row> {
+    [("isothermal", Heat::Isothermal, 1.0), ("adiabatic", Heat::Adiabatic, 1.4)]
+        .into_iter()
+        .flat_map(|(name, heat, index)| {
+            let row = |what: &str, f: &dyn Fn() -> Option<(f64, f64)>| {
+                let (exact, ours) = f().map_or((f64::NAN, None), |(exact, ours)| (exact, Some(ours)));
+                Row::new(format!("10 kg on shut {name} air: {what} (Hz)"), SHUT, exact, ours, 1e-4)
+            };
+            let model = universal();
+            let linear = || {
+                let model = model.as_deref()?;
+                let load = SingleMuscle::hanging(model, 10.0);
+                let drive = shut_drive(model, &load, heat)?;
+                let (f, _) = Linear::new(&drive).ok()?.oscillation()?;
+                Some((closed_form(model, &drive, index)?, f))
+            };
+            let moving = || {
+                let model = model.as_deref()?;
+                let load = SingleMuscle::hanging(model, 10.0);
+                let drive = shut_drive(model, &load, heat)?;
+                Some((closed_form(model, &drive, index)?, crossings(&drive)?))
+            };
+            [row("of the linearised system", &linear), row("of its motion", &moving)]
+        })
+        .collect()
+}
+
+fn shut_drive<'a>(model: &'a dyn ForceModel, load: &'a SingleMuscle, heat: Heat) -> Option<Drive<'a>> {
+    let mut muscle = Actuated::new(model, Actuator::Valve(valve()?));
+    muscle.air = Air { heat, dead_volume_mm3: 10e3, ..Air::default() };
+    muscle.initial_pressure_mpa = Some(0.2);
+    Some(Drive::new(load, vec![muscle], Target::Opening(vec![Command::Constant(0.0)]), 1.0))
+}
+
+/// (dP/dε)_m = −n p V_ε/(V + n p V_P); K = K_P − (1/L0) ∂F/∂P dP/dε; f = √(K/M)/2π
+fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<f64> {
+    let length = model.muscle().length_mm();
+    let contraction = equilibrium(drive, &[0.2]).ok()?.coordinate / length;
+    let r = model.response(&mut Workspace::new(), 0.2, contraction).ok()?;
+    let p = 0.2 + ATMOSPHERE_MPA;
+    let volume = r.volume_mm3? + 10e3;
+    let slope = -index * p * r.volume_per_contraction_mm3?
+        / (volume + index * p * r.volume_per_pressure_mm3_per_mpa?);
+    let stiffness = r.stiffness_n_per_mm? - r.force_per_pressure_mm2? * slope / length;
+    Some((1e3 * stiffness / 10.0).sqrt() / TAU)
+}
+
+/// The frequency by the falling crossings of ten periods after a displacement of a hundredth of a mm.
+fn crossings(drive: &Drive<'_>) -> Option<f64> {
+    let linear = Linear::new(drive).ok()?;
+    let (f, _) = linear.oscillation()?;
+    let mut drive = drive.clone();
+    drive.initial_coordinate = Some(linear.coordinate() + 0.01);
+    drive.tolerance.relative = 1e-9;
+    (drive.until_s, drive.output_step_s) = (10.5 / f, 0.002 / f);
+    let motion = ran(&drive)?;
+    let x: Vec<f64> = motion.coordinate.iter().map(|x| x - linear.coordinate()).collect();
+    let falls: Vec<f64> = (1..x.len())
+        .filter(|&i| x[i - 1] > 0.0 && x[i] <= 0.0)
+        .map(|i| motion.time_s[i - 1] + drive.output_step_s * x[i - 1] / (x[i - 1] - x[i]))
+        .collect();
+    let (first, last) = (falls.first()?, falls.last()?);
+    Some((falls.len() - 1) as f64 / (last - first))
+}
+
+/// The area of a slow loop against a spring. After each of its two reversals z goes from 1 to −1 as 2 e^(−x/x_s) − 1, which takes 2 F_c x_s from it.
+fn loops() -> Vec<Row> {
+    const LEVEL_N: f64 = 10.0;
+    const PRESLIDING_MM: f64 = 0.02;
+    let one = |hz: f64| {
+        let model = Ideal::new(&Muscle::prototype());
+        let spring = SingleMuscle {
+            damping_n_s_per_m: 1e3,
+            added_mass_kg: 1.0,
+            ..SingleMuscle::new(&model, Load::Spring { rate_n_per_mm: 5.0, preload_n: 0.0 })
+        };
+        let until = |periods: f64| {
+            let mut muscle = Actuated::new(&model, Actuator::Regulator { time_constant_s: 0.02 });
+            muscle.friction =
+                Some(Dahl { coefficient: LEVEL_N, exponent: 0.0, presliding_mm: PRESLIDING_MM });
+            let sine = Command::Sine { mean: 0.15, amplitude: 0.08, frequency_hz: hz, phase_rad: 0.0 };
+            let mut drive = Drive::new(&spring, vec![muscle], Target::Pressure(vec![sine]), periods / hz);
+            drive.tolerance.relative = 1e-8;
+            ran(&drive)
+        };
+        let (one, two) = (until(1.0)?, until(2.0)?);
+        let x = &two.coordinate[two.coordinate.len() / 2..];
+        let most = x.iter().copied().fold(f64::MIN, f64::max);
+        let stroke = most - x.iter().copied().fold(f64::MAX, f64::min);
+        let area = 1e3 * (two.energies.friction_j - one.energies.friction_j);
+        Some((2.0 * LEVEL_N * (stroke - 2.0 * PRESLIDING_MM), area))
+    };
+    let row = |hz: f64| {
+        let (exact, ours) = one(hz).map_or((f64::NAN, None), |(exact, ours)| (exact, Some(ours)));
+        Row::new(format!("friction loop of the braid at {hz} Hz (N mm)"), DAHL, exact, ours, 1e-4)
+    };
+    [0.1, 1.0].map(row).into()
+}
+
+/// The error of a step at tolerances.
+fn convergence() -> Vec<Row> {
+    // Its answers have no error of an iteration that a step could see.
+    let model = ThickWall::new(&Muscle::prototype());
+    let end = |relative: f64| {
+        let load = SingleMuscle {
+            stops_mm: (0.0, 90.0),
+            damping_n_s_per_m: 50.0,
+            ..SingleMuscle::hanging(&model, 10.0)
+        };
+        let steps = Command::Steps(vec![(0.0, 0.0), (0.05, 0.2)]);
+        let muscle = Actuated::new(&model, Actuator::Valve(valve()?));
+        let mut drive = Drive::new(&load, vec![muscle], Target::Pressure(vec![steps]), 0.5);
+        drive.tolerance.relative = relative;
+        ran(&drive)?.coordinate.last().copied()
+    };
+    let exact = end(1e-12);
+    let row = |relative: f64| {
+        let error = end(relative).zip(exact).map(|(x, exact)| x / exact - 1.0);
+        Row::new(
+            format!("step of 10 kg, tolerance {relative:.0e}: error"),
+            ORDER,
+            0.0,
+            error,
+            10.0 * relative,
+        )
+    };
+    [1e-6, 1e-8, 1e-10].map(row).into()
+}

@@ -1,0 +1,26 @@
+//! Motions with exact values: are the equations solved right?
+//!
+//! Each case is a row of the table that `mckibben validate` prints. The closed forms are those of `docs/motion.md`.
+
+mod mechanics;
+mod vessel;
+
+pub use mechanics::mechanics;
+pub use vessel::{Vessel, vessel};
+
+use crate::drive::Drive;
+use crate::run::{Motion, run};
+use mckibben::progress::Silent;
+use mckibben::verification::Row;
+
+/// Every case, one after the other.
+pub fn cases() -> Vec<Row> {
+    let mut rows = vessel();
+    rows.extend(mechanics());
+    rows
+}
+
+/// The motion, where it comes to its end.
+fn ran(drive: &Drive<'_>) -> Option<Motion> {
+    run(drive, &Silent).ok()
+}

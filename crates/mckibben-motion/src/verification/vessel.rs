@@ -1,0 +1,143 @@
+//! Charge and discharge of a rigid vessel through a valve after ISO 6358.
+//!
+//! C 0.5 L/(s bar), b 0.3, V 0.2 L, supply 6 bar above the atmosphere, 20 °C. With x = p/p_s and k = R T0 ρ0 C/V the charge at constant
+//! temperature is x = x0 + k t as long as it is choked (x ≤ b), then x = b + (1 − b) sin(k (t − t_b)/(1 − b)); without heat it ends at
+//! T = T0 κ/(1 + (κ − 1) x0). A choked discharge is an exponential of time, or a power without heat.
+
+use super::ran;
+use crate::air::{ATMOSPHERE_MPA, Heat};
+use crate::command::Command;
+use crate::drive::{Actuated, Actuator, Drive, Target};
+use crate::mechanism::SingleMuscle;
+use crate::run::Motion;
+use crate::valve::{Orifice, Valve};
+use mckibben::model::{Accuracy, ForceModel, ModelError, ModelRange, Response, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::verification::Row;
+
+const SOURCE: &str = "ISO 6358: closed form of a rigid vessel";
+const BALANCE: &str = "identity: what goes in, comes out and stays";
+/// The supply's absolute pressure in MPa.
+const SUPPLY_MPA: f64 = 0.6 + ATMOSPHERE_MPA;
+/// k in 1/s: 287 J/(kg K) · 293.15 K · 1.185 kg/m³ · 0.5e-8 m³/(s Pa) / 0.2e-3 m³, from the design note.
+const RATE_PER_S: f64 = 2.492_905;
+const CRITICAL: f64 = 0.3;
+
+/// A vessel of a fixed volume, which does not pull.
+#[derive(Debug, Clone)]
+pub struct Vessel {
+    /// Something that has a length.
+    pub muscle: Muscle,
+    /// Volume in mm³.
+    pub volume_mm3: Option<f64>,
+}
+
+impl Default for Vessel {
+    fn default() -> Self {
+        Self { muscle: Muscle::prototype(), volume_mm3: Some(0.2e6) }
+    }
+}
+
+impl ForceModel for Vessel {
+    fn name(&self) -> &str {
+        "vessel"
+    }
+
+    fn muscle(&self) -> &Muscle {
+        &self.muscle
+    }
+
+    fn source(&self) -> &str {
+        "a rigid vessel"
+    }
+
+    fn range(&self) -> ModelRange {
+        ModelRange::open()
+    }
+
+    fn accuracy(&self) -> Accuracy {
+        Accuracy::UNKNOWN
+    }
+
+    fn response(&self, _: &mut Workspace, p: f64, e: f64) -> Result<Response, ModelError> {
+        Ok(Response {
+            pressure_mpa: p,
+            contraction: e,
+            volume_mm3: self.volume_mm3,
+            stiffness_n_per_mm: Some(1.0),
+            force_per_pressure_mm2: Some(0.0),
+            volume_per_pressure_mm3_per_mpa: Some(0.0),
+            volume_per_contraction_mm3: Some(0.0),
+            ..Response::default()
+        })
+    }
+}
+
+/// The vessel at the end of a time with its valve open to the supply (1) or to the atmosphere (−1).
+fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Motion> {
+    let model = Vessel::default();
+    let held = SingleMuscle::held(&model);
+    let valve = Valve::new(Orifice::new(0.5, CRITICAL).ok()?);
+    let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
+    muscle.air.heat = heat;
+    muscle.initial_pressure_mpa = Some(from_mpa);
+    let target = Target::Opening(vec![Command::Constant(opening)]);
+    let mut drive = Drive::new(&held, vec![muscle], target, until_s);
+    drive.tolerance.relative = 1e-11;
+    drive.output_step_s = until_s;
+    ran(&drive)
+}
+
+fn pressure(motion: Option<&Motion>) -> Option<f64> {
+    Some(motion?.muscles.first()?.pressure_mpa.last()? + ATMOSPHERE_MPA)
+}
+
+fn temperature(motion: Option<&Motion>) -> Option<f64> {
+    motion?.muscles.first()?.temperature_k.last().copied()
+}
+
+/// Charges, discharges and balances.
+pub fn vessel() -> Vec<Row> {
+    let from = ATMOSPHERE_MPA / SUPPLY_MPA;
+    let choked_s = (CRITICAL - from) / RATE_PER_S;
+    let row = |name: &str, reference: f64, ours, tolerance| {
+        Row::new(format!("vessel: {name}"), SOURCE, reference, ours, tolerance)
+    };
+    let charge = after(Heat::Isothermal, 1.0, 0.0, choked_s);
+    // The standard's flow up to 0.99 p_s; beyond it the linear range about equal pressures.
+    let late_s = choked_s + (1.0 - CRITICAL) * (0.69_f64 / 0.7).asin() / RATE_PER_S;
+    let late = after(Heat::Isothermal, 1.0, 0.0, late_s);
+    let warm = after(Heat::Adiabatic, 1.0, 0.0, 2.0);
+    let polytropic = after(Heat::Polytropic(1.4), 1.0, 0.0, 2.0);
+    let cold = after(Heat::Adiabatic, -1.0, 0.6, 0.2);
+    let out = after(Heat::Isothermal, -1.0, 0.6, 0.1);
+    let warm_k = 293.15 * 1.4 / (1.0 + 0.4 * from);
+    let mut rows = vec![
+        row(
+            "p at the end of the choked charge (MPa)",
+            CRITICAL * SUPPLY_MPA,
+            pressure(charge.as_ref()),
+            1e-6,
+        ),
+        row("p of the charge at 0.99 p_s (MPa)", 0.99 * SUPPLY_MPA, pressure(late.as_ref()), 1e-6),
+        row("p of the adiabatic charge at its end (MPa)", SUPPLY_MPA, pressure(warm.as_ref()), 1e-7),
+        row("T of the adiabatic charge at its end (K)", warm_k, temperature(warm.as_ref()), 1e-6),
+        row("T of a polytropic charge with n = κ (K)", warm_k, temperature(polytropic.as_ref()), 1e-6),
+        row("p of the isothermal discharge after 0.1 s (MPa)", 0.546_580_1, pressure(out.as_ref()), 2e-7),
+        row("p of the adiabatic discharge after 0.2 s (MPa)", 0.360_541_2, pressure(cold.as_ref()), 2e-7),
+        row("T of the adiabatic discharge after 0.2 s (K)", 242.397_8, temperature(cold.as_ref()), 2e-7),
+    ];
+    let heats = [Heat::Isothermal, Heat::Polytropic(1.2), Heat::Adiabatic, Heat::Transfer(30.0)];
+    let motions: Vec<Option<Motion>> = heats.into_iter().map(|heat| after(heat, 1.0, 0.0, 0.3)).collect();
+    let largest = |of: &dyn Fn(&Motion) -> f64| -> Option<f64> {
+        motions.iter().try_fold(0.0, |most: f64, m| m.as_ref().map(|m| most.max(of(m).abs())))
+    };
+    let energy = largest(&|m| {
+        let e = m.energies;
+        (e.enthalpy_in_j - e.enthalpy_out_j + e.heat_j - e.internal_j - e.gas_work_j) / e.enthalpy_in_j
+    });
+    let mass = largest(&|m| m.mass_defect);
+    rows.push(Row::new("vessel: air that is lost, of that in it".into(), BALANCE, 0.0, mass, 1e-12));
+    rows.push(Row::new("vessel: energy that is lost, of the enthalpy".into(), BALANCE, 0.0, energy, 1e-7));
+    rows
+}
