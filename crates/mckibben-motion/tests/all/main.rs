@@ -5,6 +5,7 @@
 mod chamber;
 mod control;
 mod frequency;
+mod measured;
 mod mechanics;
 mod random;
 mod refusals;
