@@ -9,13 +9,13 @@ use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use mckibben::joint::Joint;
-use mckibben::load::Load;
 use mckibben::model::ForceModel;
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
 use mckibben_motion::{
     Actuated, Command, Dahl, Drive, DriveFile, Energies, Event, Linear, Mechanism, Motion, MotionError,
-    SingleMuscle, StepFigures, Subject, Target, Tolerance, parse_drive, run, size, with_value,
+    Names, SingleMuscle, StepFigures, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run,
+    size, with_value,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -30,6 +30,9 @@ pub struct MotionRequest {
     pub drive: Option<TextFile>,
     /// The muscle file that it names, of a drive with one muscle.
     pub muscle: Option<TextFile>,
+    /// The tables that it names: its load's and its commands'.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tables: Vec<TextFile>,
     /// The joint file that it names, with its muscle files.
     #[serde(flatten)]
     pub joint: JointFields,
@@ -229,18 +232,18 @@ impl MotionRequest {
     ///
     /// # Errors
     /// [`Problem`] for a file that is none.
-    pub fn subject_of(drive: &TextFile) -> Result<Subject, Problem> {
-        Ok(parse_drive(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))?.subject)
+    pub fn names_of(drive: &TextFile) -> Result<Names, Problem> {
+        drive_names(&drive.text).map_err(|e| Problem::from(e.of(Path::new(&drive.name))))
     }
 
-    fn moved(&self, file: &DriveFile, progress: &dyn Progress) -> Result<Moved, Problem> {
+    fn moved(&self, subject: &Subject, progress: &dyn Progress) -> Result<Moved, Problem> {
         let model = Model::choose(&self.model, Purpose::Answer)?;
         let budget = progress.budget();
         let build = |muscle: &mckibben::muscle::Muscle| -> Result<Box<dyn ForceModel>, Problem> {
             model.admit(muscle, &budget)?;
             Ok(model.build(muscle)?)
         };
-        match &file.subject {
+        match subject {
             Subject::Muscle(_) => {
                 let muscle = MuscleFields { muscle: self.muscle.clone(), ..MuscleFields::default() };
                 if self.muscle.is_none() {
@@ -263,7 +266,13 @@ impl MotionRequest {
 /// [`Problem`].
 pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer, Problem> {
     let text = request.drive.as_ref().ok_or_else(|| Problem::missing("drive", "a drive file (TOML)"))?;
-    let read = |text_of: &str| parse_drive(text_of).map_err(|e| Problem::from(e.of(Path::new(&text.name))));
+    let moved = request.moved(&MotionRequest::names_of(text)?.subject, progress)?;
+    let tables = Tables {
+        texts: request.tables.iter().map(|t| (t.name.clone(), t.text.clone())).collect(),
+        rest_length_mm: moved.models.first().map_or(0.0, |m| m.muscle().length_mm()),
+    };
+    let read =
+        |text_of: &str| parse_drive(text_of, &tables).map_err(|e| Problem::from(e.of(Path::new(&text.name))));
     let files: Vec<(Option<String>, DriveFile)> = match &request.sweep {
         None => vec![(None, read(&text.text)?)],
         Some(sweep) if sweep.values.is_empty() || sweep.values.len() > MOST_RUNS => {
@@ -279,8 +288,6 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
             sweep.values.iter().map(one).collect::<Result<_, Problem>>()?
         }
     };
-    let Some((_, first)) = files.first() else { return Err(Problem::missing("drive", "a drive file")) };
-    let moved = request.moved(first, progress)?;
     let mut sized = None;
     let mut runs = vec![];
     for (i, (value, file)) in files.iter().enumerate() {
@@ -318,12 +325,10 @@ impl Moved {
     ) -> Result<(Motion, Option<f64>, Option<f64>), Problem> {
         let single = match (&self.joint, self.models.first()) {
             (None, Some(model)) => {
-                let text = file.load.as_deref().ok_or_else(|| {
+                let load = file.load.clone().ok_or_else(|| {
                     let hint = "such as mass = \"10 kg\" in [load]";
                     Problem::new(ProblemKind::File, "the drive has no [load], and nothing that moves", hint)
                 })?;
-                let load = Load::parse(text, &|_| None)
-                    .map_err(|e| Problem::new(ProblemKind::File, format!("load.line: {e}"), ""))?;
                 let (damping_n_s_per_m, stops_mm) = (file.damping_n_s_per_m, file.stops_mm);
                 Some(SingleMuscle { damping_n_s_per_m, stops_mm, ..SingleMuscle::new(&**model, load) })
             }

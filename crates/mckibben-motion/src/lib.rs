@@ -60,7 +60,7 @@ pub use drive::{Actuated, Actuator, Drive, Supply, Target, Tolerance};
 pub use equilibrium::{Equilibrium, equilibrium};
 pub use error::MotionError;
 pub use events::{Event, EventKind};
-pub use file::{DriveFile, Subject, parse_drive, with_value};
+pub use file::{DriveFile, Names, Subject, Tables, drive_names, parse_drive, with_value};
 pub use friction::Dahl;
 pub use hose::Hose;
 pub use linear::{FrequencyPoint, Linear};

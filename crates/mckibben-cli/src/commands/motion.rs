@@ -55,7 +55,10 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     let drive = files::text(&args.file)?;
     let beside = args.file.parent().unwrap_or(Path::new(""));
     let (mut muscle, mut fields) = (None, Default::default());
-    match MotionRequest::subject_of(&drive)? {
+    let names = MotionRequest::names_of(&drive)?;
+    let table = |name: String| files::text(&beside.join(&name)).map(|file| TextFile { name, ..file });
+    let tables = names.tables.into_iter().map(table).collect::<Result<_, _>>()?;
+    match names.subject {
         Subject::Muscle(name) => {
             let file = files::text(&beside.join(&name))?;
             muscle = Some(TextFile { name, ..file });
@@ -79,6 +82,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     let request = MotionRequest {
         drive: Some(drive),
         muscle,
+        tables,
         joint: fields,
         model: args.model.fields()?,
         sweep: sweep.transpose()?,

@@ -79,3 +79,56 @@ fn what_does_not_move_is_an_error_with_its_words() {
     let ran = mckibben("motion examples/drive.toml --model paper --format json");
     assert_eq!((ran.code, ran.error()["kind"].as_str()), (2, Some("file")), "{ran:?}");
 }
+
+/// A drive beside the prototype's file, with a line of its load and of its command.
+fn drive(dir: &std::path::Path, line: &str, command: &str) -> String {
+    let muscle = root().join("examples/prototype.toml").display().to_string();
+    let text = format!(
+        "muscle = '{muscle}'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n[load]\nmass = '5 kg'\nline = '{line}'\ndamping = '300 N s/m'\n\
+         stops = '0..100 mm'\n[command]\npressure = '{command}'\nuntil = '1 s'\n"
+    );
+    let path = dir.join("drive.toml");
+    std::fs::write(&path, text).unwrap();
+    path.display().to_string()
+}
+
+#[test]
+fn tables_of_a_drive_are_what_they_hold() {
+    let dir = folder();
+    std::fs::write(dir.path().join("load.csv"), "Weg [mm];Kraft [N]\n-50;0\n0;0\n200;400\n").unwrap();
+    std::fs::write(dir.path().join("command.csv"), "t [ms],p [bar]\n0,0\n500,3\n").unwrap();
+    let end = |line: &str, command: &str| {
+        let path = drive(dir.path(), line, command);
+        let found = json(&format!("motion {path} --model universal"));
+        let list = found["series"]["contraction"].as_array().unwrap();
+        list.last().unwrap().as_f64().unwrap()
+    };
+    let spoken = end("spring:2N/mm", "ramp 0..3 bar in 0.5 s");
+    let tables = end("table:load.csv", "table:command.csv");
+    assert!((spoken - tables).abs() < 1e-7 && spoken > 0.1, "{spoken} {tables}");
+}
+
+#[test]
+fn tables_that_are_none_are_refused_with_their_place() {
+    let dir = folder();
+    for (name, text) in [
+        ("nan.csv", "t [s],p [bar]\n0,0\n0.5,NaN\n"),
+        ("back.csv", "t [s],p [bar]\n0,0\n0.5,1\n0.3,2\n"),
+        ("length.csv", "t [s],x [mm]\n0,0\n0.5,1\n"),
+    ] {
+        std::fs::write(dir.path().join(name), text).unwrap();
+    }
+    for (command, words) in [
+        ("table:none.csv", "none.csv: cannot be read"),
+        ("table:nan.csv", "line 3"),
+        ("table:back.csv", "must grow"),
+        ("table:length.csv", "pressure_mpa"),
+    ] {
+        let path = drive(dir.path(), "spring:2N/mm", command);
+        let ran = mckibben(&format!("motion {path} --model universal"));
+        assert!(ran.code == 2 && ran.err.contains(words), "{command}: {}", ran.err);
+    }
+    let path = drive(dir.path(), "spring:2kg", "3 bar");
+    let ran = mckibben(&format!("motion {path} --model universal"));
+    assert!(ran.code == 2 && ran.err.contains("drive.toml:6") && ran.err.contains("spring"), "{}", ran.err);
+}

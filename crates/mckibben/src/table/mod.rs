@@ -11,6 +11,7 @@ mod error;
 mod find;
 mod heading;
 mod number;
+mod over_time;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -20,6 +21,7 @@ mod vocabulary;
 
 pub use columns::{Columns, ColumnsError};
 pub use error::TableError;
+pub use over_time::{OverTime, read_over_time};
 pub use text::{MAX_BYTES, read_text};
 pub use understood::{Understood, UnderstoodColumn};
 

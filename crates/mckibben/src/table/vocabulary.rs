@@ -25,6 +25,9 @@ pub(crate) enum Meaning {
     OuterDiameter,
     Wall,
     Angle,
+    Time,
+    Opening,
+    JointAngle,
     Mode,
     Stretch,
     Strain,
@@ -151,6 +154,130 @@ const FORCE: &[&str] = &[
 const WAY: [&str; 8] =
     ["displacement", "delta_l", "dl", "δl", "weg", "deplacement", "desplazamiento", "spostamento"];
 
+/// Pressures, in every kind of tables that has them.
+const PRESSURE: Entry = of(
+    Meaning::Pressure,
+    "pressure",
+    Some(Dimension::Pressure),
+    &["pressure_mpa", "pressure_kpa", "pressure_bar"],
+    &[
+        "pressure",
+        "p",
+        "press",
+        "overpressure",
+        "air_pressure",
+        "supply_pressure",
+        "input_pressure",
+        "druck",
+        "uberdruck",
+        "ueberdruck",
+        "luftdruck",
+        "innendruck",
+        "muskeldruck",
+        "relativdruck",
+        "pression",
+        "pression_relative",
+        "pression_d_air",
+        "presion",
+        "presion_manometrica",
+        "presion_relativa",
+        "presion_de_aire",
+        "pressione",
+    ],
+);
+
+/// Contractions, likewise.
+const CONTRACTION: Entry = or(
+    (Meaning::Contraction, Meaning::Shortening),
+    "contraction",
+    Dimension::Ratio,
+    &["contraction", "contraction_percent"],
+    &[
+        "contraction_ratio",
+        "contraction_rate",
+        "contraction_strain",
+        "relative_contraction",
+        "strain",
+        "epsilon",
+        "eps",
+        "ε",
+        "dl_l0",
+        "δl_l0",
+        "dl_l",
+        "δl_l",
+        "kontraktion",
+        "kontraktionsgrad",
+        "kontraktionsrate",
+        "relative_verkurzung",
+        "taux_de_contraction",
+        "contraction_relative",
+        "contraccion",
+        "contrazione",
+    ],
+);
+
+const fn over_time(needed: &'static [Need]) -> Vocabulary {
+    Vocabulary { what: "a command", needed, entries: OVER_TIME }
+}
+
+const TIMES: Need = Need { wanted: "times", any_of: &[Meaning::Time], names: "time_s or Time [ms]" };
+
+const OVER_TIME: &[Entry] = &[
+    of(
+        Meaning::Time,
+        "time",
+        Some(Dimension::Time),
+        &["time_s"],
+        &["time", "t", "zeit", "temps", "tiempo", "tempo"],
+    ),
+    PRESSURE,
+    CONTRACTION,
+    of(
+        Meaning::Opening,
+        "opening",
+        Some(Dimension::Ratio),
+        &["opening"],
+        &["valve", "valve_opening", "u", "ventil", "offnung", "ouverture", "apertura"],
+    ),
+    of(
+        Meaning::JointAngle,
+        "angle",
+        Some(Dimension::Angle),
+        &["angle_deg"],
+        &["angle", "joint_angle", "phi", "φ", "winkel", "gelenkwinkel", "angulo"],
+    ),
+];
+
+/// Pressures over time.
+pub(crate) const PRESSURES: Vocabulary = over_time(&[
+    TIMES,
+    Need {
+        wanted: "pressures",
+        any_of: &[Meaning::Pressure],
+        names: "pressure_mpa, pressure_bar or Pressure [psi]",
+    },
+]);
+
+/// Openings of a valve over time.
+pub(crate) const OPENINGS: Vocabulary =
+    over_time(&[TIMES, Need { wanted: "openings", any_of: &[Meaning::Opening], names: "opening (-1 to 1)" }]);
+
+/// Contractions over time.
+pub(crate) const CONTRACTIONS: Vocabulary = over_time(&[
+    TIMES,
+    Need {
+        wanted: "contractions",
+        any_of: &[Meaning::Contraction],
+        names: "contraction or contraction_percent",
+    },
+]);
+
+/// Angles of a joint over time.
+pub(crate) const ANGLES: Vocabulary = over_time(&[
+    TIMES,
+    Need { wanted: "angles", any_of: &[Meaning::JointAngle], names: "angle_deg or Angle [rad]" },
+]);
+
 /// A load over the shortening of the muscle that meets it.
 pub(crate) const LOADS: Vocabulary = Vocabulary {
     what: "a load",
@@ -182,64 +309,8 @@ pub(crate) const POINTS: Vocabulary = Vocabulary {
         Need { wanted: "forces", any_of: &[Meaning::Force], names: "force_n, Force [kN] or Force [lbf]" },
     ],
     entries: &[
-        of(
-            Meaning::Pressure,
-            "pressure",
-            Some(Dimension::Pressure),
-            &["pressure_mpa", "pressure_kpa", "pressure_bar"],
-            &[
-                "pressure",
-                "p",
-                "press",
-                "overpressure",
-                "air_pressure",
-                "supply_pressure",
-                "input_pressure",
-                "druck",
-                "uberdruck",
-                "ueberdruck",
-                "luftdruck",
-                "innendruck",
-                "muskeldruck",
-                "relativdruck",
-                "pression",
-                "pression_relative",
-                "pression_d_air",
-                "presion",
-                "presion_manometrica",
-                "presion_relativa",
-                "presion_de_aire",
-                "pressione",
-            ],
-        ),
-        or(
-            (Meaning::Contraction, Meaning::Shortening),
-            "contraction",
-            Dimension::Ratio,
-            &["contraction", "contraction_percent"],
-            &[
-                "contraction_ratio",
-                "contraction_rate",
-                "contraction_strain",
-                "relative_contraction",
-                "strain",
-                "epsilon",
-                "eps",
-                "ε",
-                "dl_l0",
-                "δl_l0",
-                "dl_l",
-                "δl_l",
-                "kontraktion",
-                "kontraktionsgrad",
-                "kontraktionsrate",
-                "relative_verkurzung",
-                "taux_de_contraction",
-                "contraction_relative",
-                "contraccion",
-                "contrazione",
-            ],
-        ),
+        PRESSURE,
+        CONTRACTION,
         or(
             (Meaning::Shortening, Meaning::Contraction),
             "shortening",
@@ -505,7 +576,7 @@ mod tests {
 
     #[test]
     fn words_are_plain_and_mean_one_thing() {
-        for vocabulary in [POINTS, TESTS] {
+        for vocabulary in [POINTS, TESTS, PRESSURES] {
             let mut seen: Vec<&str> = vec![];
             for entry in vocabulary.entries {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));

@@ -1,0 +1,326 @@
+//! Drive files: TOML in the muscle file's manner.
+
+mod command;
+mod valve;
+
+use crate::air::Air;
+use crate::drive::{Actuator, Supply, Target};
+use crate::error::MotionError;
+use crate::viscoelastic::{Branch, Prony};
+use mckibben::load::{Load, read_load};
+use mckibben::muscle::file::{FileError, Problem, Section, Source};
+use mckibben::units::{Dimension, Values};
+use std::collections::BTreeMap;
+
+/// What moves: its file, relative to the drive file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Subject {
+    /// A muscle file.
+    Muscle(String),
+    /// A joint file.
+    Joint(String),
+}
+
+/// What a drive file names beside its muscle or joint.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tables {
+    /// The text of every table (`table:NAME`) by its name.
+    pub texts: BTreeMap<String, String>,
+    /// L0 of the muscle in mm, for a load over contractions.
+    pub rest_length_mm: f64,
+}
+
+/// The files that a drive file names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Names {
+    /// What moves.
+    pub subject: Subject,
+    /// Tables of its load and its commands.
+    pub tables: Vec<String>,
+}
+
+/// A drive file: everything but the muscle or joint itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DriveFile {
+    /// What moves.
+    pub subject: Subject,
+    /// Where the air comes from.
+    pub supply: Supply,
+    /// What gives each muscle its air.
+    pub actuator: Actuator,
+    /// Its air.
+    pub air: Air,
+    /// The load of a muscle.
+    pub load: Option<Load>,
+    /// Damper of a muscle's load in N s/m.
+    pub damping_n_s_per_m: f64,
+    /// Stops of a muscle's load: shortenings in mm.
+    pub stops_mm: (f64, f64),
+    /// Presliding length of the braid's friction in mm.
+    pub presliding_mm: f64,
+    /// Viscoelasticity of the rubber.
+    pub rubber: Prony,
+    /// What is commanded.
+    pub target: Target,
+    /// The end in s.
+    pub until_s: f64,
+    /// Time between two points of the series in s; a thousandth of the run where it is not said.
+    pub output_step_s: f64,
+}
+
+const TOP: &[&str] = &[
+    "muscle",
+    "joint",
+    "supply",
+    "valve",
+    "regulator",
+    "air",
+    "load",
+    "friction",
+    "rubber",
+    "command",
+    "controller",
+    "name",
+    "notes",
+];
+const SUPPLY: &[&str] = &["pressure", "temperature"];
+const LOAD: &[&str] = &["mass", "level", "line", "damping", "stops"];
+/// Presliding length in mm where none is said.
+const PRESLIDING_MM: f64 = 0.5;
+
+/// Reads the text of a drive file.
+///
+/// ```
+/// use mckibben::load::Load;
+/// use mckibben_motion::{parse_drive, Subject, Tables};
+/// let drive = parse_drive(
+///     "muscle = 'muscle.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\ncritical_ratio = 0.3\n\
+///      [load]\nmass = '10 kg'\n[command]\npressure = [['0 s', '0 bar'], ['0.1 s', '3 bar']]\nuntil = '1 s'\n",
+///     &Tables::default(),
+/// )?;
+/// assert_eq!(drive.subject, Subject::Muscle("muscle.toml".into()));
+/// assert_eq!(drive.load, Some(Load::Mass { mass_kg: 10.0, level: false }));
+/// # Ok::<(), mckibben::muscle::file::FileError>(())
+/// ```
+///
+/// # Errors
+/// [`FileError`] with line, column, key, what stood there and what is expected.
+pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> {
+    let source = Source::parse(text)?;
+    let root = source.root();
+    root.only(TOP, TOP)?;
+    for key in ["name", "notes"] {
+        root.text(key, "a text in quotes")?;
+    }
+    let subject = subject(&root)?;
+    let about_joint = matches!(subject, Subject::Joint(_));
+    let supply = supply(&root.section("supply", "supply")?)?;
+    let actuator = valve::actuator(&root)?;
+    let air = valve::air(&root.section("air", "air")?, supply.temperature_k)?;
+    let load = root.section("load", "load")?;
+    load.only(LOAD, LOAD)?;
+    if about_joint && load.is_written() {
+        return Err(said(&root, "load", "a joint carries its load in its own file ([link], [spring])"));
+    }
+    let friction = root.section("friction", "friction")?;
+    friction.only(&["presliding"], &["friction.presliding"])?;
+    let rubber = root.section("rubber", "rubber")?;
+    rubber.only(&["prony"], &["rubber.prony"])?;
+    let expected = "pairs of a share and a time, as in [[0.1, \"50 ms\"]]";
+    let prony = rubber.pairs("prony", (None, Some(Dimension::Time)), expected)?.unwrap_or_default();
+    let command = root.section("command", "command")?;
+    command.only(command::KEYS, command::KEYS)?;
+    let until_s = above(&command, "until", Dimension::Time)?
+        .ok_or_else(|| command.missing("until", None, "the end of the run, such as \"5 s\""))?;
+    let output_step_s = above(&command, "output_step", Dimension::Time)?.unwrap_or(until_s / 1000.0);
+    let target = command::target(&command, &root.section("controller", "controller")?, about_joint, tables)?;
+    Ok(DriveFile {
+        subject,
+        supply,
+        actuator,
+        air,
+        load: line(&load, tables)?,
+        damping_n_s_per_m: load.quantity("damping", Dimension::Damping)?.unwrap_or(0.0),
+        stops_mm: stops(&load)?,
+        presliding_mm: above(&friction, "presliding", Dimension::Length)?.unwrap_or(PRESLIDING_MM),
+        rubber: Prony(
+            prony.into_iter().map(|(share, time_constant_s)| Branch { share, time_constant_s }).collect(),
+        ),
+        target,
+        until_s,
+        output_step_s,
+    })
+}
+
+/// The files that a drive file names, before they are there.
+///
+/// # Errors
+/// [`FileError`] for a text that is no TOML, or moves nothing.
+pub fn drive_names(text: &str) -> Result<Names, FileError> {
+    let source = Source::parse(text)?;
+    let root = source.root();
+    let mut tables = vec![];
+    let load = root.section("load", "load")?;
+    if let Some(line) = load.text("line", LINE)? {
+        tables.extend(Load::tables(line).map(str::to_owned));
+    }
+    tables.extend(command::tables(&root.section("command", "command")?)?);
+    Ok(Names { subject: subject(&root)?, tables })
+}
+
+fn subject(root: &Section<'_>) -> Result<Subject, FileError> {
+    let expected = "the path of a file, in quotes";
+    match (root.text("muscle", expected)?, root.text("joint", expected)?) {
+        (Some(muscle), None) => Ok(Subject::Muscle(muscle.into())),
+        (None, Some(joint)) => Ok(Subject::Joint(joint.into())),
+        (Some(_), Some(_)) => {
+            Err(said(root, "joint", "stands beside a muscle: a drive moves one or the other"))
+        }
+        (None, None) => Err(root.missing("muscle", None, "what moves: a muscle or a joint")),
+    }
+}
+
+/// The text of a drive file with another value at a dotted key: a number, `true` or `false`, or else a text.
+///
+/// # Errors
+/// [`FileError`] for a text that is no TOML, or a key whose parents are no tables.
+pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileError> {
+    // Errors of syntax with their places.
+    let source = Source::parse(text)?;
+    let wrong = |what: &str| source.error(dotted, Problem::Said(what.into()));
+    let mut document: toml_edit::DocumentMut = text.parse().map_err(|_| wrong("stands in no TOML"))?;
+    let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
+    let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
+    for part in parents.split('.').filter(|p| !p.is_empty()) {
+        let item = table.entry(part).or_insert_with(toml_edit::table);
+        table = item.as_table_like_mut().ok_or_else(|| wrong("is no key of a table"))?;
+    }
+    let item = match (value.parse::<f64>(), value.parse::<bool>()) {
+        (Ok(number), _) if number.is_finite() => toml_edit::value(number),
+        (_, Ok(yes)) => toml_edit::value(yes),
+        _ => toml_edit::value(value),
+    };
+    table.insert(last, item);
+    Ok(document.to_string())
+}
+
+fn said(section: &Section<'_>, key: &str, text: impl Into<String>) -> FileError {
+    section.error(key, Problem::Said(text.into()))
+}
+
+/// A quantity above zero.
+fn above(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Option<f64>, FileError> {
+    match section.quantity(key, dimension)? {
+        Some(value) if value <= 0.0 => Err(said(section, key, "must be above zero")),
+        value => Ok(value),
+    }
+}
+
+/// What the crate itself says of a number, at its key.
+fn at<T>(section: &Section<'_>, key: &str, result: Result<T, MotionError>) -> Result<T, FileError> {
+    result.map_err(|error| said(section, key, format!("makes no sense: {error}")))
+}
+
+fn supply(section: &Section<'_>) -> Result<Supply, FileError> {
+    section.only(SUPPLY, SUPPLY)?;
+    let default = Supply::default();
+    let celsius = section.quantity("temperature", Dimension::Temperature)?;
+    if celsius.is_some_and(|t| t <= -273.15) {
+        return Err(said(section, "temperature", "must be above absolute zero"));
+    }
+    Ok(Supply {
+        pressure_mpa: above(section, "pressure", Dimension::Pressure)?.unwrap_or(default.pressure_mpa),
+        temperature_k: celsius.map_or(default.temperature_k, |t| t + 273.15),
+    })
+}
+
+const LINE: &str = "a load in quotes, such as \"spring:12N/mm@50N\"";
+
+/// Mass and line as one load.
+fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileError> {
+    let level = section.boolean("level")? == Some(true);
+    let mass = above(section, "mass", Dimension::Mass)?.map(|mass_kg| Load::Mass { mass_kg, level });
+    let Some(text) = section.text("line", LINE)? else { return Ok(mass) };
+    let mut read = BTreeMap::new();
+    for name in Load::tables(text) {
+        let Some(table) = tables.texts.get(name) else { continue };
+        let table = read_load(table.as_bytes(), tables.rest_length_mm)
+            .map_err(|error| said(section, "line", format!("is no load: {name}: {error}")))?;
+        read.insert(name, table);
+    }
+    let line = Load::parse(text, &|name| read.get(name).cloned())
+        .map_err(|error| said(section, "line", format!("is no load: {error}")))?;
+    Ok(Some(match mass {
+        Some(mass) => Load::Sum(vec![mass, line]),
+        None => line,
+    }))
+}
+
+fn stops(section: &Section<'_>) -> Result<(f64, f64), FileError> {
+    match section.values("stops", Dimension::Length, "")? {
+        None => Ok((f64::NEG_INFINITY, f64::INFINITY)),
+        Some((Values::Interval(low, high), _)) => Ok((low, high)),
+        Some(_) => Err(said(section, "stops", "must be two shortenings, as in \"0..80 mm\"")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::air::Heat;
+    use crate::command::Command;
+    use crate::valve::Orifice;
+
+    const HEAD: &str = "muscle = 'm.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n";
+    const TAIL: &str = "[command]\npressure = '3 bar'\nuntil = '1 s'\n";
+
+    #[test]
+    fn the_file_of_the_contract_is_read() {
+        let drive = parse_drive(
+            "muscle = \"muscle.toml\"\n[supply]\npressure = \"6 bar\"\ntemperature = \"20 degC\"\n\
+             [valve]\nsonic_conductance = \"0.5 L/(s bar)\"\ncritical_ratio = 0.3\n\
+             [air]\ndead_volume = \"10 cm3\"\nheat = \"25 W/(m2 K)\"\n\
+             [load]\nmass = \"10 kg\"\ndamping = \"400 N s/m\"\nstops = \"-5..80 mm\"\n\
+             [command]\npressure = [[\"0 s\", \"0 bar\"], [\"0.1 s\", \"3 bar\"]]\nuntil = \"5 s\"\n",
+            &Tables::default(),
+        )
+        .unwrap();
+        assert_eq!(drive.supply, Supply { pressure_mpa: 0.6, temperature_k: 293.15 });
+        let Actuator::Valve(valve) = drive.actuator else { panic!() };
+        assert_eq!(valve.supply, Orifice::new(0.5, 0.3).unwrap());
+        assert_eq!((drive.air.heat, drive.air.dead_volume_mm3), (Heat::Transfer(25.0), 1e4));
+        assert_eq!((drive.damping_n_s_per_m, drive.stops_mm), (400.0, (-5.0, 80.0)));
+        assert_eq!(drive.target, Target::Pressure(vec![Command::Steps(vec![(0.0, 0.0), (0.1, 0.3)])]));
+        assert_eq!((drive.until_s, drive.output_step_s), (5.0, 0.005));
+    }
+
+    #[test]
+    fn files_say_where_they_are_wrong() {
+        for (text, words) in [
+            (format!("[valve]\nname = 'x'\n{TAIL}"), "muscle"),
+            (format!("muscle = 'm.toml'\n{TAIL}"), "[regulator]"),
+            (format!("{HEAD}[regulator]\ntime_constant = '20 ms'\n{TAIL}"), "beside a valve"),
+            (format!("muscle = 'm.toml'\n[valve]\nsonic_conductance = '0 L/(s bar)'\n{TAIL}"), "above zero"),
+            (format!("muscle = 'm.toml'\n[valve]\nname = 'festo-mh3'\n{TAIL}"), "festo-mh2"),
+            (format!("{HEAD}critical_ratio = 1.5\n{TAIL}"), "critical"),
+            (format!("{HEAD}[air]\nheat = 'warm'\n{TAIL}"), "isothermal"),
+            (format!("{HEAD}[command]\npressure = '3 bar'\n"), "until"),
+            (format!("{HEAD}[command]\nuntil = '1 s'\n"), "what is commanded"),
+            (
+                format!("{HEAD}[command]\npressure = [['1 s', '1 bar'], ['0 s', '2 bar']]\nuntil = '1 s'\n"),
+                "must grow",
+            ),
+            (format!("{HEAD}[command]\npressure = [['1 s']]\nuntil = '1 s'\n"), "pairs"),
+            (format!("{HEAD}[command]\npressure = 'NaN bar'\nuntil = '1 s'\n"), "command"),
+            (format!("{HEAD}[supply]\ntemperature = '-300 degC'\n{TAIL}"), "absolute zero"),
+            (format!("{HEAD}hose_length = '1 m'\n{TAIL}"), "hose_diameter"),
+            (format!("{HEAD}[command]\nposition = '10%'\nuntil = '1 s'\n"), "proportional"),
+            ("joint = 'j.toml'\n[valve]\nname = 'festo-mh2'\n[load]\nmass = '1 kg'\n".into(), "own file"),
+        ] {
+            let error = parse_drive(&text, &Tables::default())
+                .map(|_| String::new())
+                .unwrap_or_else(|e| e.to_string());
+            assert!(error.contains(words), "{text}: {error}");
+        }
+    }
+}

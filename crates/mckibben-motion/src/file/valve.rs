@@ -1,0 +1,123 @@
+//! [valve], [regulator] and [air].
+
+use super::{above, at, said};
+use crate::air::{Air, Heat};
+use crate::catalogue::{valve_named, valves};
+use crate::drive::Actuator;
+use crate::hose::Hose;
+use crate::valve::{Orifice, Valve, ValveKind};
+use mckibben::muscle::file::{FileError, Section};
+use mckibben::nearest::nearest;
+use mckibben::units::Dimension;
+
+const VALVE: &[&str] = &[
+    "name",
+    "kind",
+    "sonic_conductance",
+    "critical_ratio",
+    "exhaust_conductance",
+    "exhaust_critical_ratio",
+    "lag",
+    "wide_open_at",
+    "hysteresis",
+    "closed_centre",
+    "hose_length",
+    "hose_diameter",
+];
+const AIR: &[&str] = &["dead_volume", "heat", "polytropic_index"];
+/// Where the command of a pressure opens a proportional valve wide, in MPa, and half of an on–off valve's dead band.
+const WIDE_OPEN_MPA: f64 = 0.05;
+const HYSTERESIS_MPA: f64 = 0.005;
+pub(super) fn actuator(root: &Section<'_>) -> Result<Actuator, FileError> {
+    let (valve, regulator) = (root.section("valve", "valve")?, root.section("regulator", "regulator")?);
+    match (valve.is_written(), regulator.is_written()) {
+        (true, false) => Ok(Actuator::Valve(read_valve(&valve)?)),
+        (false, true) => {
+            regulator.only(&["time_constant"], &["regulator.time_constant"])?;
+            let time_constant_s = above(&regulator, "time_constant", Dimension::Time)?.ok_or_else(|| {
+                regulator.missing("time_constant", None, "how fast it follows, such as \"20 ms\"")
+            })?;
+            Ok(Actuator::Regulator { time_constant_s })
+        }
+        (true, true) => Err(said(root, "regulator", "stands beside a valve: give one of them")),
+        (false, false) => Err(root.missing("valve", None, "a [valve] or a [regulator] that gives the air")),
+    }
+}
+
+fn read_valve(section: &Section<'_>) -> Result<Valve, FileError> {
+    section.only(VALVE, VALVE)?;
+    let named = match section.text("name", "the name of a valve, in quotes")? {
+        None => None,
+        Some(name) => Some(valve_named(name).ok_or_else(|| {
+            let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
+            let near = nearest(name, all.iter().copied());
+            let near = near.map_or_else(String::new, |n| format!("did you mean {n}? "));
+            said(section, "name", format!("is no valve that is known: {near}there are {}", all.join(", ")))
+        })?),
+    };
+    let path = |c: &str, b: &str, own: Option<Orifice>| -> Result<Option<Orifice>, FileError> {
+        let conductance = above(section, c, Dimension::Conductance)?;
+        let ratio = section.number(b)?;
+        let base = own.map(|o| (o.conductance_l_per_s_bar(), o.critical_ratio()));
+        let Some(conductance) = conductance.or(base.map(|o| o.0)) else { return Ok(None) };
+        let ratio = ratio.or(base.map(|o| o.1)).unwrap_or(0.3);
+        let key = if section.has(b) { b } else { c };
+        at(section, key, Orifice::new(conductance, ratio)).map(Some)
+    };
+    let supply = path("sonic_conductance", "critical_ratio", named.map(|v| v.supply))?.ok_or_else(|| {
+        section.missing("sonic_conductance", None, "the valve's C, such as \"0.5 L/(s bar)\", or a name")
+    })?;
+    let own = named.filter(|_| !section.has("sonic_conductance")).map_or(supply, |v| v.exhaust);
+    let exhaust = path("exhaust_conductance", "exhaust_critical_ratio", Some(own))?.unwrap_or(supply);
+    let kind = match section.text("kind", "proportional or on-off, in quotes")?.unwrap_or("proportional") {
+        "proportional" => ValveKind::Proportional {
+            time_constant_s: section.quantity("lag", Dimension::Time)?.unwrap_or(0.0),
+            gain_per_mpa: 1.0 / above(section, "wide_open_at", Dimension::Pressure)?.unwrap_or(WIDE_OPEN_MPA),
+        },
+        "on-off" => ValveKind::OnOff {
+            hysteresis_mpa: above(section, "hysteresis", Dimension::Pressure)?.unwrap_or(HYSTERESIS_MPA),
+            closed_centre: section.boolean("closed_centre")?.unwrap_or(true),
+        },
+        _ => return Err(said(section, "kind", "must be \"proportional\" or \"on-off\"")),
+    };
+    let length = above(section, "hose_length", Dimension::Length)?;
+    let hose = match (above(section, "hose_diameter", Dimension::Length)?, length) {
+        (Some(d), Some(l)) => Some(at(section, "hose_length", Hose::new(d, l))?),
+        (None, None) => None,
+        (Some(_), None) => {
+            return Err(section.missing("hose_length", Some("hose_diameter"), "the hose's length"));
+        }
+        (None, Some(_)) => {
+            return Err(section.missing("hose_diameter", Some("hose_length"), "the hose's inner diameter"));
+        }
+    };
+    Ok(Valve { kind, supply, exhaust, hose })
+}
+
+pub(super) fn air(section: &Section<'_>, wall_temperature_k: f64) -> Result<Air, FileError> {
+    section.only(AIR, AIR)?;
+    let expected = "\"isothermal\", \"adiabatic\", or a coefficient such as \"25 W/(m2 K)\" or \"0.3 W/K\"";
+    let heat = match section.text("heat", expected)?.map(str::trim) {
+        None | Some("isothermal") => Heat::Isothermal,
+        Some("adiabatic") => Heat::Adiabatic,
+        Some(text) => {
+            let number = |unit: &str| text.strip_suffix(unit).and_then(|t| t.trim().parse::<f64>().ok());
+            let of_area = ["W/(m2 K)", "W/(m² K)", "W/m2/K", "W/(m^2 K)"].into_iter().find_map(number);
+            match (of_area, number("W/K")) {
+                (Some(h), _) if h >= 0.0 => Heat::Transfer(h),
+                (None, Some(h)) if h >= 0.0 => Heat::Conductance(h),
+                _ => return Err(said(section, "heat", format!("must be {expected}"))),
+            }
+        }
+    };
+    let heat = match section.number("polytropic_index")? {
+        None => heat,
+        Some(_) if section.has("heat") => {
+            return Err(said(section, "polytropic_index", "stands beside heat: give one of them"));
+        }
+        Some(n) if (1.0..=1.4).contains(&n) => Heat::Polytropic(n),
+        Some(_) => return Err(said(section, "polytropic_index", "must be from 1 to 1.4")),
+    };
+    let dead_volume_mm3 = section.quantity("dead_volume", Dimension::Volume)?.unwrap_or(0.0);
+    Ok(Air { heat, wall_temperature_k, dead_volume_mm3 })
+}
