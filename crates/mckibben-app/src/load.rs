@@ -108,6 +108,9 @@ pub struct LoadedAt {
     /// Why there is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cause: Option<String>,
+    /// The same as a value.
+    #[serde(skip)]
+    pub error: Option<LoadError>,
 }
 
 /// Equilibria of a model and a load at pressures.
@@ -125,15 +128,16 @@ pub(crate) fn loaded(
     for &pressure_mpa in pressures_mpa {
         let found = balances(model, workspace, &load, pressure_mpa, options);
         workspace.budget().ended()?;
-        let (found, cause) = match found {
+        let (found, error) = match found {
             Ok(found) => (found, None),
-            Err(error) => (vec![], Some(error.to_string())),
+            Err(error) => (vec![], Some(error)),
         };
         stable.push((pressure_mpa, found.iter().find(|b| b.stable).cloned()));
         at.push(LoadedAt {
             pressure_mpa,
             equilibria: found.into_iter().map(Equilibrium::from).collect(),
-            cause,
+            cause: error.as_ref().map(LoadError::to_string),
+            error,
         });
     }
     let least = stable.iter().min_by(|a, b| a.0.total_cmp(&b.0));

@@ -357,7 +357,7 @@ impl Moved {
             ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
         };
         let bandwidth = match &drive.target {
-            Target::Pressure(list) if list.len() == 1 => {
+            Target::Pressure(list) if !list.is_empty() => {
                 let most = list.iter().map(|c| Command::Constant(c.bounds().1)).collect();
                 let held = Drive { target: Target::Pressure(most), ..drive.clone() };
                 Linear::new(&held).ok().and_then(|l| l.bandwidth_hz())

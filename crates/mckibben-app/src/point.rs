@@ -8,7 +8,6 @@ use crate::problem::{Problem, ProblemKind};
 use crate::question::Question;
 use mckibben::analysis::source_of;
 use mckibben::answer::{self, Answer, Options};
-use mckibben::load::balances;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
@@ -153,17 +152,15 @@ pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Res
         let message = "`force_n` and `load` exclude one another: give the load, or the pull";
         return Err(Problem::new(ProblemKind::Usage, message, "`load` takes `force:300N` as well"));
     }
-    let load = request.load.resolve(question.muscle.length_mm())?;
     let mut said: Option<LoadAnswer> = None;
     let mut answer = answered(question, request.both, |model, workspace, options| {
-        // What is wrong is told once, by the first that asks.
-        if let Some(load) = &load {
-            balances(model, workspace, load, pressure_mpa, options)?;
-        }
         let found = loaded(&request.load, model, workspace, &[pressure_mpa], options)?;
+        if let Some(error) = found.iter().flat_map(|f| &f.at).find_map(|at| at.error.clone()) {
+            return Err(error.into());
+        }
         let list = found.iter().flat_map(|f| &f.at).flat_map(|at| &at.equilibria);
         let best = list.clone().find(|e| e.stable).or(list.clone().next()).map(|e| e.answer.clone());
-        said = said.take().or(found.clone());
+        said = said.take().or(found);
         best.ok_or_else(|| Problem::new(ProblemKind::NoAnswer, "there is no equilibrium with the load", ""))
     })?;
     answer.loaded = said;

@@ -32,17 +32,6 @@ pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibri
     at_pressures(drive, &members, pressures_mpa)
 }
 
-/// What a model's refusal is at time zero.
-fn refusal(error: ModelError, muscle: usize, pressure_mpa: f64, contraction: f64) -> MotionError {
-    match error {
-        ModelError::Exceeded(e) => MotionError::Exceeded(e),
-        error => {
-            let error = Box::new(error);
-            MotionError::Model { time_s: 0.0, muscle: muscle + 1, pressure_mpa, contraction, error }
-        }
-    }
-}
-
 /// Static net force at q: pulls less load. A muscle that would have to push is slack, also where its model has no answer for it.
 pub(crate) fn net(
     drive: &Drive<'_>,
@@ -57,7 +46,7 @@ pub(crate) fn net(
             Ok(answer) => answer.force_n,
             Err(ModelError::Exceeded(e)) => return Err(e.into()),
             Err(_) if member.hanging(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
-            Err(error) => return Err(refusal(error, i, *p, lever.contraction)),
+            Err(error) => return Err(MotionError::model(error, 0.0, i, *p, lever.contraction)),
         };
         sum += force.max(0.0) * member.length_mm * lever.per_coordinate;
     }

@@ -156,6 +156,22 @@ pub enum MotionError {
 }
 
 impl MotionError {
+    /// A model's refusal at a time, of a muscle counted from 0.
+    pub(crate) fn model(
+        error: ModelError,
+        time_s: f64,
+        muscle: usize,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Self {
+        match error {
+            ModelError::Exceeded(exceeded) => Self::Exceeded(exceeded),
+            error => {
+                Self::Model { time_s, muscle: muscle + 1, pressure_mpa, contraction, error: Box::new(error) }
+            }
+        }
+    }
+
     pub(crate) fn positive(what: &'static str, value: f64) -> Result<(), Self> {
         let ok = value.is_finite() && value > 0.0;
         if ok { Ok(()) } else { Err(Self::Value { what, must: "above zero".into(), value }) }

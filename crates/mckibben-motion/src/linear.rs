@@ -8,7 +8,8 @@ use mckibben::budget::Budget;
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// ẏ = A y + B u about the equilibrium at the first command; u is added to every command, the output is the position.
+/// ẏ = A y + B u about the equilibrium at the first command; the output is the position. u is added to the commands: of two muscles
+/// against each other u to that of the first, −u to that of the second.
 ///
 /// Central differences of the right-hand side: also across the kink of a valve that is closed there, whose two sides it averages.
 /// The air's mass is a state without effect on the others where the law is isothermal: an eigenvalue 0.

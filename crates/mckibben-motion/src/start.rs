@@ -38,10 +38,7 @@ impl System<'_> {
         for (i, (((member, slot), muscle), mode)) in parts.enumerate() {
             let p = start.pressures_mpa.get(i).copied().unwrap_or(0.0);
             let contraction = drive.mechanism.lever(i, start.coordinate).contraction;
-            let refused = |error| {
-                let error = Box::new(error);
-                MotionError::Model { time_s: 0.0, muscle: i + 1, pressure_mpa: p, contraction, error }
-            };
+            let refused = |error| MotionError::model(error, 0.0, i, p, contraction);
             let answer = member.answer(p, contraction);
             mode.slack = match &answer {
                 Ok(a) => a.force_n < -1e-6,

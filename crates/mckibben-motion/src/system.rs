@@ -8,7 +8,6 @@ use crate::integrate::Equations;
 use crate::member::{Answer, Hanging, Member, Stand};
 use crate::valve::ValveKind;
 use mckibben::budget::Budget;
-use mckibben::model::ModelError;
 use std::cell::{Cell, RefCell};
 use std::ops::Range;
 
@@ -145,7 +144,7 @@ pub(crate) struct System<'a> {
     pub within: Cell<f64>,
     pub failed: RefCell<Option<MotionError>>,
     pub evaluations: Cell<usize>,
-    /// Added to every command, for the linear system.
+    /// Added to the commands, for the linear system: to those of muscles that turn a joint to −, the negative.
     pub offset: Cell<f64>,
 }
 
@@ -249,7 +248,7 @@ impl<'a> System<'a> {
             let lever = mechanism.lever(i, q);
             let absolute = at(slot.pressure);
             let gauge = absolute - ATMOSPHERE_MPA;
-            let failed = |error| self.refused(t, i, gauge, lever.contraction, error);
+            let failed = |error| MotionError::model(error, t, i, gauge, lever.contraction);
             let speed = member.length_mm * lever.per_coordinate * v;
             let (cavity_at, answer, beyond, swept, stretch) = if mode.slack {
                 let h = member.hanging(gauge).map_err(failed)?;
@@ -348,7 +347,7 @@ impl<'a> System<'a> {
                 let p = at(y, slot.pressure) - ATMOSPHERE_MPA;
                 let lever = self.drive.mechanism.lever(i, at(y, 0));
                 let e = lever.contraction;
-                let failed = |error| self.refused(t, i, p, e, error);
+                let failed = |error| MotionError::model(error, t, i, p, e);
                 let (p_rate, e_rate) = (at(&rates, slot.pressure), lever.per_coordinate * at(&rates, 0));
                 let h = if mode.slack {
                     member.hanging(p).map_err(failed)?
@@ -371,23 +370,6 @@ impl<'a> System<'a> {
             .collect()
     }
 
-    fn refused(
-        &self,
-        t: f64,
-        muscle: usize,
-        pressure_mpa: f64,
-        contraction: f64,
-        error: ModelError,
-    ) -> MotionError {
-        match error {
-            ModelError::Exceeded(e) => MotionError::Exceeded(e),
-            error => {
-                let (error, muscle) = (Box::new(error), muscle + 1);
-                MotionError::Model { time_s: t, muscle, pressure_mpa, contraction, error }
-            }
-        }
-    }
-
     /// (u, İ, ẏ_f) of the controller.
     fn control(&self, t: f64, q: f64, at: &dyn Fn(usize) -> f64) -> Option<(f64, f64, f64)> {
         let Target::Position { command, pid } = &self.drive.target else { return None };
@@ -404,11 +386,10 @@ impl<'a> System<'a> {
     /// The command of a muscle: a pressure in MPa, or else an opening.
     pub fn command(&self, t: f64, muscle: usize, control: Option<(f64, f64, f64)>) -> (f64, bool) {
         match &self.drive.target {
-            Target::Pressure(c) => (self.value(c.get(muscle), t), true),
-            Target::Opening(c) => (self.value(c.get(muscle), t), false),
+            Target::Pressure(c) => (self.value(c.get(muscle), t, muscle), true),
+            Target::Opening(c) => (self.value(c.get(muscle), t, muscle), false),
             Target::Position { pid, .. } => {
-                let lever = self.drive.mechanism.lever(muscle, 0.0).per_coordinate;
-                let u = control.map_or(0.0, |c| c.0) * lever.signum();
+                let u = control.map_or(0.0, |c| c.0) * self.turns(muscle);
                 match pid.output {
                     PidOutput::Opening => (u, false),
                     PidOutput::Pressure { bias_mpa } => {
@@ -419,8 +400,14 @@ impl<'a> System<'a> {
         }
     }
 
-    fn value(&self, command: Option<&crate::command::Command>, t: f64) -> f64 {
-        command.map_or(0.0, |c| c.value_within(t, self.within.get())) + self.offset.get()
+    fn value(&self, command: Option<&crate::command::Command>, t: f64, muscle: usize) -> f64 {
+        let value = command.map_or(0.0, |c| c.value_within(t, self.within.get()));
+        value + self.offset.get() * self.turns(muscle)
+    }
+
+    /// 1, or −1 of a muscle that turns a joint to −.
+    fn turns(&self, muscle: usize) -> f64 {
+        self.drive.mechanism.lever(muscle, 0.0).per_coordinate.signum()
     }
 
     #[expect(clippy::too_many_arguments, reason = "all that the air of one muscle depends on")]

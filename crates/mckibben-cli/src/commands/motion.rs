@@ -151,6 +151,10 @@ fn one(run: &MotionRun, u: &Units) -> String {
         format!("{} J, {} J", number(energies.work_j, 4), number(energies.exergy_j, 4)),
     ));
     list.extend(run.efficiency.map(|v| ("work over exergy", percent(v))));
+    let way = if joint { "rad" } else { "mm" };
+    list.extend(
+        run.loop_area.map(|v| ("loop of position over pressure", format!("{} MPa {way}", number(v, 4)))),
+    );
     list.extend(run.bandwidth_hz.map(|v| ("bandwidth (−3 dB)", format!("{} Hz", number(v, 4)))));
     let mut text = pairs(&list);
     if !run.events.is_empty() {

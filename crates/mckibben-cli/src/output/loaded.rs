@@ -1,6 +1,7 @@
 //! Equilibria with a load, as text.
 
 use super::text::{Units, number, pairs, percent, table};
+use mckibben::load::LoadError;
 use mckibben_app::LoadAnswer;
 
 /// A table of the equilibria, and the stroke between the lowest and the highest pressure.
@@ -29,8 +30,8 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
                 e.natural_frequency_hz.map_or_else(|| "–".into(), |f| number(f, 3)),
             ]);
         }
-        if let (true, Some(cause)) = (at.equilibria.is_empty(), &at.cause) {
-            let not_lifted = if cause.contains("not lifted") { "not lifted" } else { "none" };
+        if let (true, Some(error)) = (at.equilibria.is_empty(), &at.error) {
+            let not_lifted = if matches!(error, LoadError::NotLifted { .. }) { "not lifted" } else { "none" };
             let dash = || "–".to_owned();
             rows.push(vec![pressure, dash(), dash(), dash(), dash(), not_lifted.into(), dash()]);
         }

@@ -1,6 +1,6 @@
 //! Small oscillations and frequency responses.
 
-use crate::support::{close, note_muscle, ran, regulator};
+use crate::support::{close, elbow, note_muscle, ran, regulator};
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;
@@ -106,4 +106,26 @@ fn bandwidth_is_where_a_simulated_sine_falls_to_its_root_half() {
         let phase = f64::atan2(c, s);
         assert!(((phase - response.phase_rad + PI).rem_euclid(TAU) - PI).abs() < 5e-3);
     }
+}
+
+#[test]
+fn closed_form_two_antagonists_turn_by_the_difference_of_their_pressures() {
+    let model = ModelKind::Universal.build(&note_muscle()).unwrap();
+    let joint = elbow(0.5);
+    let muscle = Actuated::new(&*model, regulator(0.01));
+    let drive = |first: Command, second: Command, until_s: f64| {
+        let target = Target::Pressure(vec![first, second]);
+        Drive::new(&joint, vec![muscle.clone(), muscle.clone()], target, until_s)
+    };
+    let linear = Linear::new(&drive(Command::Constant(0.2), Command::Constant(0.2), 1.0)).unwrap();
+    // 2 r F_P u = 2 r² K φ
+    let r = model.response(&mut Workspace::new(), 0.2, 0.1).unwrap();
+    let still = r.force_per_pressure_mm2.unwrap() / (20.0 * r.stiffness_n_per_mm.unwrap());
+    close(linear.response(1e-4).unwrap().gain, still, 1e-5);
+    let hz = linear.bandwidth_hz().unwrap();
+    let sine = |amplitude: f64| Command::Sine { mean: 0.2, amplitude, frequency_hz: hz, phase_rad: 0.0 };
+    let motion = ran(&drive(sine(1e-3), sine(-1e-3), 12.0 / hz));
+    let late = motion.time_s.iter().zip(&motion.coordinate).filter(|(t, _)| **t > 8.0 / hz);
+    let most = late.map(|(_, q)| q.abs()).fold(0.0, f64::max);
+    close(most / 1e-3, still / 2f64.sqrt(), 5e-3);
 }
