@@ -33,7 +33,7 @@ const TASKS: [Task; 11] = [
 ];
 
 /// File in `docs/figures` and the command line that draws it.
-const FIGURES: [(&str, &str); 11] = [
+const FIGURES: [(&str, &str); 14] = [
     ("design.svg", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
     ("models.svg", "compare --models fe,paper,thick-wall,ideal"),
     ("simulate.svg", "simulate examples/prototype.toml -e 0,10,20% -p 0.1,0.25"),
@@ -42,6 +42,12 @@ const FIGURES: [(&str, &str); 11] = [
         "picture3d.png",
         "simulate --model fe3d examples/prototype.toml -e 15% -p 0.25 --show stress_hoop_mpa --cut",
     ),
+    (
+        "elbow-torque.svg",
+        "joint examples/forearm.toml -p 4bar,0bar -p 3bar,1bar -p 2bar,2bar --angle -60..60:5deg",
+    ),
+    ("elbow-map.svg", "joint examples/forearm.toml --map 25 --max-pressure 6bar"),
+    ("elbow-step.svg", "motion examples/forearm-drive.toml"),
     ("rubber-treloar.svg", "rubber fit data/treloar/tension.csv --up-to 3"),
     ("rubber-silicone.svg", "rubber fit data/silicones/dragon_skin_30.csv --up-to 200%"),
     ("identify_bench.svg", "identify examples/bench.toml --data examples/bench.csv"),

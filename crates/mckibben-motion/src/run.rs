@@ -451,7 +451,8 @@ impl<'s, 'd> Course<'s, 'd> {
         for ((series, m), slot) in motion.muscles.iter_mut().zip(&point.muscles).zip(&self.system.slots) {
             series.pressure_mpa.push(m.pressure_mpa);
             series.contraction.push(m.contraction);
-            series.force_n.push(m.pull_n);
+            // A taut muscle pulls; what is below zero by rounding is none.
+            series.force_n.push(if m.pull_n > -1e-6 { m.pull_n.max(0.0) } else { m.pull_n });
             series.air_mass_g.push(at(slot.mass));
             series.temperature_k.push(m.temperature_k);
             series.volume_mm3.push(m.volume_mm3);

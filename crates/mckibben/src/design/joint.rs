@@ -4,14 +4,28 @@ use super::demand::{Demand, JointDemand};
 use super::line::Merit;
 use super::run::{Models, Outcome, design_with};
 use super::search::{Search, nice_steps};
-use super::spec::{Spec, SpecError};
+use super::spec::{Build, Spec, SpecError};
 use crate::analysis::golden;
 use crate::budget::Budget;
+use crate::model::ThickWall;
 use crate::progress::Progress;
 use crate::units::Values;
+use std::cmp::Ordering;
 
 /// Samples of an interval of radii, and golden sections after them.
 const RADII: (usize, usize) = (10, 8);
+
+/// Searches with the model that settles about the best radius of the other one, and the ratio of neighbours.
+const NEAR: usize = 7;
+const BESIDE: f64 = 1.15;
+
+/// A radius with what it gave.
+type Tried = (f64, Merit);
+
+fn best_of(tried: &[Tried]) -> Option<usize> {
+    let better = |a: &usize, b: &usize| tried[*a].1.partial_cmp(&tried[*b].1).unwrap_or(Ordering::Equal);
+    (0..tried.len()).min_by(better)
+}
 
 /// Only the wish to end, and the budget: radii are counted, not the muscles of each.
 struct Quiet<'a>(&'a dyn Progress);
@@ -49,28 +63,30 @@ pub fn design_joint(
         Values::List(list) => (list.clone(), 0),
         Values::Interval(low, high) => (nice_steps(*low, *high, RADII.0), RADII.1),
     };
-    let total = places.len() + sections + 1;
+    let coarse = models.settle.is_some() && sections > 0;
+    let total = places.len() + sections + 1 + if coarse { sections + NEAR } else { 0 };
     let mut done = 0;
     let mut first_error = None;
-    let mut tried = |radius: f64| -> (f64, (Merit, f64)) {
+    let mut tried = |radius: f64, models: Models<'_>| -> Tried {
         progress.report(done, total);
         done += 1;
         let spec = with(radius);
         let merit = match spec.check() {
-            _ if progress.cancelled() => (Merit::NONE, 0.0),
-            Ok(()) => Search::of(&Spec { extrapolate: true, ..spec }, models, &Quiet(progress)).run().merit(),
+            _ if progress.cancelled() => Merit::NONE,
+            Ok(()) => Search::of(&Spec { extrapolate: true, ..spec }, models, &Quiet(progress)).run().best(),
             Err(error) => {
                 first_error.get_or_insert(error);
-                (Merit::NONE, 0.0)
+                Merit::NONE
             }
         };
         (radius, merit)
     };
-    let samples: Vec<(f64, (Merit, f64))> = places.iter().map(|&r| tried(r)).collect();
-    let better =
-        |a: &usize, b: &usize| samples[*a].1.partial_cmp(&samples[*b].1).unwrap_or(std::cmp::Ordering::Equal);
-    let best = (0..samples.len()).min_by(better);
-    let best = best.filter(|&i| samples[i].1.0 != Merit::NONE);
+    // The best radius hardly depends on the model: where another one settles, the infinitely long muscle says about where it lies.
+    let thick: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+    let roughly = if coarse { Models { search: thick, settle: None } } else { models };
+    let samples: Vec<Tried> = places.iter().map(|&r| tried(r, roughly)).collect();
+    let best = best_of(&samples);
+    let best = best.filter(|&i| samples[i].1 != Merit::NONE);
     let Some(i) = best else {
         return match first_error {
             _ if progress.cancelled() => Err(SpecError::Cancelled),
@@ -85,10 +101,18 @@ pub fn design_joint(
     let mut chosen = samples[i];
     if sections > 0 {
         let (left, right) = (places[i.saturating_sub(1)], places[(i + 1).min(places.len() - 1)]);
-        let found = golden(left, samples[i], right, sections, |t| t.1, &mut tried);
+        let mut found = golden(left, samples[i], right, sections, |t| t.1, &mut |r| tried(r, roughly));
+        if coarse {
+            let (low, high) = radius_mm.bounds();
+            let about = [1.0 / BESIDE, 1.0, BESIDE].map(|share| (found.0 * share).clamp(low, high));
+            let near = about.map(|r| tried(r, models));
+            let Some(i) = best_of(&near) else { return Err(SpecError::Cancelled) };
+            let (left, right) = (about[i.saturating_sub(1)], about[(i + 1).min(2)]);
+            found = golden(left, near[i], right, NEAR - 3, |t| t.1, &mut |r| tried(r, models));
+        }
         // A pulley in tenths of a millimetre.
-        let rounded = tried((found.0 * 10.0).round() / 10.0);
-        chosen = if rounded.1.0.fits() || !found.1.0.fits() { rounded } else { found };
+        let rounded = tried((found.0 * 10.0).round() / 10.0, models);
+        chosen = if rounded.1.fits() || !found.1.fits() { rounded } else { found };
     }
     let spec = with(chosen.0);
     design_with(&spec, models, &Quiet(progress)).map(|outcome| (spec, outcome))

@@ -85,11 +85,20 @@ pub(super) struct Harvest {
 impl Harvest {
     /// Of two that are as good the one is better of which a muscle that does not fit misses by less: among stock sizes the next better
     /// one is then within reach.
-    pub(super) fn merit(&self) -> (Merit, f64) {
+    fn merit(&self) -> (Merit, f64) {
         let miss = self.misses.first().map_or(f64::INFINITY, |m| m.0);
         match self.fits.first() {
             Some(fit) => (Merit::new(0.0, (fit.0 * 1e4).round() * 1e-4), miss),
             None => (Merit::new(miss, f64::INFINITY), 0.0),
+        }
+    }
+
+    /// How good the best of them is.
+    pub(super) fn best(&self) -> Merit {
+        match (self.fits.first(), self.misses.first()) {
+            (Some(fit), _) => Merit::new(0.0, fit.0),
+            (None, Some(miss)) => Merit::new(miss.0, f64::INFINITY),
+            (None, None) => Merit::NONE,
         }
     }
 

@@ -2,9 +2,9 @@
 
 use crate::output::text::{Units, aligned, braid_name, columns, number, percent, percents, rubber_name};
 use mckibben::design::{
-    Candidate, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected, Relaxation, Way,
+    BraidChoice, Candidate, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Way,
 };
-use mckibben::muscle::{BraidStiffness, Muscle};
+use mckibben::muscle::BraidStiffness;
 use mckibben_app::{DesignAnswer, SpreadAnswer};
 
 /// The design for people.
@@ -23,9 +23,9 @@ pub fn of(answer: &DesignAnswer, u: &Units) -> String {
     };
     let (looked_at, fit) = (answer.looked_at, answer.fitting);
     out.push_str(&format!(
-        "Model {}{with}; {looked_at} muscles looked at, {fit} fit; {length}braid {}\n\n",
+        "Model {}{with}; {looked_at} muscles looked at, {fit} fit; {length}{}\n\n",
         answer.model,
-        braid_of(&spec.base)
+        braid_of(spec)
     ));
     if let Some(closest) = &outcome.closest {
         out.push_str(&nothing_fits(closest, u));
@@ -99,10 +99,15 @@ fn joint(answer: &DesignAnswer, u: &Units) -> String {
 }
 
 /// The braid that is searched with; its stiffness may differ from muscle to muscle.
-fn braid_of(base: &Muscle) -> String {
-    match (base.braid().stiffness, base.braid().strands) {
-        (BraidStiffness::OfStrands, Some(strands)) => format!("of {} strands", strands.count),
-        _ => braid_name(base),
+fn braid_of(spec: &Spec) -> String {
+    let base = &spec.base;
+    match (&spec.braid, base.braid().stiffness, base.braid().strands) {
+        (BraidChoice::Sleeves(list), ..) => match &list[..] {
+            [one] => format!("sleeve {}", one.sleeve.as_ref().map_or("of the muscle file", |s| &s.name)),
+            _ => format!("{} sleeves", list.len()),
+        },
+        (_, BraidStiffness::OfStrands, Some(strands)) => format!("braid of {} strands", strands.count),
+        _ => format!("braid {}", braid_name(base)),
     }
 }
 
