@@ -29,9 +29,10 @@ pub const EXAMPLES: &str = "Examples:
     -D 20..40:5 -s 1,1.5,2 --rubber dragon-skin-30
   mckibben design --force 700N --contraction 15% --max-pressure 2.5bar \\
     --tolerance wall=0.1mm,pressure=0.1bar -o winner.toml
-  mckibben design --load mass:20kg --stroke 40mm --length 285 --max-pressure 3bar
-  mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --length 250 \\
-    --max-bulged-diameter 40mm --rubber dragon-skin-30";
+  mckibben design --load mass:20kg --stroke 40mm --length 285 \\
+    --max-pressure 3bar
+  mckibben design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar \\
+    --length 250 --max-bulged-diameter 40mm --rubber dragon-skin-30";
 
 /// `design`.
 #[derive(Debug, Args)]

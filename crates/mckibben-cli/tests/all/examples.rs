@@ -171,7 +171,7 @@ fn the_example_muscles_are_muscles() {
         if path.extension().is_some_and(|e| e == "toml") {
             let text = std::fs::read_to_string(&path).unwrap();
             if text.contains("[joint]") {
-                mckibben(&format!("joint {} -p 2bar,1bar --model universal", path.display())).ok();
+                mckibben(&format!("joint {} -p 2bar,1bar --model thick-wall", path.display())).ok();
                 continue;
             }
             if text.contains("[command]") {
