@@ -5,7 +5,7 @@ use crate::figure;
 use crate::joint::JointFields;
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
-use crate::point::finite;
+use crate::point::{finite, given};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use mckibben::joint::Joint;
@@ -28,6 +28,9 @@ use std::path::Path;
 pub struct MotionRequest {
     /// Drive file (TOML).
     pub drive: Option<TextFile>,
+    /// In place of a drive file: a muscle with a load, filled through a valve.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub step: Option<StepFields>,
     /// The muscle file that it names, of a drive with one muscle.
     pub muscle: Option<TextFile>,
     /// The tables that it names: its load's and its commands'.
@@ -45,6 +48,59 @@ pub struct MotionRequest {
     pub rise_time_s: Option<f64>,
     /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
+}
+
+/// A step of the pressure of one muscle. It stands on its stop, at its length at rest, until it is lifted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct StepFields {
+    /// Gauge pressure from 0.05 s on, MPa.
+    pub pressure_mpa: Option<f64>,
+    /// Gauge pressure of the supply, MPa; 0.6 where it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub supply_mpa: Option<f64>,
+    /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
+    pub valve: Option<String>,
+    /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`.
+    pub load: Option<String>,
+    /// Damper of the load, N s/m.
+    pub damping_n_s_per_m: f64,
+    /// The end, s; 2 where it is left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub until_s: Option<f64>,
+}
+
+impl StepFields {
+    /// The drive file that says the same.
+    fn drive(&self) -> Result<TextFile, Problem> {
+        let pressure = given("pressure_mpa", self.pressure_mpa, "a pressure, such as 0.3 MPa")?;
+        let until = finite("until_s", self.until_s.unwrap_or(2.0))?;
+        let supply = finite("supply_mpa", self.supply_mpa.unwrap_or(0.6))?;
+        let damping = finite("damping_n_s_per_m", self.damping_n_s_per_m)?;
+        let missing = |field: &str, expected: &str| Problem::missing(field, expected);
+        let valve = self.valve.as_deref().ok_or_else(|| {
+            missing(
+                "valve",
+                "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)",
+            )
+        })?;
+        let load = self.load.as_deref().ok_or_else(|| missing("load", "what it moves, such as mass:10kg"))?;
+        let numeric = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-');
+        let key = if numeric { "sonic_conductance" } else { "name" };
+        let (valve, load) = (quoted(valve), quoted(load));
+        let text = format!(
+            "muscle = \"muscle\"\n[supply]\npressure = \"{supply} MPa\"\n[valve]\n{key} = {valve}\n[load]\nline = {load}\n\
+             damping = \"{damping} N s/m\"\nstops = \"0..1e6 mm\"\n[command]\n\
+             pressure = [[\"0 s\", \"0 MPa\"], [\"0.05 s\", \"{pressure} MPa\"]]\nuntil = \"{until} s\"\n"
+        );
+        Ok(TextFile { name: "the drive".into(), text })
+    }
+}
+
+/// A text of TOML.
+fn quoted(text: &str) -> String {
+    let escaped: String = text.chars().flat_map(|c| c.escape_default()).collect();
+    if text.is_ascii() { format!("\"{}\"", escaped.replace("\\'", "'")) } else { format!("'{text}'") }
 }
 
 /// Values of a key of the drive file.
@@ -265,7 +321,10 @@ impl MotionRequest {
 /// # Errors
 /// [`Problem`].
 pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<MotionAnswer, Problem> {
-    let text = request.drive.as_ref().ok_or_else(|| Problem::missing("drive", "a drive file (TOML)"))?;
+    let made =
+        request.step.as_ref().filter(|_| request.drive.is_none()).map(StepFields::drive).transpose()?;
+    let text = request.drive.as_ref().or(made.as_ref());
+    let text = text.ok_or_else(|| Problem::missing("drive", "a drive file (TOML)"))?;
     let moved = request.moved(&MotionRequest::names_of(text)?.subject, progress)?;
     let tables = Tables {
         texts: request.tables.iter().map(|t| (t.name.clone(), t.text.clone())).collect(),

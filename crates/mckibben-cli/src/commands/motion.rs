@@ -10,9 +10,10 @@ use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::quantity;
 use clap::Args;
+use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::{
-    MotionAnswer, MotionRequest, MotionRun, MotionSweep, ProblemKind, Subject, TextFile, motion,
+    MotionAnswer, MotionRequest, MotionRun, MotionSweep, ProblemKind, StepFields, Subject, TextFile, motion,
 };
 use std::path::{Path, PathBuf};
 
@@ -23,14 +24,18 @@ pub const EXAMPLES: &str = "Examples:
     --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'
   mckibben motion examples/drive.toml --model universal --size valve \\
     --rise-time 0.5s
-  mckibben motion examples/elbow-drive.toml --model universal";
+  mckibben motion examples/elbow-drive.toml --model universal
+  mckibben motion --muscle examples/prototype.toml --load mass:10kg -p 3bar \\
+    --valve '0.5 L/(s bar)' --damping '200 N s/m'";
 
 /// `motion`.
 #[derive(Debug, Args)]
 pub struct MotionArgs {
-    /// Drive file
-    #[arg(value_name = "DRIVE.toml", help_heading = "Arguments")]
-    pub file: PathBuf,
+    /// Drive file; or a muscle, a load, a valve and a pressure by the flags below
+    #[arg(value_name = "DRIVE.toml", required_unless_present = "muscle", help_heading = "Arguments")]
+    pub file: Option<PathBuf>,
+    #[command(flatten)]
+    pub step: StepFlags,
     /// One run for each value of a key of the drive file
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub sweep: Option<String>,
@@ -48,23 +53,78 @@ pub struct MotionArgs {
     pub output: OutputFlags,
 }
 
+/// A step of pressure without a drive file.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Instead of a drive file")]
+pub struct StepFlags {
+    /// Muscle file
+    #[arg(long, value_name = "FILE", conflicts_with = "file", requires_all = ["pressure", "valve", "load"])]
+    pub muscle: Option<PathBuf>,
+    /// Pressure of the step
+    #[arg(short, long, value_name = "PRESSURE", requires = "muscle")]
+    pub pressure: Option<String>,
+    /// Load, as for the other commands: mass:10kg, spring:2N/mm+mass:1kg, table:load.csv
+    #[arg(long, value_name = "LOAD", requires = "muscle")]
+    pub load: Option<String>,
+    /// Valve: a name, or its sonic conductance such as 0.5L/(s bar)
+    #[arg(long, value_name = "VALVE", requires = "muscle")]
+    pub valve: Option<String>,
+    /// Pressure of the supply [6bar]
+    #[arg(long, value_name = "PRESSURE", requires = "muscle")]
+    pub supply: Option<String>,
+    /// Damper of the load [0]
+    #[arg(long, value_name = "DAMPING", requires = "muscle")]
+    pub damping: Option<String>,
+    /// End of the run [2s]
+    #[arg(long, value_name = "TIME", requires = "muscle")]
+    pub until: Option<String>,
+}
+
+impl StepFlags {
+    fn fields(&self) -> Result<StepFields, Failure> {
+        Ok(StepFields {
+            pressure_mpa: quantity("--pressure", self.pressure.as_deref(), Dimension::Pressure)?,
+            supply_mpa: quantity("--supply", self.supply.as_deref(), Dimension::Pressure)?,
+            valve: self.valve.clone(),
+            load: self.load.clone(),
+            damping_n_s_per_m: quantity("--damping", self.damping.as_deref(), Dimension::Damping)?
+                .unwrap_or(0.0),
+            until_s: quantity("--until", self.until.as_deref(), Dimension::Time)?,
+        })
+    }
+}
+
+/// A request without what is asked of it.
+fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
+    let named = |path: &Path, name: String| files::text(path).map(|file| TextFile { name, ..file });
+    let Some(path) = &args.file else {
+        let muscle = args.step.muscle.as_deref().map(files::text).transpose()?;
+        let names = args.step.load.iter().flat_map(|load| Load::tables(load));
+        let tables = names.map(|name| named(Path::new(name), name.into())).collect::<Result<_, _>>()?;
+        return Ok(MotionRequest {
+            step: Some(args.step.fields()?),
+            muscle,
+            tables,
+            ..MotionRequest::default()
+        });
+    };
+    let drive = files::text(path)?;
+    let beside = path.parent().unwrap_or(Path::new(""));
+    let names = MotionRequest::names_of(&drive)?;
+    let tables = names.tables.into_iter().map(|name| named(&beside.join(&name), name));
+    let tables = tables.collect::<Result<_, _>>()?;
+    let (mut muscle, mut fields) = (None, Default::default());
+    match names.subject {
+        Subject::Muscle(name) => muscle = Some(named(&beside.join(&name), name)?),
+        Subject::Joint(name) => fields = joint::fields(&beside.join(name))?,
+    }
+    Ok(MotionRequest { drive: Some(drive), muscle, tables, joint: fields, ..MotionRequest::default() })
+}
+
 /// Runs the command.
 pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let unit = args.output.units.or_typed([]);
-    let drive = files::text(&args.file)?;
-    let beside = args.file.parent().unwrap_or(Path::new(""));
-    let (mut muscle, mut fields) = (None, Default::default());
-    let names = MotionRequest::names_of(&drive)?;
-    let table = |name: String| files::text(&beside.join(&name)).map(|file| TextFile { name, ..file });
-    let tables = names.tables.into_iter().map(table).collect::<Result<_, _>>()?;
-    match names.subject {
-        Subject::Muscle(name) => {
-            let file = files::text(&beside.join(&name))?;
-            muscle = Some(TextFile { name, ..file });
-        }
-        Subject::Joint(name) => fields = joint::fields(&beside.join(name))?,
-    }
     let sweep = args.sweep.as_deref().map(|text| -> Result<MotionSweep, Failure> {
         let (key, values) = text.split_once('=').ok_or_else(|| {
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
@@ -80,14 +140,11 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
         })
     });
     let request = MotionRequest {
-        drive: Some(drive),
-        muscle,
-        tables,
-        joint: fields,
         model: args.model.fields()?,
         sweep: sweep.transpose()?,
         rise_time_s: quantity("--rise-time", args.rise_time.as_deref(), Dimension::Time)?,
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
+        ..files_of(args)?
     };
     let bar = Bar::new("motion");
     let mut answer = motion(&request, &bar)?;

@@ -132,3 +132,29 @@ fn tables_that_are_none_are_refused_with_their_place() {
     let ran = mckibben(&format!("motion {path} --model universal"));
     assert!(ran.code == 2 && ran.err.contains("drive.toml:6") && ran.err.contains("spring"), "{}", ran.err);
 }
+
+#[test]
+fn flags_say_what_a_file_says() {
+    let file = "muscle = 'prototype.toml'\n[valve]\nsonic_conductance = '0.5 L/(s bar)'\n[load]\nmass = '10 kg'\ndamping = '200 N s/m'\n\
+                stops = '0..1e6 mm'\n[command]\npressure = [['0 s', '0 bar'], ['0.05 s', '3 bar']]\nuntil = '1 s'\n";
+    let dir = folder();
+    std::fs::copy(root().join("examples/prototype.toml"), dir.path().join("prototype.toml")).unwrap();
+    let path = dir.path().join("drive.toml");
+    std::fs::write(&path, file).unwrap();
+    let by_file = json(&format!("motion {} --model universal", path.display()));
+    let line = format!(
+        "motion --muscle {}/prototype.toml --load mass:10kg -p 3bar --valve 0.5 --damping 200 --until 1s --model universal",
+        dir.path().display()
+    );
+    assert_eq!(by_file["series"], json(&line)["series"]);
+    for (flags, words) in [
+        ("-p 3bar --valve festo-mh3 --load mass:10kg", "festo-mh2"),
+        ("-p 3bar --valve 0 --load mass:10kg", "above zero"),
+        ("-p 7bar --valve 0.5 --load mass:10kg", "supply"),
+        ("-p 3bar --valve 0.5 --load weight:10kg", "mass:20kg"),
+        ("-p 3bar --valve 0.5", "--load"),
+    ] {
+        let ran = mckibben(&format!("motion --muscle examples/prototype.toml --model universal {flags}"));
+        assert!(ran.code == 2 && ran.err.contains(words), "{flags}: {}", ran.err);
+    }
+}
