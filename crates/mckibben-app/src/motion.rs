@@ -87,20 +87,16 @@ impl StepFields {
         let load = self.load.as_deref().ok_or_else(|| missing("load", "what it moves, such as mass:10kg"))?;
         let numeric = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-');
         let key = if numeric { "sonic_conductance" } else { "name" };
-        let (valve, load) = (quoted(valve), quoted(load));
         let text = format!(
-            "muscle = \"muscle\"\n[supply]\npressure = \"{supply} MPa\"\n[valve]\n{key} = {valve}\n[load]\nline = {load}\n\
-             damping = \"{damping} N s/m\"\nstops = \"0..1e6 mm\"\n[command]\n\
-             pressure = [[\"0 s\", \"0 MPa\"], [\"0.05 s\", \"{pressure} MPa\"]]\nuntil = \"{until} s\"\n"
+            "muscle = \"muscle\"\n[supply]\npressure = \"{supply} MPa\"\n[load]\ndamping = \"{damping} N s/m\"\nstops = \"0..1e6 mm\"\n\
+             [command]\npressure = [[\"0 s\", \"0 MPa\"], [\"0.05 s\", \"{pressure} MPa\"]]\nuntil = \"{until} s\"\n"
         );
+        let with = |text: &str, key: &str, value: &str| {
+            with_value(text, key, value).map_err(|e| Problem::from(e.of(Path::new("the drive"))))
+        };
+        let text = with(&with(&text, &format!("valve.{key}"), valve.trim())?, "load.line", load)?;
         Ok(TextFile { name: "the drive".into(), text })
     }
-}
-
-/// A text of TOML.
-fn quoted(text: &str) -> String {
-    let escaped: String = text.chars().flat_map(|c| c.escape_default()).collect();
-    if text.is_ascii() { format!("\"{}\"", escaped.replace("\\'", "'")) } else { format!("'{text}'") }
 }
 
 /// Values of a key of the drive file.
