@@ -77,14 +77,16 @@ impl StepFields {
         let until = finite("until_s", self.until_s.unwrap_or(2.0))?;
         let supply = finite("supply_mpa", self.supply_mpa.unwrap_or(0.6))?;
         let damping = finite("damping_n_s_per_m", self.damping_n_s_per_m)?;
-        let missing = |field: &str, expected: &str| Problem::missing(field, expected);
         let valve = self.valve.as_deref().ok_or_else(|| {
-            missing(
+            Problem::missing(
                 "valve",
                 "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)",
             )
         })?;
-        let load = self.load.as_deref().ok_or_else(|| missing("load", "what it moves, such as mass:10kg"))?;
+        let load = self
+            .load
+            .as_deref()
+            .ok_or_else(|| Problem::missing("load", "what it moves, such as mass:10kg"))?;
         let numeric = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-');
         let key = if numeric { "sonic_conductance" } else { "name" };
         let text = format!(
@@ -148,7 +150,7 @@ pub struct MotionRun {
     /// Work of the muscles while they shorten over the exergy of the air from the supply.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub efficiency: Option<f64>,
-    /// Of one muscle with a commanded pressure: frequency up to which small changes of the highest command are followed (−3 dB), Hz.
+    /// Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz; of two muscles of a joint, changes against each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bandwidth_hz: Option<f64>,
     /// What happened: ends of stroke, slack, valve switching, reversals.

@@ -70,7 +70,7 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
     let mut workspace = Workspace::new();
     let options = Options { extrapolate: true, ..spec.options() };
     let mut points = vec![];
-    for &OperatingPoint { force_n, contraction } in spec.wanted.points(winner.muscle.length_mm()).iter() {
+    for OperatingPoint { force_n, contraction } in winner.points.iter().map(|q| q.wanted) {
         let max = spec.max_pressure_mpa;
         let available = force_on(&*fe, &mut workspace, max, contraction, options.direction);
         let pressure = pressure_at(&*fe, &mut workspace, force_n, contraction, options);
@@ -99,6 +99,7 @@ fn draw(
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =
         drawn.map(|c| Ok((c, build(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
-    let length = outcome.candidates.first().map_or(spec.base.length_mm(), |c| c.muscle.length_mm());
-    Ok(figure::design(&drawn, &spec.wanted.points(length), spec.max_pressure_mpa, options, unit))
+    let points = outcome.candidates.first().map(|c| c.points.iter().map(|q| q.wanted).collect());
+    let points: Vec<OperatingPoint> = points.unwrap_or_default();
+    Ok(figure::design(&drawn, &points, spec.max_pressure_mpa, options, unit))
 }

@@ -96,7 +96,7 @@ fn shut() -> Vec<Row> {
                 let model = model.as_deref()?;
                 let load = SingleMuscle::hanging(model, 10.0);
                 let drive = shut_drive(model, &load, heat)?;
-                Some((closed_form(model, &drive, index)?, crossings(&drive)?))
+                Some((closed_form(model, &drive, index)?, crossings(&drive, 10.0)?))
             };
             [row("of the linearised system", &linear), row("of its motion", &moving)]
         })
@@ -123,14 +123,14 @@ fn closed_form(model: &dyn ForceModel, drive: &Drive<'_>, index: f64) -> Option<
     Some((1e3 * stiffness / 10.0).sqrt() / TAU)
 }
 
-/// The frequency by the falling crossings of ten periods after a displacement of a hundredth of a mm.
-fn crossings(drive: &Drive<'_>) -> Option<f64> {
+/// The frequency in Hz by the falling crossings of some periods after a displacement of a hundredth of a mm.
+pub fn crossings(drive: &Drive<'_>, periods: f64) -> Option<f64> {
     let linear = Linear::new(drive).ok()?;
     let (f, _) = linear.oscillation()?;
     let mut drive = drive.clone();
     drive.initial_coordinate = Some(linear.coordinate() + 0.01);
     drive.tolerance.relative = 1e-9;
-    (drive.until_s, drive.output_step_s) = (10.5 / f, 0.002 / f);
+    (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
     let motion = ran(&drive)?;
     let x: Vec<f64> = motion.coordinate.iter().map(|x| x - linear.coordinate()).collect();
     let falls: Vec<f64> = (1..x.len())

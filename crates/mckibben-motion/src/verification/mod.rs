@@ -5,8 +5,8 @@
 mod mechanics;
 mod vessel;
 
-pub use mechanics::mechanics;
-pub use vessel::{Vessel, vessel};
+pub use mechanics::{crossings, mechanics};
+pub use vessel::{Vessel, after, pressure, vessel};
 
 use crate::drive::Drive;
 use crate::run::{Motion, run};

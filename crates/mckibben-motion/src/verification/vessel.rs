@@ -73,8 +73,8 @@ impl ForceModel for Vessel {
     }
 }
 
-/// The vessel at the end of a time with its valve open to the supply (1) or to the atmosphere (−1).
-fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Motion> {
+/// The vessel after a time in s with its valve open to the supply (1) or to the atmosphere (−1), from a gauge pressure in MPa.
+pub fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Motion> {
     let model = Vessel::default();
     let held = SingleMuscle::held(&model);
     let valve = Valve::new(Orifice::new(0.5, CRITICAL).ok()?);
@@ -88,7 +88,8 @@ fn after(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Option<Motion
     ran(&drive)
 }
 
-fn pressure(motion: Option<&Motion>) -> Option<f64> {
+/// Absolute pressure in MPa at the end of a motion.
+pub fn pressure(motion: Option<&Motion>) -> Option<f64> {
     Some(motion?.muscles.first()?.pressure_mpa.last()? + ATMOSPHERE_MPA)
 }
 

@@ -1,37 +1,18 @@
 //! The table of verification, and a rigid vessel: C 0.5 L/(s bar), b 0.3, V 0.2 L, supply 701 325 Pa.
 
-use crate::support::{close, last, ran};
+use crate::support::close;
 use mckibben_motion::*;
-
-fn run_vessel(heat: Heat, opening: f64, from_mpa: f64, until_s: f64) -> Motion {
-    let model = verification::Vessel::default();
-    let held = SingleMuscle::held(&model);
-    let valve = Valve::new(Orifice::new(0.5, 0.3).unwrap());
-    let mut muscle = Actuated::new(&model, Actuator::Valve(valve));
-    muscle.air.heat = heat;
-    muscle.initial_pressure_mpa = Some(from_mpa);
-    let mut drive =
-        Drive::new(&held, vec![muscle], Target::Opening(vec![Command::Constant(opening)]), until_s);
-    drive.tolerance.relative = 1e-11;
-    drive.output_step_s = until_s;
-    ran(&drive)
-}
-
-fn absolute(motion: &Motion) -> f64 {
-    last(&motion.muscles[0].pressure_mpa) + ATMOSPHERE_MPA
-}
 
 #[test]
 fn every_case_of_the_table_holds() {
-    for row in verification::cases() {
-        assert!(row.ok, "{row:?}");
-    }
-    assert_eq!(verification::cases().len(), 28);
+    let rows = verification::cases();
+    assert_eq!(rows.len(), 28);
+    rows.iter().for_each(|row| assert!(row.ok, "{row:?}"));
 }
 
 #[test]
 fn limits_of_heat_transfer_are_the_adiabatic_and_the_isothermal_charge() {
-    let p = |heat| absolute(&run_vessel(heat, 1.0, 0.0, 0.2));
+    let p = |heat| verification::pressure(verification::after(heat, 1.0, 0.0, 0.2).as_ref()).unwrap();
     close(p(Heat::Conductance(0.0)), p(Heat::Adiabatic), 1e-9);
     close(p(Heat::Conductance(1e5)), p(Heat::Isothermal), 1e-4);
     assert!(p(Heat::Transfer(50.0)) < p(Heat::Adiabatic) && p(Heat::Transfer(50.0)) > p(Heat::Isothermal));

@@ -46,32 +46,19 @@ fn closed_form_of_the_note_closed_valve_by_finite_elements() {
     }
 }
 
-/// The frequency of a motion of some periods after a displacement of a hundredth of a mm, on shut air.
-fn simulated(drive: &Drive<'_>, periods: f64) -> f64 {
-    let linear = Linear::new(drive).unwrap();
-    let (f, _) = linear.oscillation().unwrap();
-    let mut drive = drive.clone();
-    drive.initial_coordinate = Some(linear.coordinate() + 0.01);
-    drive.tolerance.relative = 1e-9;
-    (drive.until_s, drive.output_step_s) = ((periods + 0.5) / f, 0.002 / f);
-    let motion = ran(&drive);
-    let x: Vec<f64> = motion.coordinate.iter().map(|x| x - linear.coordinate()).collect();
-    let falls: Vec<f64> = (1..x.len())
-        .filter(|&i| x[i - 1] > 0.0 && x[i] <= 0.0)
-        .map(|i| motion.time_s[i - 1] + drive.output_step_s * x[i - 1] / (x[i - 1] - x[i]))
-        .collect();
-    (falls.len() - 1) as f64 / (falls[falls.len() - 1] - falls[0])
-}
-
 #[test]
 fn closed_form_of_the_note_is_what_the_simulated_mass_does() {
     let (fe, universal) =
         (Axisymmetric::new(&note_muscle()).unwrap(), ModelKind::Universal.build(&note_muscle()).unwrap());
     let load = SingleMuscle::hanging(&fe, 10.0);
-    close(simulated(&shut(&fe, &load, Heat::Isothermal), 2.0), 4.7031, 1e-4);
+    close(verification::crossings(&shut(&fe, &load, Heat::Isothermal), 2.0).unwrap(), 4.7031, 1e-4);
     for heat in [Heat::Isothermal, Heat::Adiabatic] {
         let drive = shut(&*universal, &load, heat);
-        close(simulated(&drive, 10.0), Linear::new(&drive).unwrap().oscillation().unwrap().0, 1e-4);
+        close(
+            verification::crossings(&drive, 10.0).unwrap(),
+            Linear::new(&drive).unwrap().oscillation().unwrap().0,
+            1e-4,
+        );
     }
 }
 

@@ -128,7 +128,7 @@ pub(super) fn candidate(
         from_thick_wall.push("free contraction");
         free_contraction(&thick_wall, workspace, max, options).ok()
     });
-    let (burst, helped) = burst_of(spec, model, workspace, &thick_wall);
+    let (burst, helped) = burst_of(&wanted, model, workspace, &thick_wall);
     if helped && burst.is_some() {
         from_thick_wall.push("burst pressure");
     }
@@ -152,14 +152,14 @@ pub(super) fn candidate(
 }
 
 fn burst_of(
-    spec: &Spec,
+    wanted: &[OperatingPoint],
     model: &dyn ForceModel,
     workspace: &mut Workspace,
     thick_wall: &ThickWall,
 ) -> (Option<f64>, bool) {
     let mut lowest: Option<f64> = None;
     let mut helped = false;
-    for contraction in std::iter::once(0.0).chain(spec.points(model.muscle()).iter().map(|p| p.contraction)) {
+    for contraction in std::iter::once(0.0).chain(wanted.iter().map(|p| p.contraction)) {
         let burst = match burst_pressure_mpa(model, workspace, contraction) {
             Ok(burst) => burst,
             Err(_) => {

@@ -32,6 +32,16 @@ pub enum Way {
     Contraction(f64),
 }
 
+impl Way {
+    /// Where it ends, in mm from the length at rest of a muscle of a length in mm.
+    fn end_mm(self, length_mm: f64) -> f64 {
+        match self {
+            Self::Stroke(mm) => mm,
+            Self::Contraction(ratio) => ratio * length_mm,
+        }
+    }
+}
+
 /// Torques wanted of one of two equal muscles that turn a joint against each other on a pulley, the other one without pressure.
 ///
 /// At an angle φ from the neutral one the muscle is contracted by ε = ε0 + r φ/L0 and pulls F = τ/r. It is contracted by
@@ -70,10 +80,7 @@ impl Demand {
             Self::Points(points) => Cow::Borrowed(points),
             Self::Joint(joint) => Cow::Owned(joint.points(length_mm)),
             Self::Load { load, way } => {
-                let end = match *way {
-                    Way::Stroke(mm) => mm,
-                    Way::Contraction(ratio) => ratio * length_mm,
-                };
+                let end = way.end_mm(length_mm);
                 // A muscle pulls less the more it is contracted: where the load grows, the end decides.
                 let grows = SHARES.windows(2).all(|s| load.force_n(s[0] * end) <= load.force_n(s[1] * end));
                 let shares = if grows { &SHARES[SHARES.len() - 1..] } else { &SHARES };
@@ -105,10 +112,7 @@ impl Demand {
                 }
             }
             Self::Load { load, way } => {
-                let end = match *way {
-                    Way::Stroke(mm) => mm,
-                    Way::Contraction(ratio) => ratio * length_mm,
-                };
+                let end = way.end_mm(length_mm);
                 let (low, high) = load.reach_mm();
                 if !(low <= 0.0 && end <= high) {
                     return Err(SpecError::LoadReach { low_mm: low, high_mm: high, stroke_mm: end });

@@ -146,7 +146,7 @@ pub(super) fn probe_with(
             }
         }
     }
-    checks.extend(strands(spec, model, workspace, &thick_wall)?);
+    checks.extend(strands(spec, &points, model, workspace, &thick_wall)?);
     let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
         Objective::Diameter => muscle.outer_diameter_mm() + 1e-6 * highest / max,
@@ -168,6 +168,7 @@ pub fn fits(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> bool {
 /// What the strands bear at the maximum pressure, not shortened and at the operating points.
 fn strands(
     spec: &Spec,
+    points: &[OperatingPoint],
     model: &dyn ForceModel,
     workspace: &mut Workspace,
     thick_wall: &ThickWall,
@@ -178,7 +179,6 @@ fn strands(
     if limits.strand_strain.is_none() && (limits.burst_margin.is_none() || strength.is_none()) {
         return Ok(checks);
     }
-    let points = spec.points(muscle);
     let places = || std::iter::once(0.0).chain(points.iter().map(|q| q.contraction));
     if let Some(bound) = limits.strand_strain {
         let mut largest: Option<f64> = None;

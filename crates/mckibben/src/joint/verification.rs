@@ -17,12 +17,12 @@ const JOINTS: usize = 10_000;
 /// Step of the differences in degrees.
 const STEP_DEG: f64 = 1e-3;
 
-fn muscle(path: Path, contraction_at_neutral: f64) -> JointMuscle {
+pub(super) fn muscle(path: Path, contraction_at_neutral: f64) -> JointMuscle {
     JointMuscle { muscle: Muscle::prototype(), path, contraction_at_neutral }
 }
 
 /// An elbow with attachment points, a torsion spring and weight.
-fn elbow() -> Option<Joint> {
+pub(super) fn elbow() -> Option<Joint> {
     let points = |origin_mm, insertion_mm| Path::Points { origin_mm, insertion_mm };
     let muscles = vec![
         muscle(points([-10.0, 330.0], [45.0, 5.0]), 0.08),
