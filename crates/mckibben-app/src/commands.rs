@@ -19,11 +19,25 @@ pub struct CommandEntry {
     pub name: &'static str,
     schema: fn() -> Value,
     ask: fn(Value, &dyn Progress) -> Result<Value, Problem>,
+    /// Whether it may take more than a moment, and reports its progress: a job.
+    pub long: bool,
     /// Fields of its request, from the schema, which is made once.
     fields: OnceLock<Vec<String>>,
 }
 
 impl CommandEntry {
+    /// Whether the request names files of the machine that answers: no front end that takes questions from others may ask it.
+    pub fn touches_disk(&self, request: &Value) -> bool {
+        self.name.starts_with("campaign")
+            || request.get("campaign").is_some_and(|campaign| !campaign.is_null())
+    }
+
+    /// What it is about, in a line: of a schema the description of the request.
+    pub fn about(&self) -> String {
+        let schema = (self.schema)();
+        schema["request"]["description"].as_str().unwrap_or_default().to_owned()
+    }
+
     /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
         let known = self.fields.get_or_init(|| {
@@ -53,31 +67,35 @@ macro_rules! command {
                 json(&answer)
             },
             fields: OnceLock::new(),
+            long: false,
         }
+    };
+    (long $($command:tt)*) => {
+        CommandEntry { long: true, ..command!($($command)*) }
     };
 }
 
 /// Every command; those on campaigns need the feature `files`.
 pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     vec![
-        command!("design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
+        command!(long "design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
         command!("force", ForceRequest => PointAnswer, |r, progress| force(&r, progress)),
         command!("pressure", PressureRequest => PointAnswer, |r, progress| pressure(&r, progress)),
         command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
         command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
-        command!("joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
-        command!("motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
-        command!("study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
-        command!("simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
-        command!("validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
-        command!("sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
-        command!("compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
-        command!("identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
-        command!("fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
-        command!("fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
+        command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
+        command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
+        command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
+        command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
+        command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
+        command!(long "sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
+        command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
+        command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
+        command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
+        command!(long "fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
         command!("formula-show", FormulaShowRequest => FormulaShowAnswer, |r, _progress| formula_show(&r)),
         #[cfg(feature = "files")]
-        command!("campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
+        command!(long "campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
         #[cfg(feature = "files")]
         command!("campaign-show", CampaignShowRequest => Summary, |r, _progress| campaign_show(&r)),
         #[cfg(feature = "files")]
@@ -88,6 +106,9 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),
         command!("rubber-show", RubberShowRequest => RubberShowAnswer, |r, _progress| rubber_show(&r)),
         command!("rubber-fit", RubberFitRequest => RubberFitAnswer, |r, _progress| rubber_fit(&r)),
+        command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
+        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
+        command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
         command!("models", ModelsRequest => ModelsAnswer, |r, _progress| models(&r)),
     ]
 });
@@ -118,12 +139,43 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// # Errors
 /// [`Problem`].
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
+    guarded(|| Ok(answered(command, request, progress)?.to_string()))
+}
+
+/// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
+///
+/// First the length of the JSON in bytes (32 bits), then the JSON with blanks behind it up to a multiple of four bytes, in which each of
+/// `arrays` is the count of its numbers in place of
+/// the numbers, then all numbers (32 bits each), array after array. All of it little-endian.
+///
+/// # Errors
+/// [`Problem`].
+pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
     guarded(|| {
-        let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
-        let command = find(command)?;
-        command.check_fields(&value)?;
-        Ok((command.ask)(value, progress)?.to_string())
+        let mut answer = answered(command, request, progress)?;
+        let mut numbers: Vec<u8> = vec![];
+        for array in
+            answer.get_mut("arrays").and_then(Value::as_object_mut).into_iter().flat_map(|a| a.values_mut())
+        {
+            let Some(list) = array.as_array() else { continue };
+            let count = list.len();
+            numbers.extend(list.iter().flat_map(|v| (v.as_f64().unwrap_or(f64::NAN) as f32).to_le_bytes()));
+            *array = count.into();
+        }
+        let mut text = answer.to_string().into_bytes();
+        text.resize(text.len().next_multiple_of(4), b' ');
+        let mut packed = (text.len() as u32).to_le_bytes().to_vec();
+        packed.append(&mut text);
+        packed.append(&mut numbers);
+        Ok(packed)
     })
+}
+
+fn answered(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
+    let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
+    let command = find(command)?;
+    command.check_fields(&value)?;
+    (command.ask)(value, progress)
 }
 
 fn find(command: &str) -> Result<&'static CommandEntry, Problem> {

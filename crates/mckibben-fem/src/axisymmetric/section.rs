@@ -98,6 +98,21 @@ impl Section {
         (rest, now)
     }
 
+    /// A number of the nodes at place `i` through the wall, in slab `slab` at −1 ≤ `eta` ≤ 1.
+    pub(crate) fn between(
+        &self,
+        i: usize,
+        slab: usize,
+        eta: f64,
+        value: impl Fn(&SectionNode) -> f64,
+    ) -> f64 {
+        let (n, _) = quadratic(eta);
+        n.into_iter()
+            .enumerate()
+            .map(|(a, weight)| weight * value(&self.nodes[self.index(i, 2 * slab + a)]))
+            .sum()
+    }
+
     pub(crate) fn of(d: &Discretisation, s: &State, muscle: &Muscle) -> Self {
         Self {
             through: d.layout.through,

@@ -24,6 +24,14 @@ struct Place {
     state: [f64; 4],
 }
 
+/// A place along the half muscle: where in its slab of elements, Z at rest, and the turn of a strand from the middle.
+pub(super) struct Along {
+    pub(super) slab: usize,
+    pub(super) eta: f64,
+    pub(super) rest_z_mm: f64,
+    pub(super) turn: f64,
+}
+
 /// Both families.
 pub fn braid(section: &Section) -> Grid {
     let places = places(section);
@@ -63,12 +71,12 @@ pub fn braid(section: &Section) -> Grid {
     grid
 }
 
-/// Places from end to end.
-fn places(section: &Section) -> Vec<Place> {
+/// Places from the middle to the terminal, so close that no strand turns by more than [`TURN`] between them.
+pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
     let (tan, (_, along)) = (section.braid_angle_rad().tan(), section.elements());
     let place = |slab: usize, eta: f64| {
-        let (rest, now) = section.outer(slab, eta);
-        Place { turn: rest[1] * tan / rest[0], now, state: state(section.strands(), rest[1]) }
+        let (rest, _) = section.outer(slab, eta);
+        Along { slab, eta, rest_z_mm: rest[1], turn: rest[1] * tan / rest[0] }
     };
     let mut half = vec![place(0, -1.0)];
     for slab in 0..along {
@@ -76,6 +84,16 @@ fn places(section: &Section) -> Vec<Place> {
         let pieces = (((end - start) / TURN).ceil() as usize).max(2);
         half.extend((1..=pieces).map(|k| place(slab, 2.0 * k as f64 / pieces as f64 - 1.0)));
     }
+    half
+}
+
+/// Places from end to end.
+fn places(section: &Section) -> Vec<Place> {
+    let place = |p: Along| {
+        let (_, now) = section.outer(p.slab, p.eta);
+        Place { turn: p.turn, now, state: state(section.strands(), p.rest_z_mm) }
+    };
+    let mut half: Vec<Place> = places_of_half(section).into_iter().map(place).collect();
     let mirrored = |p: &Place| Place { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };
     let mut all: Vec<Place> = half.iter().skip(1).rev().map(mirrored).collect();
     all.append(&mut half);
@@ -84,7 +102,7 @@ fn places(section: &Section) -> Vec<Place> {
 
 /// (stretch, angle, tension per width, tension of a strand) at Z between the points where the model has them; before
 /// the first and beyond the last point theirs.
-fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
+pub(super) fn state(strands: &[StrandState], rest: f64) -> [f64; 4] {
     let values = |s: &StrandState| [s.stretch, s.angle_deg, s.tension_n_per_mm, s.tension_n.unwrap_or(0.0)];
     let after = strands.partition_point(|s| s.rest_mm < rest);
     match (after.checked_sub(1).and_then(|k| strands.get(k)), strands.get(after)) {

@@ -11,6 +11,7 @@ mod revolve;
 mod series;
 mod shape;
 mod skin;
+mod stations;
 pub mod vtu;
 
 pub use deck::{DeckError, deck, increments};
@@ -18,3 +19,4 @@ pub use eighth::Extent;
 pub use error::VtuError;
 pub use series::{VtuFile, VtuSeries};
 pub use shape::{Seen, Shape};
+pub use stations::{FIELDS, Field, Stations};

@@ -1,5 +1,6 @@
 //! The whole tube: the half section mirrored at z = 0 and turned about the axis.
 
+use super::stations::FIELDS;
 use super::vtu::{Grid, PointData};
 use crate::axisymmetric::{Section, SectionNode};
 use std::f64::consts::TAU;
@@ -50,17 +51,10 @@ pub fn tube(section: &Section) -> Grid {
         values: rings.iter().flat_map(|(node, sign)| [value(node, *sign); AROUND]).collect(),
     };
     let moved = placed(&|n| [n.now_mm[0] - n.rest_mm[0], n.now_mm[1] - n.rest_mm[1]]);
-    let data = vec![
-        PointData { name: "displacement", components: 3, values: moved.concat() },
-        scalar("hoop_stretch", &|n, _| n.hoop_stretch),
-        scalar("meridional_stretch", &|n, _| n.meridional_stretch),
-        scalar("max_stretch", &|n, _| n.max_stretch),
-        scalar("stress_radial_mpa", &|n, _| n.stress_mpa[0]),
-        scalar("stress_hoop_mpa", &|n, _| n.stress_mpa[1]),
-        scalar("stress_axial_mpa", &|n, _| n.stress_mpa[2]),
-        // σrz changes its sign with z.
-        scalar("stress_shear_mpa", &|n, sign| sign * n.stress_mpa[3]),
-    ];
+    let mut data = vec![PointData { name: "displacement", components: 3, values: moved.concat() }];
+    data.extend(FIELDS.iter().map(|(name, value)| scalar(name, &|n, _| value(n))));
+    // σrz changes its sign with z.
+    data.push(scalar("stress_shear_mpa", &|n, sign| sign * n.stress_mpa[3]));
     let point = |i: usize, j: usize, k: usize| ((j * across + i) * AROUND + k % AROUND) as i64;
     let mut connectivity = Vec::with_capacity(8 * (across - 1) * (stations - 1) * AROUND);
     for j in 0..stations - 1 {

@@ -1,10 +1,13 @@
 //! One number with a unit.
 
 use super::unit::Unit;
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// What a number measures; decides which units it may carry and what a bare number means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
 pub enum Dimension {
     /// Lengths, in mm.
     Length,

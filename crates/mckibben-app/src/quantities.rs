@@ -1,0 +1,132 @@
+//! `quantities` and `units`: what a user typed, as numbers, and the units there are.
+
+use crate::problem::{Problem, ProblemKind};
+use mckibben::units::{Dimension, RangeError, parse_quantity, parse_values};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Texts that a user typed.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct QuantitiesRequest {
+    /// The texts.
+    pub texts: Vec<Typed>,
+}
+
+/// A text, and what it shall be.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Typed {
+    /// The text, such as `2.5 bar`; a list or range where it is one, such as `0..40:5psi`.
+    pub text: String,
+    /// What it measures.
+    pub kind: Dimension,
+    /// It may be a list or range.
+    #[serde(default)]
+    pub list: bool,
+}
+
+/// What was understood, in the order of the texts.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct QuantitiesAnswer {
+    /// One reading for each text.
+    pub readings: Vec<Reading>,
+}
+
+/// What was understood of a text.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub enum Reading {
+    /// A number, in mm, MPa, N, degrees, or the unit inside of its kind.
+    One {
+        /// The number.
+        value: f64,
+    },
+    /// A list.
+    Many {
+        /// The numbers; an interval without a step is cut into 20 parts.
+        values: Vec<f64>,
+    },
+    /// It cannot be understood.
+    Wrong {
+        /// Why.
+        problem: Problem,
+    },
+}
+
+/// Parts of an interval without a step.
+const DIVISIONS: usize = 20;
+
+/// What a user typed, as numbers.
+///
+/// # Errors
+/// None; each text has its own.
+pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Problem> {
+    let wrong = |kind, message: String| Reading::Wrong { problem: Problem::new(kind, message, "") };
+    let read = |typed: &Typed| match typed.list {
+        false => match parse_quantity(&typed.text, typed.kind) {
+            Ok(value) => Reading::One { value },
+            Err(error) => wrong(ProblemKind::Quantity, error.to_string()),
+        },
+        true => match parse_values(&typed.text, typed.kind) {
+            Ok(values) => Reading::Many { values: values.sampled(DIVISIONS) },
+            Err(error @ RangeError::Quantity(_)) => wrong(ProblemKind::Quantity, error.to_string()),
+            Err(error) => wrong(ProblemKind::Range, error.to_string()),
+        },
+    };
+    Ok(QuantitiesAnswer { readings: request.texts.iter().map(read).collect() })
+}
+
+/// The units.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct UnitsRequest {}
+
+/// Every kind of quantity with its units.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct UnitsAnswer {
+    /// The kinds.
+    pub kinds: Vec<KindOfQuantity>,
+}
+
+/// A kind of quantity.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct KindOfQuantity {
+    /// Its name.
+    pub kind: Dimension,
+    /// What a user may write.
+    pub expectation: &'static str,
+    /// Its units; the one inside has the factor 1.
+    pub units: Vec<UnitOfKind>,
+}
+
+/// A unit.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct UnitOfKind {
+    /// Its usual spelling.
+    pub name: &'static str,
+    /// A value in this unit is `multiply` / `divide` times the value inside; two factors, so that decimals stay what they are.
+    pub multiply: f64,
+    /// See `multiply`.
+    pub divide: f64,
+}
+
+/// Every kind of quantity with its units.
+///
+/// # Errors
+/// None.
+pub fn units(_: &UnitsRequest) -> Result<UnitsAnswer, Problem> {
+    let kind = |kind: Dimension| KindOfQuantity {
+        kind,
+        expectation: kind.expectation(),
+        units: kind
+            .unit_names()
+            .into_iter()
+            .filter_map(|name| kind.unit(name))
+            .map(|unit| {
+                let (multiply, divide) = unit.outside();
+                UnitOfKind { name: unit.name, multiply, divide }
+            })
+            .collect(),
+    };
+    Ok(UnitsAnswer { kinds: Dimension::ALL.into_iter().map(kind).collect() })
+}

@@ -1,0 +1,124 @@
+//! `shape`: the deformed muscle as numbers along it, for front ends that draw it in space.
+
+use crate::fields::{MeshFields, MuscleFields};
+use crate::model::Model;
+use crate::muscle::MuscleSummary;
+use crate::point::{given, ratio};
+use crate::problem::{Problem, ProblemKind};
+use mckibben::model::{ForceModel, Workspace};
+use mckibben::progress::Progress;
+use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::output::Stations;
+use mckibben_fem::simulation::{Elements, Simulation};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The deformed muscle at a pressure and contraction, by `fe`.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct ShapeRequest {
+    /// The muscle.
+    #[serde(flatten)]
+    pub muscle: MuscleFields,
+    /// The mesh.
+    #[serde(flatten)]
+    pub mesh: MeshFields,
+    /// Gauge pressure P in MPa.
+    pub pressure_mpa: Option<f64>,
+    /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
+    pub contraction: Option<f64>,
+}
+
+/// The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct ShapeAnswer {
+    /// The muscle.
+    pub muscle: MuscleSummary,
+    /// Pressure, MPa.
+    pub pressure_mpa: f64,
+    /// Contraction that was asked for.
+    pub contraction: f64,
+    /// Contraction of the shape: where the muscle is slack, its free contraction.
+    pub shape_contraction: f64,
+    /// Whether the muscle would have to push, and lies slack instead.
+    pub slack: bool,
+    /// Length between the terminals in this shape, mm.
+    pub length_mm: f64,
+    /// Strands of both families, where their number is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strands: Option<u32>,
+    /// Stations along the half muscle.
+    pub stations: usize,
+    /// Nodes through the wall at each station, from the inner surface outwards.
+    pub across: usize,
+    /// What there is at the nodes, station by station: `r_mm`, `z_mm`, `hoop_stretch`, `meridional_stretch`, `max_stretch`,
+    /// `stress_radial_mpa`, `stress_hoop_mpa`, `stress_axial_mpa`; and of the strands at the stations, `strand_` before each:
+    /// `turn_rad` from the middle (+ for one family, − for the other), `stretch`, `angle_deg`, `tension_n_per_mm` of a family per
+    /// width at rest, and `tension_n` of one where their number is known. Front ends that take bytes get these as 32-bit numbers.
+    pub arrays: BTreeMap<String, Vec<f64>>,
+}
+
+/// The deformed muscle.
+///
+/// # Errors
+/// [`Problem`].
+pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAnswer, Problem> {
+    let muscle = request.muscle.resolve()?;
+    let model = Model::named("fe", &[], &request.mesh)?;
+    let budget = progress.budget();
+    model.admit(&muscle, &budget)?;
+    let Model::Elements(Elements::Axisymmetric(mesh)) = &model else {
+        return Err(Problem::new(ProblemKind::Model, "the shape is that of `fe`", ""));
+    };
+    let pressure_mpa = given("pressure_mpa", request.pressure_mpa, "a pressure, such as 0.2 MPa")?;
+    if pressure_mpa < 0.0 {
+        let message = format!("{pressure_mpa} MPa is below zero");
+        return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
+    }
+    let contraction = ratio(request.contraction.unwrap_or(0.0))?;
+    let fe = Axisymmetric::with_mesh(&muscle, mesh)
+        .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+    let workspace = &mut Workspace::within(budget.clone());
+    let found = at(&fe, workspace, pressure_mpa, contraction);
+    budget.ended()?;
+    let (shape_contraction, stations) = found?;
+    let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
+    let strands = stations
+        .strands
+        .into_iter()
+        .map(|(name, list)| (format!("strand_{}", name.strip_prefix("strand_").unwrap_or(name)), list));
+    let nodes = stations.nodes.into_iter().map(|(name, list)| (name.to_owned(), list));
+    Ok(ShapeAnswer {
+        pressure_mpa,
+        contraction,
+        shape_contraction,
+        slack: shape_contraction < contraction,
+        length_mm: muscle.tube().length_mm * (1.0 - shape_contraction),
+        strands: muscle.braid().strands.map(|s| s.count),
+        stations: count,
+        across: stations.across,
+        arrays: nodes.chain(strands).collect(),
+        muscle: (&muscle).into(),
+    })
+}
+
+/// The shape at a contraction, or at the free contraction of a muscle that is slack there.
+fn at(
+    fe: &Axisymmetric,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<(f64, Stations), Problem> {
+    let shape = |workspace: &mut Workspace, e: f64| {
+        fe.section_at(workspace, pressure_mpa, e).map(|section| (e, Stations::of(&section)))
+    };
+    if contraction <= 0.0 {
+        return Ok(shape(workspace, contraction)?);
+    }
+    if fe.force_n(workspace, pressure_mpa, contraction).is_ok_and(|force_n| force_n >= 0.0) {
+        return Ok(shape(workspace, contraction)?);
+    }
+    let free = fe.free_contraction(workspace, pressure_mpa)?;
+    Ok(shape(workspace, free.min(contraction))?)
+}

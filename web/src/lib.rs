@@ -1,0 +1,40 @@
+//! The workbench as files: the page with its scripts, and the library that draws its charts.
+//!
+//! The page asks one engine, by JSON. Which one it is says the module `js/kind.js`: [`KIND_OF_SERVER`] for a page that a server
+//! hands out; the file of that name is for one that brings its own engine as WebAssembly.
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
+use rust_embed::Embed;
+use std::borrow::Cow;
+
+#[derive(Embed)]
+#[folder = "page/"]
+struct Page;
+
+/// Where the page looks for the library that draws charts.
+pub const CHARTS: &str = "js/plotly.js";
+
+/// Where the page looks for its engine.
+pub const KIND: &str = "js/kind.js";
+
+/// The module in place of [`KIND`] in a page that a server hands out: the engine is that server.
+pub const KIND_OF_SERVER: &str = "export { Engine } from \"./http.js\";\n";
+
+/// A file of the page as it is kept, by its path from the page's folder, such as `index.html`.
+pub fn file(path: &str) -> Option<Cow<'static, [u8]>> {
+    Page::get(path).map(|file| file.data)
+}
+
+/// Paths of all files that are kept; the chart library is not among them.
+pub fn paths() -> impl Iterator<Item = Cow<'static, str>> {
+    Page::iter()
+}
+
+/// The chart library (plotly.js, MIT), as one script.
+pub fn charts() -> String {
+    // Two script elements: plotly.js, then MathJax, which the page has no use for.
+    let sources = plotly::Plot::offline_js_sources();
+    let script = sources.split_once('>').map_or("", |(_, rest)| rest);
+    script.split("</script>").next().unwrap_or_default().to_owned()
+}
