@@ -7,21 +7,26 @@ use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{Merged, Outcome, Summary};
+#[cfg(feature = "schema")]
 use schemars::{JsonSchema, generate::SchemaSettings};
 use serde::Serialize;
 use serde_json::Value;
-use std::sync::{LazyLock, OnceLock};
+use std::sync::LazyLock;
+#[cfg(feature = "schema")]
+use std::sync::OnceLock;
 
 /// A command: what a front end may call by name.
 #[derive(Debug)]
 pub struct CommandEntry {
     /// Its name: the words of the command line, joined by a hyphen.
     pub name: &'static str,
+    #[cfg(feature = "schema")]
     schema: fn() -> Value,
     ask: fn(Value, &dyn Progress) -> Result<Value, Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
     /// Fields of its request, from the schema, which is made once.
+    #[cfg(feature = "schema")]
     fields: OnceLock<Vec<String>>,
 }
 
@@ -33,12 +38,14 @@ impl CommandEntry {
     }
 
     /// What it is about, in a line: of a schema the description of the request.
+    #[cfg(feature = "schema")]
     pub fn about(&self) -> String {
         let schema = (self.schema)();
         schema["request"]["description"].as_str().unwrap_or_default().to_owned()
     }
 
     /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+    #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
         let known = self.fields.get_or_init(|| {
             let schema = (self.schema)();
@@ -60,12 +67,14 @@ macro_rules! command {
     ($name:literal, $request:ty => $answer:ty, |$r:ident, $progress:ident| $body:expr) => {
         CommandEntry {
             name: $name,
+            #[cfg(feature = "schema")]
             schema: schemas::<$request, $answer>,
             ask: |value, $progress| {
                 let $r: $request = serde_json::from_value(value).map_err(|e| not_understood(&e))?;
                 let answer: $answer = $body?;
                 json(&answer)
             },
+            #[cfg(feature = "schema")]
             fields: OnceLock::new(),
             long: false,
         }
@@ -75,24 +84,36 @@ macro_rules! command {
     };
 }
 
-/// Every command; those on campaigns need the feature `files`.
+/// Every command; those on campaigns need the feature `files`, and many `whole`.
 pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
     vec![
+        #[cfg(feature = "whole")]
         command!(long "design", DesignRequest => DesignAnswer, |r, progress| design(&r, progress)),
         command!("force", ForceRequest => PointAnswer, |r, progress| force(&r, progress)),
         command!("pressure", PressureRequest => PointAnswer, |r, progress| pressure(&r, progress)),
         command!("contraction", ContractionRequest => PointAnswer, |r, progress| contraction(&r, progress)),
         command!("curve", CurveRequest => CurveAnswer, |r, progress| curve(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "joint", JointRequest => JointAnswer, |r, progress| joint(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "motion", MotionRequest => MotionAnswer, |r, progress| motion(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "study", StudyRequest => StudyAnswer, |r, progress| study(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "simulate", SimulateRequest => SimulateAnswer, |r, progress| simulate(&r, progress, None)),
+        #[cfg(feature = "whole")]
         command!(long "validate", ValidateRequest => ValidateAnswer, |r, progress| validate(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "sweep", SweepRequest => SweepAnswer, |r, progress| sweep(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "compare", CompareRequest => CompareAnswer, |r, progress| compare(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "identify", IdentifyRequest => IdentifyAnswer, |r, progress| identify(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "fit", FitRequest => FitAnswer, |r, progress| fit(&r, progress)),
+        #[cfg(feature = "whole")]
         command!(long "fit-report", FitReportRequest => FitReportAnswer, |r, progress| fit_report(&r, progress)),
+        #[cfg(feature = "whole")]
         command!("formula-show", FormulaShowRequest => FormulaShowAnswer, |r, _progress| formula_show(&r)),
         #[cfg(feature = "files")]
         command!(long "campaign", CampaignRequest => Outcome, |r, progress| campaign(&r, progress)),
@@ -105,6 +126,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         command!("braid-show", BraidShowRequest => BraidShowAnswer, |r, _progress| braid_show(&r)),
         command!("rubber-list", RubberListRequest => RubberListAnswer, |r, _progress| rubber_list(&r)),
         command!("rubber-show", RubberShowRequest => RubberShowAnswer, |r, _progress| rubber_show(&r)),
+        #[cfg(feature = "whole")]
         command!("rubber-fit", RubberFitRequest => RubberFitAnswer, |r, _progress| rubber_fit(&r)),
         command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
         command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
@@ -117,6 +139,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
 ///
 /// # Errors
 /// [`Problem`] of kind `usage` for a name that is no command.
+#[cfg(feature = "schema")]
 pub fn schema(command: &str) -> Result<Value, Problem> {
     Ok((find(command)?.schema)())
 }
@@ -174,6 +197,7 @@ pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Resu
 fn answered(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
     let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
     let command = find(command)?;
+    #[cfg(feature = "schema")]
     command.check_fields(&value)?;
     (command.ask)(value, progress)
 }
@@ -189,6 +213,7 @@ fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     })
 }
 
+#[cfg(feature = "schema")]
 fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
     let settings = || SchemaSettings::draft2020_12();
     let requests = settings().for_deserialize().into_generator().into_root_schema_for::<Q>();

@@ -61,7 +61,9 @@ pub use border::{guarded, panics_are_problems};
 pub use braid::*;
 #[cfg(feature = "files")]
 pub use campaign::*;
-pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, schema};
+#[cfg(feature = "schema")]
+pub use commands::schema;
+pub use commands::{COMMANDS, CommandEntry, ask, ask_packed};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;

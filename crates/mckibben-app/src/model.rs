@@ -7,7 +7,7 @@ use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal};
 use mckibben::muscle::Muscle;
 use mckibben::nearest::nearest;
-use mckibben_fem::axisymmetric::MeshSpec;
+use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
 use mckibben_fem::simulation::{Elements, MeshTextError};
 use mckibben_fem::three_dimensional::{BrickSpec, Match, Plug, PlugMaterial};
 use schemars::JsonSchema;
@@ -169,7 +169,13 @@ impl Model {
             Self::ClosedForm(kind) => kind.build(muscle)?,
             Self::Formula(formula) => Box::new(FormulaModel::new(Arc::clone(formula), muscle)),
             Self::Universal(formula) => Box::new(Universal::new(Arc::clone(formula), muscle)),
-            Self::Elements(elements) => elements.build(muscle)?,
+            Self::Elements(Elements::Axisymmetric(mesh)) => Box::new(Axisymmetric::with_mesh(muscle, mesh)?),
+            // Bricks and their solver are as large as all the rest.
+            Self::Elements(elements) if cfg!(feature = "whole") => elements.build(muscle)?,
+            Self::Elements(_) => {
+                let missing = "the engine with every model, which this one is not";
+                return Err(ModelError::Missing { model: "fe3d", missing, key: "" });
+            }
         })
     }
 }

@@ -1,11 +1,13 @@
-//! `shape`: the deformed muscle as numbers along it, for front ends that draw it in space.
+//! `shape`: one point of a muscle's behaviour with the deformed muscle as numbers along it, for front ends that draw it in space.
 
 use crate::fields::{MeshFields, MuscleFields};
 use crate::model::Model;
 use crate::muscle::MuscleSummary;
-use crate::point::{given, ratio};
+use crate::point::{finite, given, pull, ratio};
 use crate::problem::{Problem, ProblemKind};
-use mckibben::model::{ForceModel, Workspace};
+use mckibben::analysis::contraction_at;
+use mckibben::answer::{self, Answer, Options};
+use mckibben::model::Workspace;
 use mckibben::progress::Progress;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::output::Stations;
@@ -28,21 +30,20 @@ pub struct ShapeRequest {
     pub pressure_mpa: Option<f64>,
     /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
     pub contraction: Option<f64>,
+    /// Pull F in N in place of the contraction.
+    pub force_n: Option<f64>,
 }
 
 /// The half muscle from its middle (z = 0) to a terminal; the other half is its mirror image.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ShapeAnswer {
+    /// The point, as `force` has it but without P′, which takes ten times as long.
+    #[serde(flatten)]
+    pub point: Answer,
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// Pressure, MPa.
-    pub pressure_mpa: f64,
-    /// Contraction that was asked for.
-    pub contraction: f64,
     /// Contraction of the shape: where the muscle is slack, its free contraction.
     pub shape_contraction: f64,
-    /// Whether the muscle would have to push, and lies slack instead.
-    pub slack: bool,
     /// Length between the terminals in this shape, mm.
     pub length_mm: f64,
     /// Strands of both families, where their number is known.
@@ -76,24 +77,20 @@ pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAns
         let message = format!("{pressure_mpa} MPa is below zero");
         return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
     }
-    let contraction = ratio(request.contraction.unwrap_or(0.0))?;
     let fe = Axisymmetric::with_mesh(&muscle, mesh)
         .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let workspace = &mut Workspace::within(budget.clone());
-    let found = at(&fe, workspace, pressure_mpa, contraction);
+    let found = at(&fe, workspace, pressure_mpa, request);
     budget.ended()?;
-    let (shape_contraction, stations) = found?;
+    let (point, shape_contraction, stations) = found?;
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
-    let strands = stations
-        .strands
-        .into_iter()
+    let strands = stations.strands.into_iter();
+    let strands = strands
         .map(|(name, list)| (format!("strand_{}", name.strip_prefix("strand_").unwrap_or(name)), list));
     let nodes = stations.nodes.into_iter().map(|(name, list)| (name.to_owned(), list));
     Ok(ShapeAnswer {
-        pressure_mpa,
-        contraction,
+        point,
         shape_contraction,
-        slack: shape_contraction < contraction,
         length_mm: muscle.tube().length_mm * (1.0 - shape_contraction),
         strands: muscle.braid().strands.map(|s| s.count),
         stations: count,
@@ -103,22 +100,32 @@ pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAns
     })
 }
 
-/// The shape at a contraction, or at the free contraction of a muscle that is slack there.
+/// The point, and the shape there; that of a slack muscle at its free contraction.
 fn at(
     fe: &Axisymmetric,
     workspace: &mut Workspace,
     pressure_mpa: f64,
-    contraction: f64,
-) -> Result<(f64, Stations), Problem> {
-    let shape = |workspace: &mut Workspace, e: f64| {
-        fe.section_at(workspace, pressure_mpa, e).map(|section| (e, Stations::of(&section)))
+    request: &ShapeRequest,
+) -> Result<(Answer, f64, Stations), Problem> {
+    let options = Options::default();
+    let contraction = match request.force_n {
+        Some(force_n) => {
+            let force_n = finite("force_n", force_n)?;
+            pull(force_n, Default::default())?;
+            contraction_at(fe, workspace, force_n, pressure_mpa, options)?
+        }
+        None => ratio(request.contraction.unwrap_or(0.0))?,
     };
-    if contraction <= 0.0 {
-        return Ok(shape(workspace, contraction)?);
+    let mut point = answer::point(fe, workspace, pressure_mpa, contraction, options)?;
+    let mut shape_contraction = contraction;
+    if point.slack {
+        let free = match point.free_contraction {
+            Some(free) => free,
+            None => Simulation::free_contraction(fe, workspace, pressure_mpa)?,
+        };
+        point.free_contraction = Some(free);
+        shape_contraction = free.min(contraction);
     }
-    if fe.force_n(workspace, pressure_mpa, contraction).is_ok_and(|force_n| force_n >= 0.0) {
-        return Ok(shape(workspace, contraction)?);
-    }
-    let free = fe.free_contraction(workspace, pressure_mpa)?;
-    Ok(shape(workspace, free.min(contraction))?)
+    let section = fe.section_at(workspace, pressure_mpa, shape_contraction)?;
+    Ok((point, shape_contraction, Stations::of(&section)))
 }
