@@ -1,1 +1,1 @@
-export { Engine } from "./wasm.js";
+export { Engine } from "./engine/wasm.js";

@@ -1,0 +1,186 @@
+// A chart: lines and points by plotly.js, which is loaded when the first chart is shown; with a table, PNG, SVG and CSV.
+import { download, el } from "./dom.js";
+import { number } from "./units.js";
+
+/**
+ * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers", width?: number }} Series
+ * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[], data?: any[], layout?: any }} Spec
+ */
+
+/** @type {Promise<any> | undefined} */ let library;
+/** The chart library, once. */
+function plotly() {
+  library ??= new Promise((resolve, reject) => {
+    const script = el("script", { src: new URL("./plotly.js", import.meta.url).href });
+    script.onload = () => resolve(/** @type {any} */ (window).Plotly);
+    script.onerror = () => { library = undefined; reject(new Error("The chart library could not be loaded.")); };
+    document.head.append(script);
+  });
+  return library;
+}
+
+/** Okabe and Ito's colours, for what differs in kind; in the order of the figures of the command line. */
+export const KINDS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#8a8a8a"];
+const VIRIDIS = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129], [92, 200, 99], [170, 220, 50], [253, 231, 37]];
+/** Viridis between 0 and 1; without its palest end, which a white page would swallow. @param {number} share */
+export function viridis(share, most = 0.82) {
+  const t = Math.min(1, Math.max(0, share)) * most * (VIRIDIS.length - 1);
+  const [i, f] = [Math.min(VIRIDIS.length - 2, Math.floor(t)), t - Math.min(VIRIDIS.length - 2, Math.floor(t))];
+  const c = VIRIDIS[i].map((a, k) => Math.round(a + f * (VIRIDIS[i + 1][k] - a)));
+  return `rgb(${c.join(",")})`;
+}
+/** The colour of a pressure: the same in every chart of a page. @param {number} pressure @param {number} top */
+export function pressureColour(pressure, top) {
+  const dark = isDark();
+  return dark ? viridis(0.25 + 0.75 * (pressure / top), 1) : viridis(pressure / top);
+}
+export const isDark = () => (document.documentElement.dataset.theme ? document.documentElement.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches);
+/** @param {string} name */
+export const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+export class Chart {
+  /** @param {string} name of its files @param {{ tools?: Node, tall?: boolean, drag?: (x: number, y: number, settled: boolean) => void }} [options] */
+  constructor(name, { tools, tall, drag } = {}) {
+    this.name = name;
+    /** @type {Spec | undefined} */ this.spec = undefined;
+    this.plot = el("div", { class: "plot" }, el("p", { class: "waiting" }, "Loading the chart …"));
+    this.table = el("div", { class: "scroll", hidden: true, tabindex: 0 });
+    this.asTable = el("button", { type: "button", "aria-pressed": false, onclick: () => this.flip() }, "Table");
+    const save = (/** @type {string} */ kind) => el("button", { type: "button", onclick: () => this.save(kind) }, kind.toUpperCase());
+    const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"), save("svg"), save("png"));
+    this.element = el("section", { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") }, bar, this.plot, this.table);
+    this.drag = drag;
+    this.drawing = false;
+    this.again = false;
+    this.ready = false;
+    new ResizeObserver(() => this.ready && this.plot.offsetWidth && this.draw()).observe(this.plot);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
+    document.addEventListener("theme", () => this.draw());
+    if (drag) this.listen(drag);
+  }
+
+  flip() {
+    const on = this.asTable.getAttribute("aria-pressed") !== "true";
+    this.asTable.setAttribute("aria-pressed", String(on));
+    this.table.hidden = !on;
+    this.plot.hidden = on;
+    if (on) this.tabulate();
+    else this.draw();
+  }
+
+  /** @param {Spec} spec */
+  show(spec) {
+    this.spec = spec;
+    if (!this.table.hidden) this.tabulate();
+    this.draw();
+  }
+
+  async draw() {
+    if (!this.spec || this.plot.hidden) return;
+    if (this.drawing) { this.again = true; return; }
+    this.drawing = true;
+    try {
+      const Plotly = await plotly();
+      if (!this.ready) this.plot.replaceChildren();
+      this.ready = true;
+      await Plotly.react(this.plot, this.traces(), this.layout(), { displayModeBar: false, responsive: false });
+    } catch (error) {
+      const retry = el("button", { type: "button", onclick: () => this.draw() }, "Try again");
+      this.plot.replaceChildren(el("p", { class: "waiting" }, `${/** @type {Error} */ (error).message} The table has the numbers. `, retry));
+      this.ready = false;
+    }
+    this.drawing = false;
+    if (this.again) { this.again = false; this.draw(); }
+  }
+
+  traces() {
+    const spec = /** @type {Spec} */ (this.spec);
+    const lines = spec.series.map((s, i) => ({
+      x: s.x, y: s.y, name: s.name, mode: s.mode ?? "lines", type: "scatter", showlegend: false, connectgaps: false,
+      line: { color: s.colour ?? KINDS[i % KINDS.length], width: s.width ?? 1.5, dash: s.dash ?? "solid" },
+      marker: { symbol: "circle-open", size: 7, color: s.colour ?? KINDS[i % KINDS.length] },
+      hovertemplate: `%{x:.4g}, %{y:.4g}<extra>${s.name}</extra>`,
+    }));
+    const marks = (spec.marks ?? []).map((m) => ({
+      x: [m.x], y: [m.y], mode: "markers", type: "scatter", showlegend: false, hovertemplate: `${m.text}<extra></extra>`,
+      marker: { symbol: "circle-open", size: 12, color: token("--ink"), line: { width: 2 } },
+    }));
+    return [...(spec.data ?? []), ...lines, ...marks];
+  }
+
+  layout() {
+    const spec = /** @type {Spec} */ (this.spec);
+    const [ink, line, faint] = [token("--ink"), token("--line"), token("--faint")];
+    const axis = (/** @type {string} */ title) => ({ title: { text: title, standoff: 8 }, gridcolor: faint, linecolor: line, zerolinecolor: line, tickcolor: line, automargin: true, color: ink, fixedrange: true });
+    const last = (/** @type {Series} */ s) => { let i = s.x.length - 1; while (i > 0 && (s.y[i] === null || s.y[i] === undefined)) i--; return i; };
+    const ends = spec.series.filter((s) => s.end && s.x.length).map((s) => {
+      const start = s.at === "start", i = start ? 0 : last(s);
+      return { x: s.x[i], y: s.y[i], text: s.end, showarrow: false, xanchor: "left", yanchor: start ? "bottom" : "middle", xshift: start ? 10 : 4, font: { color: s.colour ?? ink, size: 12 } };
+    });
+    const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
+    return {
+      margin: { l: 48, r: 16 + 7 * longest, t: 12, b: 40 }, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
+      font: { family: "system-ui, sans-serif", size: 13, color: ink }, xaxis: axis(spec.x), yaxis: { ...axis(spec.y), rangemode: "tozero" },
+      annotations: apart(ends), hovermode: "closest", dragmode: false, height: this.plot.clientHeight, width: this.plot.clientWidth, ...spec.layout,
+    };
+  }
+
+  /** Drags and clicks in the plotting area as values of its axes. @param {(x: number, y: number, settled: boolean) => void} drag */
+  listen(drag) {
+    let on = false;
+    const at = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+      const full = /** @type {any} */ (this.plot)._fullLayout;
+      if (!full?.xaxis) return;
+      const box = this.plot.getBoundingClientRect();
+      drag(full.xaxis.p2d(event.clientX - box.left - full.xaxis._offset), full.yaxis.p2d(event.clientY - box.top - full.yaxis._offset), settled);
+    };
+    this.plot.addEventListener("pointerdown", (event) => { if (event.button === 0) { on = true; this.plot.setPointerCapture(event.pointerId); at(event, false); } });
+    this.plot.addEventListener("pointermove", (event) => on && at(event, false));
+    this.plot.addEventListener("pointerup", (event) => { if (on) at(event, true); on = false; });
+    this.plot.addEventListener("pointercancel", () => { on = false; });
+    this.plot.style.touchAction = "pan-y";
+    this.plot.style.cursor = "crosshair";
+  }
+
+  /** Rows of all series: name, x, y. */
+  rows() {
+    return (this.spec?.series ?? []).flatMap((s) => s.x.map((x, i) => /** @type {[string, number, number | null]} */ ([s.name, x, s.y[i]])));
+  }
+
+  tabulate() {
+    const spec = /** @type {Spec} */ (this.spec);
+    const head = el("tr", {}, el("th", { class: "text", scope: "col" }, "curve"), el("th", { scope: "col" }, spec.x), el("th", { scope: "col" }, spec.y));
+    const body = this.rows().map(([name, x, y]) => el("tr", {}, el("td", { class: "text" }, name), el("td", {}, number(x)), el("td", {}, number(y))));
+    this.table.replaceChildren(el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
+  }
+
+  /** @param {string} kind */
+  async save(kind) {
+    if (!this.spec) return;
+    if (kind === "csv") {
+      const quoted = (/** @type {any} */ v) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
+      const lines = [["curve", this.spec.x, this.spec.y], ...this.rows()].map((row) => row.map(quoted).join(","));
+      return download(`${this.name}.csv`, lines.join("\n") + "\n", "text/csv");
+    }
+    const Plotly = await plotly();
+    const size = { width: Math.max(640, this.plot.clientWidth), height: Math.max(400, this.plot.clientHeight) };
+    const layout = { ...this.layout(), paper_bgcolor: token("--paper"), plot_bgcolor: token("--paper") };
+    const url = await Plotly.toImage({ data: this.traces(), layout }, { format: kind, scale: kind === "png" ? 2 : 1, ...size });
+    el("a", { href: url, download: `${this.name}.${kind}` }).click();
+  }
+}
+
+/** Labels at the ends of curves, moved apart where they would lie on one another; plotly's shifts are in pixels. @param {any[]} ends */
+function apart(ends) {
+  const sorted = [...ends].sort((a, b) => a.y - b.y);
+  const reach = Math.max(1e-12, ...sorted.map((e) => Math.abs(e.y)));
+  // About 250 pixels for the reach of the axis.
+  let before = -Infinity;
+  for (const end of sorted) {
+    const place = (250 * end.y) / reach;
+    const moved = Math.max(place, before + 14);
+    end.yshift = moved - place;
+    before = moved;
+  }
+  return ends;
+}

@@ -1,0 +1,135 @@
+// A quantity as a slider with a field beside it, and a choice from a list.
+import { engine } from "./ask.js";
+import { el } from "./dom.js";
+import { changeUnit, expectation, hasChoice, inside, number, onUnits, outside, unitName } from "./units.js";
+
+let count = 0;
+
+/**
+ * A slider with a field. `change` is told every step, with `settled` at the end of a gesture.
+ * @param {{ label: string, symbol?: string, kind: string, value: number, low: number, high: number, change: (value: number, settled: boolean) => void }} spec
+ */
+export function quantity({ label, symbol = "", kind, value, low, high, change }) {
+  const id = `q${++count}`;
+  let now = value;
+  const slider = el("input", { type: "range", min: 0, max: 1000, step: "any", "aria-label": label });
+  const field = el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", "aria-describedby": `${id}w` });
+  const unit = hasChoice(kind)
+    ? el("button", { type: "button", class: "bare", title: "Change the unit everywhere", onclick: () => changeUnit(kind) })
+    : el("span", { class: "soft" });
+  const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
+  const element = el("div", { class: "quantity" }, el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null), field, unit, slider, wrong);
+
+  const bounds = { low, high };
+  const toSlider = (/** @type {number} */ v) => String((1000 * (v - bounds.low)) / (bounds.high - bounds.low));
+  const fromSlider = () => tidy(bounds.low + (Number(slider.value) / 1000) * (bounds.high - bounds.low));
+  /** To a step that suits the shown unit: a five-hundredth of the reach. @param {number} v */
+  function tidy(v) {
+    const reach = Math.abs(outside(kind, bounds.high) - outside(kind, bounds.low));
+    const step = 10 ** Math.floor(Math.log10(reach / 100));
+    return inside(kind, Number((Math.round(outside(kind, v) / step) * step).toPrecision(12)));
+  }
+  function paint(fieldToo = true) {
+    slider.value = toSlider(now);
+    if (fieldToo) field.value = number(outside(kind, now), 6).replace("−", "-");
+    unit.textContent = unitName(kind);
+    slider.setAttribute("aria-valuetext", `${number(outside(kind, now))} ${unitName(kind)}`);
+    field.title = expectation(kind);
+  }
+  function good() {
+    field.removeAttribute("aria-invalid");
+    wrong.hidden = true;
+  }
+  slider.addEventListener("input", () => { now = fromSlider(); good(); paint(); change(now, false); });
+  slider.addEventListener("change", () => change(now, true));
+  slider.addEventListener("keydown", (event) => {
+    const reach = Math.abs(outside(kind, bounds.high) - outside(kind, bounds.low));
+    const step = 10 ** Math.floor(Math.log10(reach / 100));
+    const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    const next = inside(kind, Number((outside(kind, now) + by * step).toPrecision(12)));
+    now = Math.min(bounds.high, Math.max(bounds.low, next));
+    good();
+    paint();
+    change(now, true);
+  });
+  async function read() {
+    const text = field.value.trim();
+    // A bare number is in the unit that stands beside it.
+    const bare = text !== "" && Number.isFinite(Number(text));
+    const reading = bare
+      ? { value: inside(kind, Number(text)) }
+      : (await engine().ask("quantities", { texts: [{ text, kind }] }, { lane: "state" })).readings[0];
+    if (reading.problem) return set_wrong(reading.problem.message);
+    now = reading.value;
+    good();
+    paint();
+    change(now, true);
+  }
+  function set_wrong(/** @type {string} */ message) {
+    field.setAttribute("aria-invalid", "true");
+    wrong.textContent = message;
+    wrong.hidden = false;
+  }
+  field.addEventListener("change", () => { read().catch((problem) => set_wrong(problem.message)); });
+  field.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); read().catch(() => {}); } });
+  onUnits(() => paint());
+  paint();
+  return {
+    element,
+    get value() { return now; },
+    /** @param {number} v */
+    set(v) { if (v !== now) { now = v; good(); paint(document.activeElement !== field); } },
+    /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
+    mark(message) { if (message) set_wrong(message); else if (field.getAttribute("aria-invalid")) good(); },
+    /** @param {number} newLow @param {number} newHigh */
+    reach(newLow, newHigh) { bounds.low = newLow; bounds.high = newHigh; paint(document.activeElement !== field); },
+    /** @param {boolean} on */
+    enable(on) { slider.disabled = !on; field.disabled = !on; },
+  };
+}
+
+/**
+ * A list to choose from. @param {string} label @param {[string, string][]} options @param {string} value @param {(value: string) => void} change
+ */
+export function choice(label, options, value, change) {
+  const select = el("select", { onchange: () => change(select.value) }, ...options.map(([name, text]) => el("option", { value: name }, text)));
+  select.value = value;
+  const element = el("label", { class: "choice" }, el("span", {}, label), select);
+  return {
+    element,
+    /** @param {string} v */
+    set(v) {
+      if (![...select.options].some((o) => o.value === v)) select.append(el("option", { value: v }, v));
+      select.value = v;
+    },
+    /** More to choose from, where they are not there yet. @param {string[]} names */
+    options(names) {
+      const there = new Set([...select.options].map((o) => o.value));
+      select.append(...names.filter((n) => !there.has(n)).map((n) => el("option", { value: n }, n)));
+    },
+  };
+}
+
+/**
+ * A field for text that the engine reads: a file's text, or words. Drops of files are taken too.
+ * @param {string} label @param {string} accept @param {(name: string, text: string) => void} take
+ */
+export function fileField(label, accept, take) {
+  const input = el("input", { type: "file", accept, class: "unseen" });
+  const box = el("div", { class: "drop" }, el("button", { type: "button", onclick: () => input.click() }, label), el("p", { class: "small soft", style: "margin:4px 0 0" }, "or drop it here"), input);
+  input.setAttribute("aria-label", label);
+  input.tabIndex = -1;
+  const read = async (/** @type {File | undefined} */ file) => { if (file) take(file.name, await file.text()); };
+  input.addEventListener("change", () => { read(input.files?.[0]); input.value = ""; });
+  onDrop(box, read);
+  return box;
+}
+
+/** @param {HTMLElement} box @param {(file: File | undefined) => void} read */
+export function onDrop(box, read) {
+  box.addEventListener("dragover", (event) => { event.preventDefault(); box.classList.add("over"); });
+  box.addEventListener("dragleave", () => box.classList.remove("over"));
+  box.addEventListener("drop", (event) => { event.preventDefault(); box.classList.remove("over"); read(event.dataTransfer?.files[0]); });
+}

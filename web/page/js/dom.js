@@ -1,0 +1,75 @@
+// Elements in one call, and what every page needs of the document.
+
+/**
+ * An element: attributes by name, listeners as `onclick` functions, children as nodes or texts.
+ * @template {keyof HTMLElementTagNameMap} K
+ * @param {K} tag @param {Record<string, any>} [attributes] @param {...(Node | string | null | undefined | false)} children
+ * @returns {HTMLElementTagNameMap[K]}
+ */
+export function el(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (typeof value === "function") element.addEventListener(name.slice(2), value);
+    else if (name === "style") element.style.cssText = value;
+    else if (name === "value") /** @type {any} */ (element).value = value;
+    else element.setAttribute(name, value === true ? "" : String(value));
+  }
+  element.append(...children.filter((child) => child !== null && child !== undefined && child !== false));
+  return element;
+}
+
+/** @param {string} id @returns {HTMLElement} */
+export const byId = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
+
+let spoken = 0;
+/** Says something to screen readers once things have settled. @param {string} text */
+export function say(text) {
+  clearTimeout(spoken);
+  spoken = setTimeout(() => { byId("live").textContent = text; }, 700);
+}
+
+/** A problem as people read it. @param {any} problem */
+export function problemBox(problem) {
+  const hint = problem.hint ? el("p", { class: "small" }, capital(problem.hint)) : null;
+  return el("div", { class: "problem", role: "alert" }, el("p", {}, capital(problem.message ?? String(problem))), hint);
+}
+
+/** @param {string} text */
+export const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** Hands a file to the browser's downloads. @param {string} name @param {BlobPart} content @param {string} type */
+export function download(name, content, type) {
+  const url = URL.createObjectURL(new Blob([content], { type }));
+  const link = el("a", { href: url, download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/**
+ * Tabs over one panel. @param {string} label @param {[string, string][]} tabs @param {string} chosen @param {(name: string) => void} choose
+ */
+export function tabs(label, tabs, chosen, choose) {
+  const list = el("div", { role: "tablist", "aria-label": label });
+  const buttons = tabs.map(([name, text]) => el("button", {
+    role: "tab", type: "button", "aria-selected": name === chosen, tabindex: name === chosen ? 0 : -1, "data-name": name, onclick: () => pick(name),
+  }, text));
+  function pick(/** @type {string} */ name) {
+    for (const button of buttons) {
+      const on = button.dataset.name === name;
+      button.setAttribute("aria-selected", String(on));
+      button.tabIndex = on ? 0 : -1;
+    }
+    choose(name);
+  }
+  list.addEventListener("keydown", (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    const at = buttons.indexOf(/** @type {any} */ (document.activeElement));
+    const next = buttons[(at + step + buttons.length) % buttons.length];
+    next.focus();
+    next.click();
+  });
+  list.append(...buttons);
+  return { list, pick };
+}

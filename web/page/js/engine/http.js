@@ -1,0 +1,54 @@
+// The engine behind HTTP: `mckibben serve`.
+import { unpack } from "./packed.js";
+import { Problem, gone } from "./problem.js";
+
+const API = new URL("../../api/v1/", import.meta.url);
+
+/** @param {Response} answer */
+async function problem(answer) {
+  const said = await answer.json().catch(() => ({}));
+  return new Problem({ kind: said.kind ?? "engine", message: said.detail ?? said.message ?? `${answer.status} ${answer.statusText}`, hint: said.hint, field: said.field });
+}
+
+/** @param {string} path @param {RequestInit} init */
+async function reach(path, init) {
+  /** @type {Response} */ let answer;
+  try {
+    answer = await fetch(new URL(path, API), init);
+  } catch (error) {
+    if (init.signal?.aborted) throw new DOMException("cancelled", "AbortError");
+    throw gone("the server cannot be reached");
+  }
+  if (!answer.ok) throw await problem(answer);
+  return answer;
+}
+
+/** @param {any} request @param {AbortSignal} [signal] */
+const post = (request, signal) => ({ method: "POST", signal, body: JSON.stringify(request), headers: { "content-type": "application/json", accept: "application/octet-stream" } });
+
+export class Engine {
+  get about() { return "mckibben serve"; }
+
+  /** @param {string} command @param {any} request @param {{ signal?: AbortSignal }} [options] @returns {Promise<any>} */
+  async ask(command, request, { signal } = {}) {
+    const answer = await reach(command, post(request, signal));
+    return unpack(await answer.arrayBuffer()).answer;
+  }
+
+  /** @param {string} command @param {any} request @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options] @returns {Promise<any>} */
+  async job(command, request, { signal, progress } = {}) {
+    const begun = await (await reach(`jobs/${command}`, { ...post(request, signal), headers: { "content-type": "application/json" } })).json();
+    const events = new EventSource(new URL(`jobs/${begun.id}/events`, API));
+    return new Promise((resolve, reject) => {
+      const end = (/** @type {() => void} */ act) => { events.close(); act(); };
+      signal?.addEventListener("abort", () => {
+        fetch(new URL(`jobs/${begun.id}`, API), { method: "DELETE" }).catch(() => {});
+        end(() => reject(new DOMException("cancelled", "AbortError")));
+      }, { once: true });
+      events.addEventListener("progress", ({ data }) => { const { done, total } = JSON.parse(data); progress?.(done, total); });
+      events.addEventListener("answer", ({ data }) => end(() => resolve(JSON.parse(data))));
+      events.addEventListener("problem", ({ data }) => end(() => reject(new Problem(JSON.parse(data)))));
+      events.onerror = () => { if (events.readyState === EventSource.CLOSED) end(() => reject(gone("the server went away"))); };
+    });
+  }
+}

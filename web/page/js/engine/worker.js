@@ -1,0 +1,36 @@
+// One engine in a worker of its own: requests in, answers out, one after the other.
+import { unpack } from "./packed.js";
+
+/** @type {any} */ let engine;
+let current = 0;
+const encoder = new TextEncoder(), decoder = new TextDecoder();
+
+/** @param {string} command @param {string} request */
+function ask(command, request) {
+  const [a, b] = [encoder.encode(command), encoder.encode(request)];
+  const at = engine.reserve(a.length + b.length);
+  const input = new Uint8Array(engine.memory.buffer, at, a.length + b.length);
+  input.set(a);
+  input.set(b, a.length);
+  const wrong = engine.ask(a.length);
+  const bytes = new Uint8Array(engine.memory.buffer, engine.answer(), engine.answer_length()).slice();
+  return wrong ? { problem: JSON.parse(decoder.decode(bytes)) } : unpack(bytes.buffer);
+}
+
+self.onmessage = async ({ data }) => {
+  if (data.module) {
+    const host = { progress: (/** @type {number} */ done, /** @type {number} */ total) => self.postMessage({ id: current, done, total }) };
+    engine = (await WebAssembly.instantiate(data.module, { host })).exports;
+    engine.start();
+    return;
+  }
+  current = data.id;
+  try {
+    const { problem, answer, buffers } = ask(data.command, data.request);
+    self.postMessage({ id: data.id, problem, answer }, { transfer: buffers ?? [] });
+  } catch (error) {
+    // A trap: the instance cannot be used any more; its last words stand where the answer would.
+    const words = decoder.decode(new Uint8Array(engine.memory.buffer, engine.answer(), engine.answer_length()));
+    self.postMessage({ id: data.id, dead: words || String(error) });
+  }
+};

@@ -1,0 +1,355 @@
+// The muscle, alive: its measures as sliders, the deformed body, curves, and numbers with their ±.
+import { Slot, engine } from "../ask.js";
+import { address, write } from "../address.js";
+import { Chart, KINDS, isDark, pressureColour, viridis } from "../chart.js";
+import { choice, fileField, onDrop, quantity } from "../controls.js";
+import { capital, download, el, problemBox, say, tabs } from "../dom.js";
+import { CONTRACTION, LOAD, PRESSURE, QUANTITIES, muscle } from "../muscle.js";
+import { inside, number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
+import { View } from "../view3d.js";
+
+const TESTS = /** @type {[string, string][]} */ ([["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
+/** What colours the muscle: field, name, kind of its unit. */
+const SHOWN = /** @type {[string, string, string][]} */ ([
+  ["max_stretch", "Largest stretch", ""], ["hoop_stretch", "Hoop stretch", ""], ["stress_hoop_mpa", "Hoop stress", "pressure"], ["stress_axial_mpa", "Axial stress", "pressure"],
+  ["strand_tension_n_per_mm", "Tension of the strands per width", "N/mm"], ["strand_tension_n", "Tension of a strand", "force"], ["strand_angle_deg", "Angle of the strands", "angle"],
+]);
+const OVERLAYS = ["universal", "thick-wall", "ideal", "paper"];
+const OWN = ["test", "show", "cut", "over"];
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  const wanted = { test: "isobaric", show: "max_stretch", cut: "", over: "" };
+  const v = muscle.values;
+  /** @type {any} */ let shape, point, facts;
+  let pumping = 0;
+
+  // Controls.
+  const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
+  const make = (/** @type {any} */ spec) => {
+    controls[spec.key] = quantity({ ...spec, value: /** @type {any} */ (muscle.values)[spec.key] ?? spec.low, change: (/** @type {number} */ value, /** @type {boolean} */ settled) => changed(spec.key, value, settled) });
+    return controls[spec.key].element;
+  };
+  const rubber = choice("Rubber", [["paper", "paper"]], v.rubber, (name) => changed("rubber", name, true));
+  const braid = choice("Braid", [["", "its own angle"]], v.braid, (name) => changed("braid", name, true));
+  const strands = choice("Strands", [["", "of the paper's braid"], ["inextensible", "inextensible"]], v.k, (name) => changed("k", name, true));
+  const held = choice("Held", [["e", "contraction"], ["F", "load"]], "e", (what) => changed("F", what === "F" ? Math.round(point?.force_n ?? 100) : undefined, true));
+  const fileName = el("p", { class: "small soft" });
+  const controlsBox = el("section", { class: "controls", "aria-label": "Muscle" },
+    el("fieldset", {}, el("legend", {}, "State"), make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)),
+    el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element),
+    el("details", {}, el("summary", {}, "Muscle file"), fileName, fileField("Open a muscle file (TOML)", ".toml", takeFile),
+      el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: saveFile }, "Download this muscle"))));
+
+  // The muscle in space.
+  const busy = el("div", { class: "busy" });
+  const stageSay = el("p", { class: "say" }), scale = el("div", { class: "bar" }), legend = el("div", { class: "legend" });
+  const hint = "Drag to turn; drag the right end to contract; Ctrl and wheel to zoom; twice to turn back";
+  const stage = el("div", { class: "stage", title: hint }, stageSay, scale, legend, busy);
+  let dragged = /** @type {number | undefined} */ (undefined);
+  const view = new View(stage, { contract(share, settled) {
+    dragged ??= shape.shape_contraction;
+    const to = Math.min(0.9, Math.max(-0.1, Math.round(1000 * (dragged + share)) / 1000));
+    if (settled) dragged = undefined;
+    muscle.values.F = undefined;
+    changed("e", to, settled);
+  } });
+  const colour = choice("Colour", SHOWN.map(([name, text]) => [name, text]), wanted.show, (name) => { wanted.show = name; paint(); settle(); });
+  const cut = el("button", { type: "button", "aria-pressed": false, onclick: () => { wanted.cut = wanted.cut ? "" : "1"; paint(); settle(); } }, "Cut open");
+  const pump = el("button", { type: "button", onclick: startPump }, "Pump");
+  const stageTools = el("div", { class: "row" }, colour.element, cut, pump);
+
+  // Charts.
+  const over = el("div", { class: "row small" }, ...OVERLAYS.map((name, i) => {
+    const box = el("input", { type: "checkbox", id: `over-${name}`, onchange: () => { wanted.over = [...over.querySelectorAll("input")].filter((x) => x.checked).map((x) => x.id.slice(5)).join(","); curves(); settle(); } });
+    return el("label", { for: `over-${name}` }, box, ` ${name} `, el("i", { style: `display:inline-block;width:16px;border-top:2px dashed ${KINDS[i + 1]};vertical-align:middle` }));
+  }));
+  const tests = tabs("Curves", TESTS, wanted.test, (name) => { wanted.test = name; drawCurves(); curves(); settle(); });
+  const chart = new Chart("muscle-curves", { tools: tests.list, drag(x, _, settled) {
+    if (wanted.test === "isobaric") { muscle.values.F = undefined; changed("e", Math.max(0, Math.round(x * 10) / 1000), settled); }
+    if (wanted.test === "isometric" || wanted.test === "isotonic") changed("p", Math.max(0, Math.round((x / outside("pressure", 1)) * 1000) / 1000), settled);
+  } });
+
+  const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
+  const said = el("div", {});
+  main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, stage, stageTools, chart.element, el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"), over)), el("div", {}, said, numbers)));
+  onDrop(main, (file) => { if (file?.name.endsWith(".toml")) file.text().then((text) => takeFile(file.name, text)); });
+
+  // Questions: the state first, then curves, then what is slow.
+  const stateSlot = new Slot({ lane: "state", busy: (on) => busy.classList.toggle("on", on) });
+  const factSlot = new Slot(), curveSlot = new Slot(), overSlot = new Slot();
+  const settleTimer = { id: 0 };
+
+  /** @param {string} key @param {any} value @param {boolean} settled */
+  function changed(key, value, settled) {
+    stopPump();
+    muscle.set(/** @type {any} */ (key), value);
+    if (key === "e") muscle.values.F = undefined;
+    ask();
+    if (settled) { settle(); follow(); }
+    else { clearTimeout(settleTimer.id); settleTimer.id = window.setTimeout(follow, 120); }
+  }
+
+  function settle() {
+    write(address("muscle", { ...muscle.params(), test: wanted.test === "isobaric" ? "" : wanted.test, show: wanted.show === "max_stretch" ? "" : wanted.show, cut: wanted.cut, over: wanted.over }));
+  }
+
+  /** The point and its shape. @param {number} [pressure] */
+  function ask(pressure) {
+    const { p, e, F } = muscle.values;
+    const state = F === undefined ? { contraction: e } : { force_n: F };
+    stateSlot.ask("shape", { ...muscle.fields(), pressure_mpa: pressure ?? p, ...state }, (answer) => {
+      shape = point = answer;
+      if (F !== undefined) muscle.values.e = answer.contraction;
+      said.replaceChildren();
+      Object.values(controls).forEach((c) => c.mark(""));
+      paint();
+      paintNumbers();
+      drawCurves();
+      if (pressure === undefined) say(`Pull ${withUncertainty("force", answer.force_n, answer.uncertainty_n)}`);
+    }, (problem) => {
+      const key = [...QUANTITIES, PRESSURE, CONTRACTION, LOAD].find((q) => q.field === problem.field)?.key;
+      if (key) controls[key].mark(problem.message);
+      said.replaceChildren(problemBox(problem), problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
+      point = undefined;
+    });
+    curves();
+  }
+
+  /** What comes after: P′, and what the muscle does at this pressure. */
+  function follow() {
+    const { p, e } = muscle.values;
+    factSlot.ask("muscle-show", { ...muscle.fields(), pressure_mpa: p }, (answer) => {
+      facts = { ...answer, start: facts?.start };
+      paintNumbers();
+      const free = answer.characteristics?.free_contraction;
+      if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
+      controls.F.reach(0, Math.max(10, niceUp(answer.characteristics?.blocked_force_n ?? 1000)));
+      factSlot.ask("force", { ...muscle.fields(), pressure_mpa: p, contraction: e }, (answer) => { facts.start = answer.start_pressure_mpa; paintNumbers(); }, () => { facts.start = undefined; });
+    }, () => {});
+  }
+
+  // Curves: five pressures up to a round one above this, and the state's own.
+  /** @type {{ test: string, answer: any, top: number } | undefined} */ let family;
+  /** @type {any[]} */ let overlays = [];
+
+  function curves() {
+    const { test } = wanted;
+    if (test === "along") return drawCurves();
+    const shown = outside("pressure", Math.max(muscle.values.p, 0.02)), step = niceUp(shown / 5), fields = muscle.fields();
+    const steps = Math.ceil(shown / step - 1e-9), top = inside("pressure", steps * step);
+    const pressures = Array.from({ length: steps }, (_, i) => inside("pressure", Number(((i + 1) * step).toPrecision(12))));
+    const along = [...Array(13).keys()].map((i) => (i * top) / 12);
+    const request = test === "isobaric" ? { pressures_mpa: pressures, contractions: reachOf() }
+      : test === "isometric" ? { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: along }
+      : { forces_n: [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, roundTo(x * (facts?.characteristics?.blocked_force_n ?? 500)))), pressures_mpa: along.slice(1) };
+    curveSlot.ask("curve", { test, ...fields, ...request }, (answer) => { family = { test, answer, top }; drawCurves(); }, () => {});
+    const names = wanted.over.split(",").filter(Boolean);
+    if (!names.length || test !== "isobaric") { overlays = []; return; }
+    const found = /** @type {any[]} */ ([]);
+    const next = (/** @type {string[]} */ rest) => {
+      if (!rest.length) { overlays = found; return drawCurves(); }
+      const done = (/** @type {any} */ answer) => { if (answer) found.push(answer); next(rest.slice(1)); };
+      overSlot.ask("curve", { test, ...fields, model: rest[0], extrapolate: true, pressures_mpa: [muscle.values.p], contractions: reachOf() }, done, () => done(undefined));
+    };
+    next(names);
+  }
+
+  function reachOf() {
+    const end = Math.max(0.1, (facts?.characteristics?.free_contraction ?? 0.28) * 1.08);
+    return [...Array(13).keys()].map((i) => Math.round((i * end * 1e4) / 12) / 1e4);
+  }
+
+  function drawCurves() {
+    const { test } = wanted;
+    over.hidden = test !== "isobaric";
+    if (test === "along") return drawAlong();
+    if (!family || family.test !== test) return;
+    const { answer, top } = family;
+    const count = answer.points.length / answer.fixed.length;
+    const isobaric = test === "isobaric", isotonic = test === "isotonic";
+    const fu = unitName("force"), pu = unitName("pressure");
+    const series = answer.fixed.map((/** @type {number} */ fixed, /** @type {number} */ i) => {
+      const points = answer.points.slice(i * count, (i + 1) * count);
+      const ok = (/** @type {any} */ q) => q.status === "ok" && !(q.slack && q.force_n === 0 && isobaric && q.contraction > (q.free_contraction ?? 1) + 0.02);
+      const name = isobaric ? show("pressure", fixed, 3) : isotonic ? show("force", fixed, 3) : show("ratio", fixed, 3);
+      return {
+        name, end: name, at: isobaric ? "start" : "end",
+        colour: isobaric ? pressureColour(fixed, top) : (isDark() ? viridis(0.3 + (0.7 * i) / answer.fixed.length, 1) : viridis(i / answer.fixed.length)),
+        x: points.map((/** @type {any} */ q) => (isobaric ? 100 * q.contraction : outside("pressure", q.pressure_mpa))),
+        y: points.map((/** @type {any} */ q) => (ok(q) ? (isotonic ? 100 * q.contraction : outside("force", q.force_n)) : null)),
+      };
+    });
+    overlays.forEach((o) => series.push({
+      name: `${o.model} at ${show("pressure", o.fixed[0], 3)}`, dash: "dash", colour: KINDS[OVERLAYS.indexOf(o.model) + 1] ?? KINDS[6],
+      x: o.points.map((/** @type {any} */ q) => 100 * q.contraction), y: o.points.map((/** @type {any} */ q) => (q.status === "ok" ? outside("force", q.force_n) : null)),
+    }));
+    const marks = point ? [isobaric ? { x: 100 * point.contraction, y: outside("force", point.force_n) } : { x: outside("pressure", point.pressure_mpa), y: isotonic ? 100 * point.contraction : outside("force", point.force_n) }].map((m) => ({ ...m, text: "this state" })) : [];
+    chart.show({ x: isobaric ? "contraction ε [%]" : `pressure p [${pu}]`, y: isotonic ? "contraction ε [%]" : `pull F [${fu}]`, series, marks });
+  }
+
+  function drawAlong() {
+    if (!shape) return;
+    const { arrays, stations, across } = shape;
+    const z = mirror((j) => outside("length", arrays.z_mm[j * across + across - 1]), -1);
+    const r = mirror((j) => outside("length", arrays.r_mm[j * across + across - 1]), 1);
+    const inner = mirror((j) => outside("length", arrays.r_mm[j * across]), 1);
+    const angle = mirror((j) => arrays.strand_angle_deg[j], 1);
+    function mirror(/** @type {(j: number) => number} */ at, /** @type {number} */ sign) {
+      const half = [...Array(stations).keys()].map(at);
+      return [...half.slice(1).reverse().map((x) => sign * x), ...half];
+    }
+    const lu = unitName("length");
+    chart.show({ x: `z from the middle [${lu}]`, y: `radius [${lu}], strand angle [°]`, series: [
+      { name: "outer radius", end: "outer", x: z, y: r, colour: KINDS[0] }, { name: "inner radius", end: "inner", x: z, y: inner, colour: KINDS[5] }, { name: "strand angle", end: "angle", x: z, y: angle, colour: KINDS[1], dash: "dot" },
+    ] });
+  }
+
+  function paint() {
+    if (!shape) return;
+    const [name, words, kind] = SHOWN.find(([f]) => f === wanted.show && shape.arrays[f]) ?? SHOWN[0];
+    colour.set(name);
+    cut.setAttribute("aria-pressed", String(Boolean(wanted.cut)));
+    view.cut = Boolean(wanted.cut);
+    // The few nodes at the bonded corner would take the whole map.
+    const sorted = Float32Array.from(shape.arrays[name]).sort();
+    const [low, high] = [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
+    view.set(shape, { field: name, low, high, restLength: muscle.values.L, restRadius: muscle.values.D / 2 });
+    const end = (/** @type {number} */ x) => (kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3));
+    const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(",");
+    legend.replaceChildren(el("span", {}, words), el("i", { style: `background:linear-gradient(90deg,${ramp})` }), el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))));
+    const sayIt = point.slack ? [el("b", {}, "Slack"), el("br"), `It hangs ${show("ratio", shape.shape_contraction, 3)} shortened and does not pull.`]
+      : [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`];
+    stageSay.replaceChildren(...sayIt);
+    requestAnimationFrame(() => {
+      const step = niceUp(80 * view.millimetresPerPixel * 0.6);
+      scale.replaceChildren(el("span", { style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / view.millimetresPerPixel}px` }), show("length", step, 3));
+    });
+  }
+
+  function paintNumbers() {
+    if (!point) return;
+    const c = facts?.characteristics;
+    const rows = /** @type {[string, string | Node][]} */ ([
+      ["stiffness", point.stiffness_n_per_mm === undefined ? "–" : `${number(point.stiffness_n_per_mm, 3)} N/mm`],
+      ["contraction", show("ratio", point.contraction, 3)],
+      ["bulged diameter", show("length", point.bulged_diameter_mm)],
+      ["cavity", point.volume_mm3 === undefined || point.volume_mm3 === null ? "–" : `${number(point.volume_mm3 / 1e3, 3)} cm³`],
+      ["starts at", show("pressure", facts?.start, 3)],
+      ["blocked force", show("force", c?.blocked_force_n)],
+      ["free contraction", show("ratio", c?.free_contraction, 3)],
+      ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
+      ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
+    ]);
+    const list = el("dl", {}, el("dt", { class: "head" }, "pull"), el("dd", { class: "head" }, point.slack ? "slack" : withUncertainty("force", point.force_n, point.uncertainty_n)), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
+    const meters = [
+      meter("stretch of the rubber", point.max_stretch, facts?.fitted_to_stretch, (x) => number(x, 3), 1),
+      meter("pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
+      meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
+      meter("tension of a strand", point.strand_tension_n, undefined, (x) => show("force", x, 3)),
+    ];
+    const warnings = el("ul", { class: "warnings" }, ...(point.warnings ?? []).map((/** @type {string} */ w) => el("li", {}, capital(w))));
+    const notes = [...muscle.wrong.values()].map((m) => el("li", {}, m));
+    if (muscle.unknown.length) notes.push(el("li", {}, `Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`));
+    numbers.replaceChildren(list, ...meters.filter((m) => m !== null), warnings, el("ul", { class: "warnings" }, ...notes), el("p", { class: "small soft" }, `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`));
+  }
+
+  /** A share of a limit as a bar. @param {string} name @param {number | undefined | null} value @param {number | undefined | null} limit @param {(x: number) => string} text */
+  function meter(name, value, limit, text, from = 0) {
+    if (value === undefined || value === null || limit === undefined || limit === null || limit <= from) return null;
+    const share = (value - from) / (limit - from);
+    return el("div", { class: share > 1 ? "meter over" : "meter" }, el("span", {}, name, el("span", {}, `${text(value)} of ${text(limit)}`)), el("i", {}, el("b", { style: `width:${Math.min(100, Math.max(0, 100 * share)).toFixed(1)}%` })));
+  }
+
+  /** @param {string} name @param {string} text */
+  async function takeFile(name, text) {
+    try {
+      const shown = await muscle.take(text);
+      fileName.textContent = `${name}: ${shown.rubber}, ${shown.braid}`;
+      sync();
+      ask();
+      follow();
+      settle();
+    } catch (problem) {
+      said.replaceChildren(problemBox(problem));
+    }
+  }
+
+  function saveFile() {
+    const { D, s, L, angle, rubber, braid, k, file } = muscle.values;
+    const text = file || [
+      "[tube]", `outer_diameter = "${D} mm"`, `wall_thickness = "${s} mm"`, `length = "${L} mm"`, `rubber = "${rubber}"`, "", "[braid]",
+      braid ? `name = "${braid}"` : `angle = "${angle} deg"`, ...(braid ? [] : [`stiffness = "${Number.isFinite(Number(k)) && k ? `${k} N/mm` : k || "paper"}"`]), ""].join("\n");
+    download("muscle.toml", text, "application/toml");
+  }
+
+  function startPump() {
+    if (pumping) return stopPump();
+    const to = muscle.values.p, began = performance.now();
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    pump.textContent = "Stop";
+    const step = () => {
+      const share = Math.min(1, (performance.now() - began) / 2000);
+      // Three stills where motion is not wanted.
+      ask(to * (still ? Math.ceil(share * 3) / 3 : share));
+      if (share < 1) pumping = still ? window.setTimeout(step, 660) : requestAnimationFrame(step);
+      else stopPump();
+    };
+    pumping = 1;
+    step();
+  }
+
+  function stopPump() {
+    if (!pumping) return;
+    cancelAnimationFrame(pumping);
+    clearTimeout(pumping);
+    pumping = 0;
+    pump.textContent = "Pump";
+  }
+
+  function sync() {
+    const values = /** @type {any} */ (muscle.values);
+    for (const [key, control] of Object.entries(controls)) if (values[key] !== undefined) control.set(values[key]);
+    for (const [key, message] of muscle.wrong) controls[key]?.mark(message);
+    rubber.set(values.rubber);
+    braid.set(values.braid);
+    strands.set(values.k);
+    showHeld();
+    if (!values.file) fileName.textContent = "";
+  }
+
+  function showHeld() {
+    const load = muscle.values.F !== undefined;
+    held.set(load ? "F" : "e");
+    controls.F.element.hidden = !load;
+    controls.e.element.hidden = load;
+    controls.angle.enable(!muscle.values.braid);
+  }
+
+  engine().ask("rubber-list", {}).then((answer) => rubber.options(answer.rubbers.map((/** @type {any} */ r) => r.name)), () => {});
+  engine().ask("braid-list", {}).then((answer) => braid.options(answer.braids.map((/** @type {any} */ r) => r.name)), () => {});
+  const offUnits = onUnits(() => { paint(); paintNumbers(); drawCurves(); settle(); });
+
+  return {
+    /** @param {URLSearchParams} params */
+    async load(params) {
+      await muscle.read(params, OWN);
+      Object.assign(wanted, { test: params.get("test") ?? "isobaric", show: params.get("show") ?? "max_stretch", cut: params.get("cut") ?? "", over: params.get("over") ?? "" });
+      tests.list.querySelectorAll("button").forEach((b) => b.setAttribute("aria-selected", String(b.dataset.name === wanted.test)));
+      over.querySelectorAll("input").forEach((box) => { box.checked = wanted.over.split(",").includes(box.id.slice(5)); });
+      sync();
+      ask();
+      follow();
+    },
+    unmount() { offUnits(); stopPump(); },
+    changed: showHeld,
+  };
+}
+
+/** The next of 1, 2, 2.5, 5 times a power of ten. @param {number} x */
+function niceUp(x) {
+  const power = 10 ** Math.floor(Math.log10(x));
+  return power * ([1, 2, 2.5, 5, 10].find((m) => m * power >= x * 0.999) ?? 10);
+}
+/** @param {number} x */
+const roundTo = (x) => Number(x.toPrecision(2));

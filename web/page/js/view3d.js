@@ -1,0 +1,373 @@
+// The muscle in space: one lit surface turned about the axis, its strands, and the terminals. WebGL2; without it a section as SVG.
+//
+// What the engine knows along the half muscle goes into one small texture; where each point of surface or strand lies follows from
+// it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
+import { el } from "./dom.js";
+
+const AROUND = 64;
+/** Strands drawn of a family whose number is not known, and most that are drawn. */
+const DRAWN = 24, MOST = 60;
+
+const SHARED = `#version 300 es
+precision highp float;
+uniform highp sampler2D shape;   // row 0..across-1: r, z, value; row across: turn, strand angle, tension
+uniform mat4 camera;
+uniform float outer;             // row of the outer surface
+vec4 node(int j, float row) { return texelFetch(shape, ivec2(abs(j), int(row + 0.5)), 0); }
+float side(int j) { return j < 0 ? -1.0 : 1.0; }
+`;
+const SURFACE = SHARED + `
+in float station; in float angle; in float row;
+uniform float flat_normal;
+out vec3 place; out vec3 normal; out float value;
+void main() {
+  int j = int(round(station));
+  vec4 n = node(j, row);
+  vec4 a = node(j - 1, row), b = node(j + 1, row);
+  float z = n.y * side(j), dz = b.y * side(j + 1) - a.y * side(j - 1), dr = b.x - a.x;
+  vec2 slope = normalize(vec2(-dr, max(dz, 1e-6)));
+  float c = cos(angle), s = sin(angle);
+  place = vec3(z, n.x * c, n.x * s);
+  vec3 round_normal = vec3(slope.x, slope.y * c, slope.y * s) * (row > 0.5 ? 1.0 : -1.0);
+  normal = flat_normal > 0.5 ? vec3(0.0, -s, c) : round_normal;
+  value = n.z;
+  gl_Position = camera * vec4(place, 1.0);
+}`;
+const STRANDS = SHARED + `
+in float station; in float edge;
+uniform float strands; uniform float width; uniform float rest_radius;
+out vec3 place; out vec3 normal; out float value;
+void main() {
+  int j = int(round(station));
+  float per = strands / 2.0, id = float(gl_InstanceID);
+  float family = id < per ? 1.0 : -1.0;
+  vec4 n = node(j, outer), t = node(j, outer + 1.0);
+  float phi = 6.2831853 * mod(id, per) / per + family * t.x * side(j);
+  float c = cos(phi), s = sin(phi), a = radians(t.y);
+  vec3 around = vec3(0.0, -s, c), along = vec3(1.0, 0.0, 0.0);
+  // Across the strand, in the surface.
+  vec3 across = normalize(around * cos(a) - family * along * sin(a));
+  normal = vec3(0.0, c, s);
+  place = vec3(n.y * side(j), n.x * c, n.x * s) + normal * (0.6 * width) + across * edge * width;
+  value = t.z;
+  gl_Position = camera * vec4(place, 1.0);
+}`;
+const FRAGMENT = `#version 300 es
+precision highp float;
+in vec3 place; in vec3 normal; in float value;
+uniform vec2 reach;              // values at the ends of the colour map
+uniform vec3 eye; uniform vec3 plain; uniform float mapped; uniform float cut; uniform float shade;
+out vec4 colour;
+// Viridis by polynomials of degree six (Matt Zucker's fit, public domain).
+vec3 viridis(float t) {
+  const vec3 c0 = vec3(0.2777, 0.0054, 0.3341), c1 = vec3(0.1051, 1.4046, 1.3846), c2 = vec3(-0.3309, 0.2148, 0.0951), c3 = vec3(-4.6342, -5.7991, -19.3324), c4 = vec3(6.2283, 14.1799, 56.6906), c5 = vec3(4.7764, -13.7451, -65.3530), c6 = vec3(-5.4355, 4.6459, 26.3124);
+  return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
+}
+void main() {
+  if (cut > 0.5 && place.y > 1e-4 && place.z > 1e-4) discard;
+  vec3 n = normalize(normal);
+  if (dot(n, eye) < 0.0) n = -n;
+  float head = max(dot(n, eye), 0.0), sun = max(dot(n, normalize(vec3(-0.3, 0.4, 0.85))), 0.0);
+  vec3 base = mapped > 0.5 ? viridis(clamp((value - reach.x) / max(reach.y - reach.x, 1e-9), 0.0, 1.0)) : plain;
+  colour = vec4(base * mix(1.0, 0.35 + 0.4 * head + 0.3 * sun, shade), 1.0);
+}`;
+
+/** @param {WebGL2RenderingContext} gl @param {string} vertex */
+function program(gl, vertex) {
+  const made = /** @type {WebGLProgram} */ (gl.createProgram());
+  for (const [kind, source] of /** @type {[number, string][]} */ ([[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, FRAGMENT]])) {
+    const shader = /** @type {WebGLShader} */ (gl.createShader(kind));
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(made, shader);
+  }
+  gl.linkProgram(made);
+  if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made) ?? "shader");
+  return made;
+}
+
+export class View {
+  /** @param {HTMLElement} stage @param {{ contract?: (share: number, settled: boolean) => void }} handlers share: of the rest length, that the dragged end moves */
+  constructor(stage, { contract } = {}) {
+    this.stage = stage;
+    this.turn = [0.35, -0.5];
+    this.zoom = 1;
+    this.contract = contract;
+    this.cut = false;
+    /** @type {any} */ this.shape = undefined;
+    /** @type {{ field: string, low: number, high: number }} */ this.show = { field: "", low: 0, high: 1 };
+    this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
+    const gl = this.canvas.getContext("webgl2", { antialias: true, alpha: true });
+    this.gl = gl;
+    if (gl) {
+      this.prepare(gl);
+      stage.prepend(this.canvas);
+      this.listen();
+      this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+      this.canvas.addEventListener("webglcontextrestored", () => { this.prepare(gl); this.upload(); this.draw(); });
+    }
+    new ResizeObserver(() => this.draw()).observe(stage);
+  }
+
+  /** @param {WebGL2RenderingContext} gl */
+  prepare(gl) {
+    this.surface = program(gl, SURFACE);
+    this.strand = program(gl, STRANDS);
+    this.texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.texture);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    gl.enable(gl.DEPTH_TEST);
+    this.meshOf = "";
+  }
+
+  /** Points and triangles that depend on the number of stations and nodes alone. @param {number} stations @param {number} across */
+  mesh(stations, across) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const key = `${stations}x${across}`;
+    if (this.meshOf === key) return;
+    this.meshOf = key;
+    const last = stations - 1, count = 2 * last + 1;
+    const grid = (/** @type {[number, number][]} */ columns) => {
+      // Columns of (angle, row); neighbours are joined.
+      const data = [], index = [];
+      columns.forEach(([angle, row], k) => {
+        for (let j = -last; j <= last; j++) data.push(j, angle, row);
+        if (k === 0) return;
+        for (let i = 0; i < count - 1; i++) {
+          const a = (k - 1) * count + i, b = k * count + i;
+          index.push(a, a + 1, b, b, a + 1, b + 1);
+        }
+      });
+      return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
+    };
+    const round = (/** @type {number} */ row) => Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
+    const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
+    const ribbon = [], join = [];
+    for (let j = -last; j <= last; j++) ribbon.push(j, -1, j, 1);
+    for (let i = 0; i < count - 1; i++) join.push(2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 2, 2 * i + 1, 2 * i + 3);
+    this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)), walls: [grid(wall(0)), grid(wall(Math.PI / 2))], ribbon: this.buffers(this.strand, ribbon, join, [["station", 1], ["edge", 1]]) };
+  }
+
+  /** @param {any} of @param {number[]} data @param {number[]} index @param {[string, number][]} parts */
+  buffers(of, data, index, parts) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(data), gl.STATIC_DRAW);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(index), gl.STATIC_DRAW);
+    const stride = 4 * parts.reduce((sum, [, size]) => sum + size, 0);
+    let offset = 0;
+    for (const [name, size] of parts) {
+      const at = gl.getAttribLocation(of, name);
+      if (at >= 0) { gl.enableVertexAttribArray(at); gl.vertexAttribPointer(at, size, gl.FLOAT, false, stride, offset); }
+      offset += 4 * size;
+    }
+    return { array, count: index.length };
+  }
+
+  /**
+   * A new shape: the answer of `shape`; `rest` is the length at rest; what colours it and between which values.
+   * @param {any} shape @param {{ field: string, low: number, high: number, restLength: number, restRadius: number }} show
+   */
+  set(shape, show) {
+    this.shape = shape;
+    this.show = show;
+    this.rest = show;
+    if (this.gl) { this.upload(); this.draw(); }
+    else this.section();
+  }
+
+  upload() {
+    const { gl, shape, show } = this;
+    if (!gl || !shape) return;
+    const { stations, across, arrays } = shape;
+    this.mesh(stations, across);
+    const strand = show.field.startsWith("strand_");
+    const field = arrays[show.field];
+    const texels = new Float32Array(4 * stations * (across + 1));
+    for (let j = 0; j < stations; j++) {
+      for (let i = 0; i < across; i++) {
+        const [from, to] = [j * across + i, 4 * (i * stations + j)];
+        texels[to] = arrays.r_mm[from];
+        texels[to + 1] = arrays.z_mm[from];
+        texels[to + 2] = field && !strand ? field[from] : 0;
+      }
+      const to = 4 * (across * stations + j);
+      texels[to] = arrays.strand_turn_rad[j];
+      texels[to + 1] = arrays.strand_angle_deg[j];
+      texels[to + 2] = field && strand ? field[j] : 0;
+    }
+    gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, stations, across + 1, 0, gl.RGBA, gl.FLOAT, texels);
+  }
+
+  draw() {
+    const { gl, shape, canvas } = this;
+    if (!gl || !shape) return;
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    const [w, h] = [Math.round(this.stage.clientWidth * ratio), Math.round(this.stage.clientHeight * ratio)];
+    if (!w || !h) return;
+    if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
+    gl.viewport(0, 0, w, h);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const { camera, eye } = this.camera(w / h);
+    const strand = this.show.field.startsWith("strand_");
+    const use = (/** @type {any} */ p) => {
+      gl.useProgram(p);
+      const at = (/** @type {string} */ name) => gl.getUniformLocation(p, name);
+      gl.uniformMatrix4fv(at("camera"), false, camera);
+      gl.uniform3fv(at("eye"), eye);
+      gl.uniform1f(at("outer"), shape.across - 1);
+      gl.uniform1f(at("cut"), this.cut ? 1 : 0);
+      gl.uniform2f(at("reach"), this.show.low, this.show.high);
+      return at;
+    };
+    const parts = /** @type {any} */ (this.parts);
+    const draw = (/** @type {any} */ part) => { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); };
+    let at = use(this.surface);
+    const paint = (/** @type {boolean} */ mapped, /** @type {number[]} */ plain, shade = 1) => { gl.uniform1f(at("mapped"), mapped ? 1 : 0); gl.uniform3fv(at("plain"), plain); gl.uniform1f(at("shade"), shade); };
+    gl.uniform1f(at("flat_normal"), 0);
+    paint(!strand, [0.55, 0.52, 0.5]);
+    draw(parts.outer);
+    if (this.cut) {
+      draw(parts.inner);
+      gl.uniform1f(at("flat_normal"), 1);
+      paint(!strand, [0.65, 0.6, 0.56]);
+      gl.uniform1f(at("cut"), 0);
+      parts.walls.forEach(draw);
+    }
+    at = use(this.strand);
+    const known = shape.strands ? Math.min(shape.strands, 2 * MOST) : 2 * DRAWN;
+    const count = 2 * Math.round(known / 2);
+    gl.uniform1f(at("strands"), count);
+    gl.uniform1f(at("width"), (0.9 / count) * this.rest.restRadius);
+    paint(strand, [0.93, 0.92, 0.9]);
+    gl.bindVertexArray(parts.ribbon.array);
+    gl.drawElementsInstanced(gl.TRIANGLES, parts.ribbon.count, gl.UNSIGNED_INT, 0, count);
+    this.plugs(use(this.surface));
+  }
+
+  /** The terminals: the end of the outer surface drawn on by a straight piece. @param {any} at */
+  plugs(at) {
+    const { gl, shape } = this;
+    if (!gl) return;
+    const end = shape.arrays.z_mm[shape.arrays.z_mm.length - 1], r = 1.04 * shape.arrays.r_mm[shape.arrays.r_mm.length - 1];
+    const long = 0.55 * r;
+    // Stations 1 to 4; the first and the last texel only give them neighbours.
+    const texels = new Float32Array([[0, end], [0, end], [r, end], [r, end + long], [0, end + long], [0, end + 2 * long]].flatMap(([a, z]) => [a, z, 0, 0]));
+    this.plugTexture ??= gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.plugTexture);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 6, 1, 0, gl.RGBA, gl.FLOAT, texels);
+    this.plug ??= [1, -1].map((sign) => {
+      const data = [], index = [];
+      for (let k = 0; k <= AROUND; k++) for (let j = 1; j <= 4; j++) data.push(sign * j, (2 * Math.PI * k) / AROUND, 0);
+      for (let k = 0; k < AROUND; k++) for (let j = 0; j < 3; j++) { const [a, b] = [4 * k + j, 4 * k + 4 + j]; index.push(a, a + 1, b, b, a + 1, b + 1); }
+      return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
+    });
+    gl.uniform1f(at("flat_normal"), 0);
+    gl.uniform1f(at("mapped"), 0);
+    gl.uniform1f(at("cut"), 0);
+    gl.uniform1f(at("shade"), 1);
+    gl.uniform3fv(at("plain"), [0.42, 0.45, 0.48]);
+    for (const part of this.plug) { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); }
+    gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
+  }
+
+  /** The left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
+  camera(aspect) {
+    const { restLength, restRadius } = this.rest;
+    const now = this.shape.length_mm;
+    const wide = 0.5 * restLength + 1.4 * restRadius;
+    const half = Math.max(wide, Math.max(2.4 * restRadius, 1.15 * this.largest()) * aspect) / this.zoom;
+    this.half = half;
+    const [pitch, yaw] = this.turn;
+    const [cp, sp, cy, sy] = [Math.cos(pitch), Math.sin(pitch), Math.cos(yaw), Math.sin(yaw)];
+    // Turned about the vertical, then tilted; x runs along the muscle.
+    const rows = [[cy, 0, sy], [sp * sy, cp, -sp * cy], [-cp * sy, sp, cp * cy]];
+    const shift = 0.5 * (now - restLength);
+    const scale = [1 / half, aspect / half, -1 / (4 * wide)];
+    const m = new Float32Array(16);
+    for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) m[4 * c + r] = rows[r][c] * scale[r];
+    for (let r = 0; r < 3; r++) m[12 + r] = rows[r][0] * shift * scale[r];
+    m[15] = 1;
+    return { camera: m, eye: rows[2] };
+  }
+
+  largest() {
+    let most = 0;
+    for (const r of this.shape.arrays.r_mm) most = Math.max(most, r);
+    return most;
+  }
+
+  /** Half the width of the picture in mm, for a scale bar. */
+  get millimetresPerPixel() {
+    return (2 * (this.half ?? 1)) / Math.max(1, this.stage.clientWidth);
+  }
+
+  listen() {
+    /** @type {{ x: number, y: number, turn: number[], end: boolean } | undefined} */ let from;
+    const { canvas } = this;
+    canvas.addEventListener("pointerdown", (event) => {
+      if (!this.shape) return;
+      const box = canvas.getBoundingClientRect();
+      const share = (event.clientX - box.left) / box.width;
+      // The right end of the muscle: its last tenth and what lies beyond.
+      const { restLength } = this.rest;
+      const place = 0.5 + ((this.shape.length_mm - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
+      const end = Boolean(this.contract) && share > place - 0.06 && share < place + 0.08;
+      from = { x: event.clientX, y: event.clientY, turn: [...this.turn], end };
+      canvas.setPointerCapture(event.pointerId);
+      canvas.style.cursor = end ? "ew-resize" : "grabbing";
+    });
+    const moved = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+      if (!from) return;
+      if (from.end) {
+        const dx = (event.clientX - from.x) * this.millimetresPerPixel / Math.max(0.3, Math.cos(this.turn[1]));
+        this.contract?.(-dx / this.rest.restLength, settled);
+      } else {
+        this.turn = [Math.max(-1.5, Math.min(1.5, from.turn[0] + 0.008 * (event.clientY - from.y))), from.turn[1] + 0.008 * (event.clientX - from.x)];
+        this.draw();
+      }
+    };
+    canvas.addEventListener("pointermove", (event) => moved(event, false));
+    canvas.addEventListener("pointerup", (event) => { moved(event, true); from = undefined; canvas.style.cursor = ""; });
+    canvas.addEventListener("pointercancel", () => { from = undefined; });
+    canvas.addEventListener("wheel", (event) => { if (!event.ctrlKey && !event.shiftKey && document.activeElement !== canvas) return; event.preventDefault(); this.zoom = Math.max(0.5, Math.min(8, this.zoom * Math.exp(-0.001 * event.deltaY))); this.draw(); }, { passive: false });
+    canvas.tabIndex = 0;
+    canvas.addEventListener("keydown", (event) => {
+      const step = { ArrowLeft: [0, -0.1], ArrowRight: [0, 0.1], ArrowUp: [-0.1, 0], ArrowDown: [0.1, 0] }[event.key];
+      if (event.key === "+" || event.key === "-") this.zoom = Math.max(0.5, Math.min(8, this.zoom * (event.key === "+" ? 1.2 : 1 / 1.2)));
+      else if (step) this.turn = [Math.max(-1.5, Math.min(1.5, this.turn[0] + step[0])), this.turn[1] + step[1]];
+      else return;
+      event.preventDefault();
+      this.draw();
+    });
+    canvas.addEventListener("dblclick", () => { this.turn = [0.35, -0.5]; this.zoom = 1; this.draw(); });
+  }
+
+  /** Without WebGL: outer and inner line of the section. */
+  section() {
+    const { stations, across, arrays, length_mm } = this.shape;
+    const { restLength } = this.rest;
+    const line = (/** @type {number} */ i, /** @type {number} */ sign) => {
+      const points = [];
+      for (let j = 1 - stations; j < stations; j++) {
+        const at = Math.abs(j) * across + i;
+        points.push(`${((j < 0 ? -1 : 1) * arrays.z_mm[at] + 0.5 * (length_mm - restLength)).toFixed(2)},${(sign * arrays.r_mm[at]).toFixed(2)}`);
+      }
+      return points;
+    };
+    const wall = (/** @type {number} */ sign) => [...line(across - 1, sign), ...line(0, sign).reverse()].join(" ");
+    const most = Math.max(1.3 * this.largest(), 10);
+    const box = `${-0.6 * restLength} ${-most} ${1.2 * restLength} ${2 * most}`;
+    const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5"><polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
+    this.stage.querySelector("svg.section")?.remove();
+    this.stage.insertAdjacentHTML("afterbegin", svg);
+  }
+}
