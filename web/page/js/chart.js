@@ -3,8 +3,8 @@ import { download, el } from "./dom.js";
 import { number } from "./units.js";
 
 /**
- * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers", width?: number }} Series
- * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[], data?: any[], layout?: any }} Spec
+ * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string }} Series
+ * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[], data?: any[], xaxis?: any, yaxis?: any, layout?: any }} Spec
  */
 
 /** @type {Promise<any> | undefined} */ let library;
@@ -95,8 +95,10 @@ export class Chart {
 
   traces() {
     const spec = /** @type {Spec} */ (this.spec);
+    const named = new Set();
     const lines = spec.series.map((s, i) => ({
-      x: s.x, y: s.y, name: s.name, mode: s.mode ?? "lines", type: "scatter", showlegend: false, connectgaps: false,
+      x: s.x, y: s.y, name: s.name, mode: s.mode ?? "lines", type: "scatter", connectgaps: false,
+      showlegend: Boolean(s.legend) && !named.has(s.legend) && Boolean(named.add(s.legend)),
       line: { color: s.colour ?? KINDS[i % KINDS.length], width: s.width ?? 1.5, dash: s.dash ?? "solid" },
       marker: { symbol: "circle-open", size: 7, color: s.colour ?? KINDS[i % KINDS.length] },
       hovertemplate: `%{x:.4g}, %{y:.4g}<extra>${s.name}</extra>`,
@@ -120,7 +122,8 @@ export class Chart {
     const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
     return {
       margin: { l: 48, r: 16 + 7 * longest, t: 12, b: 40 }, paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-      font: { family: "system-ui, sans-serif", size: 13, color: ink }, xaxis: axis(spec.x), yaxis: { ...axis(spec.y), rangemode: "tozero" },
+      font: { family: "system-ui, sans-serif", size: 13, color: ink }, xaxis: { ...axis(spec.x), ...spec.xaxis }, yaxis: { ...axis(spec.y), ...(spec.yaxis ?? { rangemode: "tozero" }) },
+      legend: { orientation: "h", y: 1, yanchor: "bottom", x: 0, font: { size: 12 } },
       annotations: apart(ends), hovermode: "closest", dragmode: false, height: this.plot.clientHeight, width: this.plot.clientWidth, ...spec.layout,
     };
   }

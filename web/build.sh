@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# The workbench as a folder that any file server can hand out: the page, its engine as WebAssembly, the chart library.
+# web/build.sh [FOLDER] (web/dist where none is named)
+set -euo pipefail
+cd "$(dirname "$0")/.."
+out=${1:-web/dist}
+target=wasm32-unknown-unknown
+if ! rustup target add $target >/dev/null 2>&1; then
+    echo "this needs the standard library for $target: rustup target add $target" >&2
+    exit 2
+fi
+
+export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}
+build() {
+    RUSTFLAGS="-C target-feature=+simd128" CARGO_TARGET_DIR=$CARGO_TARGET_DIR/web \
+        cargo build --locked --quiet --profile web --target $target --package mckibben-wasm "${@:2}"
+    cp "$CARGO_TARGET_DIR/web/$target/web/mckibben_wasm.wasm" "$1"
+}
+
+made=$(mktemp -d)
+trap 'rm -rf "$made"' EXIT
+build "$made/live.wasm"
+build "$made/whole.wasm" --features whole
+cp -r web/page/. "$made"
+cargo run --locked --quiet --package mckibben-web --example charts >"$made/js/plotly.js"
+mkdir -p "$out"
+find "$out" -mindepth 1 -delete
+cp -r "$made"/. "$out"
+echo "$out: page $(cd "$out" && cat index.html style.css $(find js -name '*.js' ! -name plotly.js) | gzip -9 | wc -c) bytes, engine $(gzip -9 <"$out/live.wasm" | wc -c), whole engine $(gzip -9 <"$out/whole.wasm" | wc -c), charts $(gzip -9 <"$out/js/plotly.js" | wc -c) (compressed)"

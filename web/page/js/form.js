@@ -1,0 +1,120 @@
+// A form of quantities as people type them, read by the engine in one question; and long work with progress and a way to end it.
+import { engine } from "./ask.js";
+import { capital, el, problemBox } from "./dom.js";
+import { expectation } from "./units.js";
+
+/**
+ * @typedef {{ key: string, field: string, label: string, kind?: string, list?: boolean, options?: [string, string][], value?: string, hint?: string }} Field
+ * @param {Field[]} fields @param {() => void} submit
+ */
+export function form(fields, submit) {
+  /** @type {Map<string, { input: HTMLInputElement | HTMLSelectElement, wrong: HTMLElement }>} */
+  const inputs = new Map();
+  const rows = fields.map((f, i) => {
+    const id = `${f.key}-${i}-${Math.random().toString(36).slice(2, 7)}`;
+    const input = f.options
+      ? el("select", { id }, ...f.options.map(([name, text]) => el("option", { value: name }, text)))
+      : el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", placeholder: f.hint ?? "", title: f.kind ? expectation(f.kind) : "", "aria-describedby": `${id}w` });
+    input.value = f.value ?? "";
+    const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
+    inputs.set(f.key, { input, wrong });
+    return el("div", { style: "margin-bottom:8px" }, el("div", { class: "choice", style: "margin:0;grid-template-columns:1fr 150px" }, el("label", { for: id }, f.label), input), wrong);
+  });
+  const element = el("form", { onsubmit: (/** @type {Event} */ event) => { event.preventDefault(); submit(); } }, ...rows);
+  const mark = (/** @type {string} */ key, /** @type {string} */ message) => {
+    const of = inputs.get(key);
+    if (!of) return;
+    of.wrong.textContent = message;
+    of.wrong.hidden = !message;
+    if (message) of.input.setAttribute("aria-invalid", "true");
+    else of.input.removeAttribute("aria-invalid");
+  };
+  return {
+    element, mark,
+    /** Fields of a request, or nothing where a text cannot be understood: it is marked. @returns {Promise<Record<string, any> | undefined>} */
+    async read() {
+      fields.forEach((f) => mark(f.key, ""));
+      const filled = fields.filter((f) => inputs.get(f.key)?.input.value.trim());
+      const asked = filled.filter((f) => f.kind);
+      const texts = asked.map((f) => ({ text: inputs.get(f.key)?.input.value, kind: f.kind, list: f.list ?? false }));
+      const readings = texts.length ? (await engine().ask("quantities", { texts })).readings : [];
+      /** @type {Record<string, any>} */
+      const values = {};
+      let good = true;
+      asked.forEach((f, i) => {
+        const reading = readings[i];
+        if (reading.problem) { mark(f.key, reading.problem.message); good = false; }
+        else values[f.field] = f.list ? reading.values : reading.value;
+      });
+      for (const f of filled) if (!f.kind) values[f.field] = inputs.get(f.key)?.input.value.trim();
+      return good ? values : undefined;
+    },
+    /** The texts, for an address. */
+    texts: () => Object.fromEntries(fields.map((f) => [f.key, inputs.get(f.key)?.input.value === (f.value ?? "") ? "" : inputs.get(f.key)?.input.value])),
+    /** @param {URLSearchParams} params */
+    set(params) { for (const f of fields) { const of = inputs.get(f.key); if (of) of.input.value = params.get(f.key) ?? f.value ?? ""; } },
+    /** @param {string} key @param {string} text */
+    put(key, text) { const of = inputs.get(key); if (of) of.input.value = text; },
+    /** @param {string} key @param {string[]} names */
+    options(key, names) {
+      const input = inputs.get(key)?.input;
+      if (input instanceof HTMLSelectElement) input.append(...names.map((n) => el("option", { value: n }, n)));
+    },
+    /** Shows a problem at its field, or says that it has none. @param {any} problem */
+    at(problem) {
+      const f = fields.find((x) => x.field === problem.field);
+      if (f) mark(f.key, problem.message);
+      return Boolean(f);
+    },
+    keys: fields.map((f) => f.key),
+  };
+}
+
+/**
+ * A button that starts long work, with progress, a way to end it, and its problems below.
+ * @param {string} label @param {string} command
+ * @param {() => Promise<any>} request nothing where there is none to ask
+ * @param {(answer: any) => void} take
+ * @param {(problem: any) => void} [fail]
+ */
+export function job(label, command, request, take, fail) {
+  const start = el("button", { type: "button", class: "main", onclick: () => run() }, label);
+  const stop = el("button", { type: "button", hidden: true, onclick: () => ends?.abort() }, "Cancel");
+  const bar = el("progress", { hidden: true, "aria-label": `${label}: progress` });
+  const words = el("span", { class: "small soft" });
+  const said = el("div", {});
+  /** @type {AbortController | undefined} */ let ends;
+  async function run() {
+    ends?.abort();
+    const asked = await request().catch((problem) => { said.replaceChildren(problemBox(problem)); });
+    if (!asked) return;
+    const mine = (ends = new AbortController());
+    said.replaceChildren();
+    words.textContent = "";
+    bar.removeAttribute("value");
+    const late = setTimeout(() => { bar.hidden = false; stop.hidden = false; }, 150);
+    try {
+      take(await engine().job(command, asked, { signal: mine.signal, progress(done, total) { bar.max = total; bar.value = done; words.textContent = `${done} of ${total}`; } }));
+      words.textContent = "";
+    } catch (problem) {
+      if (/** @type {any} */ (problem).name === "AbortError") words.textContent = ends === mine ? "Cancelled." : "";
+      else { said.replaceChildren(problemBox(problem)); words.textContent = ""; fail?.(problem); }
+    }
+    clearTimeout(late);
+    if (ends === mine) { bar.hidden = true; stop.hidden = true; }
+  }
+  return { element: el("div", {}, el("div", { class: "row" }, start, stop, bar, words), said), run, end: () => ends?.abort() };
+}
+
+/** A table. @param {string[]} head @param {(string | Node)[][]} rows @param {{ text?: number[], pick?: (row: number) => void, label?: string }} [options] columns of text are aligned left */
+export function table(head, rows, { text = [0], pick, label } = {}) {
+  const cell = (/** @type {"td" | "th"} */ tag, /** @type {any} */ value, /** @type {number} */ i) => el(tag, { class: text.includes(i) ? "text" : undefined, scope: tag === "th" ? "col" : undefined }, value);
+  const body = rows.map((row, i) => el("tr", {
+    class: pick ? "pick" : undefined, tabindex: pick ? 0 : undefined, onclick: pick ? () => pick(i) : undefined,
+    onkeydown: pick ? (/** @type {KeyboardEvent} */ event) => { if (event.key === "Enter") pick(i); } : undefined,
+  }, ...row.map((value, k) => cell("td", value, k))));
+  return el("div", { class: "scroll", tabindex: pick ? undefined : 0, role: "region", "aria-label": label ?? "table" }, el("table", {}, el("thead", {}, el("tr", {}, ...head.map((h, i) => cell("th", h, i)))), el("tbody", {}, ...body)));
+}
+
+/** Warnings of an answer. @param {string[] | undefined} list */
+export const warnings = (list) => el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", {}, capital(w))));

@@ -1,0 +1,27 @@
+// What stands behind the numbers: verification, validation, sources, limits.
+import { engine } from "../ask.js";
+import { el } from "../dom.js";
+import { job, table } from "../form.js";
+import { number } from "../units.js";
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  const cases = el("div", {});
+  const models = el("div", {});
+  const check = job("Compute them here", "validate", async () => ({}), (answer) => {
+    const rows = (/** @type {string} */ kind) => answer.cases.filter((/** @type {any} */ c) => c.kind === kind).map((/** @type {any} */ c) => [c.name, c.source ?? "", number(c.reference, 5), number(c.ours, 5), c.error === undefined ? "–" : number(c.error, 2), c.ok ? "holds" : "fails"]);
+    const head = ["case", "source", "reference", "here", "error", ""];
+    cases.replaceChildren(el("h3", {}, "Verification: against exact solutions and identities"), table(head, rows("verification"), { text: [0, 1, 5], label: "verification" }), el("h3", {}, "Validation: against measured muscles"), table(head, rows("validation"), { text: [0, 1, 5], label: "validation" }));
+  });
+  main.replaceChildren(el("div", { class: "prose" },
+    el("h2", {}, "What this is"),
+    el("p", {}, "A McKibben muscle is a rubber tube in a braided sleeve: pressurised, it bulges, shortens and pulls. This page solves its non-linear finite-element model (axisymmetric, incompressible rubber of any law, elastic strands, bonded ends) at every step of a slider, and shows what follows."),
+    el("p", {}, "Nothing leaves your machine: ", `the engine is ${engine().about}. What you set stands in the address, and nowhere else.`),
+    el("h2", {}, "How far to trust it"),
+    el("p", {}, "The ± covers 95 % of the differences from measured muscles. It is wide, because rubbers vary from batch to batch and few are known; identify your own on the page Data and it shrinks. The model leaves out the thickness of the braid, the gap before first contact, what ends lose, and the history of the rubber. Friction between strands enters where a muscle file states it."),
+    el("h2", {}, "Verification and validation"), check.element), cases,
+    el("div", { class: "prose" }, el("h2", {}, "Models")), models,
+    el("div", { class: "prose" }, el("h2", {}, "Sources and licence"), el("p", {}, "mckibben is free software under MIT or Apache 2.0. Charts are drawn by plotly.js (MIT). Sources of formulas, rubbers and measured muscles stand in the documentation, with their terms."), el("p", { class: "small soft" }, "Everything here is one call away from the command line, Rust and HTTP, in the same words: `mckibben --help`.")));
+  engine().ask("models", {}).then((answer) => models.replaceChildren(table(["model", "what it is"], answer.models.map((/** @type {any} */ m) => [m.name, m.description]), { text: [0, 1], label: "models" })), () => {});
+  return { async load() {}, unmount() { check.end(); } };
+}

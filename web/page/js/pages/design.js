@@ -1,0 +1,168 @@
+// From a specification to ranked muscles, with a map of what is feasible and why the rest is not.
+import { engine } from "../ask.js";
+import { address, write } from "../address.js";
+import { Chart, KINDS, token } from "../chart.js";
+import { capital, el } from "../dom.js";
+import { Figures } from "../figure.js";
+import { form, job, table, warnings } from "../form.js";
+import { muscle } from "../muscle.js";
+import { number, onUnits, outside, show, typed, unitName, withUncertainty } from "../units.js";
+
+const OBJECTIVES = /** @type {[string, string][]} */ ([["diameter", "smallest diameter"], ["pressure", "lowest pressure"], ["air", "least air"], ["margin", "most pull to spare"], ["bulged-diameter", "smallest when bulged"], ["length", "shortest"]]);
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  /** @type {any} */ let found;
+  const fields = form([
+    { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
+    { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
+    { key: "load", field: "load", label: "or a load to lift", hint: "mass:20kg" },
+    { key: "stroke", field: "stroke_mm", label: "Stroke", kind: "length", hint: "40 mm" },
+    { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
+    { key: "bulge", field: "max_bulged_diameter_mm", label: "Largest diameter when bulged", kind: "length", hint: "60 mm" },
+    { key: "for", field: "objective", label: "Rank by", options: OBJECTIVES, value: "diameter" },
+  ], () => search.run());
+  const choices = form([
+    { key: "D", field: "outer_diameter_mm", label: "Outer diameters", kind: "length", list: true, hint: "10..60 mm" },
+    { key: "s", field: "wall_mm", label: "Walls", kind: "length", list: true, hint: "1..4:0.5 mm" },
+    { key: "L", field: "length_mm", label: "Length", kind: "length", list: true, hint: "285 mm" },
+    { key: "angle", field: "angle_deg", label: "Braid angles", kind: "angle", list: true, hint: "28 deg" },
+    { key: "rubber", field: "rubber", label: "Rubbers", hint: "paper, ecoflex-0030" },
+    { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", hint: "1.5" },
+  ], () => search.run());
+  const results = el("div", {});
+  const figures = new Figures("design");
+  const feasible = new Chart("design-map", { tools: el("h3", {}, "What is feasible, over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
+  feasible.element.hidden = true;
+  const picked = el("p", { class: "small" });
+  const search = job("Design", "design", request, take, (problem) => { fields.at(problem) || choices.at(problem); });
+  main.replaceChildren(el("div", { class: "bench two" },
+    el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, el("details", {}, el("summary", {}, "What may be varied"), choices.element), search.element),
+    el("div", { class: "middle" }, results, picked, feasible.element, figures.element)));
+  results.append(el("p", { class: "soft" }, "What shall the muscle do? The search ranks every diameter and wall, and finite elements decide."));
+
+  async function request() {
+    const [wanted, vary] = [await fields.read(), await choices.read()];
+    if (!wanted || !vary) return undefined;
+    const { rubber, outer_diameter_mm, wall_mm, length_mm, angle_deg, ...rest } = vary;
+    const lists = Object.fromEntries(Object.entries({ outer_diameter_mm, wall_mm, length_mm, angle_deg }).filter(([, v]) => v));
+    if (wanted.load) { delete wanted.force_n; if (wanted.stroke_mm) delete wanted.contraction; }
+    else delete wanted.load;
+    const asked = { ...wanted, ...rest, ...lists, figure: unitName("pressure") };
+    if (rubber) asked.rubbers = rubber.split(",").map((/** @type {string} */ r) => r.trim());
+    write(address("design", { ...fields.texts(), ...choices.texts() }));
+    return asked;
+  }
+
+  /** @param {any} answer */
+  function take(answer) {
+    found = answer;
+    paint();
+    figures.show(answer.figure);
+    map().catch(() => { feasible.element.hidden = true; });
+  }
+
+  function paint() {
+    if (!found) return;
+    const best = found.candidates[0];
+    const out = [];
+    if (best) {
+      out.push(el("h2", {}, `Outer diameter ${show("length", best.outer_diameter_mm)}, wall ${show("length", best.wall_mm)}, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`));
+      out.push(el("p", {}, `${capital(best.rubber)}. Needs ${show("pressure", best.pressure_mpa, 3)}; pulls ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, ${show("force", best.blocked_force_n)} when not shortened. ${best.binds ? `What keeps it from being better: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
+      out.push(warnings(found.warnings));
+      const rows = found.candidates.map((/** @type {any} */ c) => [show("length", c.outer_diameter_mm), show("length", c.wall_mm), show("length", c.length_mm), show("angle", c.angle_deg), c.rubber, show("pressure", c.pressure_mpa, 3), `${number(100 * c.margin, 2)} %`, show("length", c.bulged_diameter_mm), c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"]);
+      out.push(table(["D0", "s", "L0", "θ0", "rubber", "needs", "to spare", "bulged", "air per stroke"], rows, { text: [4], pick: (i) => open(found.candidates[i]), label: "Muscles that fit, best first" }));
+      out.push(el("p", { class: "small soft" }, `${found.fitting} of ${found.looked_at} muscles fit; searched with ${found.searched_with}, decided by ${found.model}. Click one to see it.`));
+    } else if (found.closest) {
+      const c = found.closest;
+      out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}: ${c.reason}.`));
+      if (c.hint) out.push(el("p", {}, capital(c.hint)));
+      out.push(el("ul", {}, ...c.relaxations.map((/** @type {any} */ r) => el("li", {}, relaxation(r)))));
+    }
+    if (found.rejected?.length) out.push(el("details", {}, el("summary", {}, "Why others fail"), table(["D0", "s", "L0", "reason"], found.rejected.map((/** @type {any} */ r) => [show("length", r.outer_diameter_mm), show("length", r.wall_mm), show("length", r.length_mm), r.reason]), { text: [3] })));
+    results.replaceChildren(...out);
+  }
+
+  /** @param {any} r */
+  function relaxation(r) {
+    const points = (r.points ?? []).map((/** @type {any} */ p) => `${show("force", p.force_n)} at ${show("ratio", p.contraction, 3)}`).join(", ");
+    switch (r.relax) {
+      case "max_pressure": return `Supply ${show("pressure", r.pressure_mpa, 3)}.`;
+      case "force": return `Accept a pull of ${points}.`;
+      case "contraction": return `Accept ${points}.`;
+      case "outer_diameter": return `Take a tube of ${show("length", r.outer_diameter_mm)}.`;
+      default: return capital(Object.entries(r).map(([k, v]) => (k === "relax" ? String(v).replaceAll("_", " ") : `${k.replaceAll("_", " ")} ${typeof v === "number" ? number(v) : v}`)).join(": ")) + ".";
+    }
+  }
+
+  /** Feasible muscles over diameter and wall, by `universal`: the pressure that each needs, and the limit that others miss. */
+  async function map() {
+    const asked = await request();
+    const best = found.candidates[0] ?? found.closest;
+    if (!asked || !best) return;
+    delete asked.figure;
+    const span = (/** @type {number} */ mid, /** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
+    const D = span(best.outer_diameter_mm, 0.5, 1.9, 29), S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, 25);
+    const fixed = { length_mm: asked.stroke_mm ? undefined : best.length_mm, angle_deg: best.angle_deg };
+    const answer = await engine().ask("design", { ...asked, ...fixed, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none", extrapolate: true, top: D.length * S.length });
+    const at = new Map(answer.candidates.map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
+    const not = new Map((answer.rejected ?? []).map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
+    const limits = [...new Set([...not.values()].map((c) => c.limit ?? "no answer"))];
+    const pressures = S.map((s) => D.map((d) => { const c = at.get(`${d},${s}`); return c ? outside("pressure", c.pressure_mpa) : null; }));
+    const missed = S.map((s) => D.map((d) => { const c = not.get(`${d},${s}`); return c ? limits.indexOf(c.limit ?? "no answer") : null; }));
+    const tints = limits.map((_, i) => /** @type {[number, string]} */ ([limits.length > 1 ? i / (limits.length - 1) : 0, KINDS[(i + 1) % KINDS.length]]));
+    const [x, y] = [D.map((d) => outside("length", d)), S.map((s) => outside("length", s))];
+    const names = missed.map((row) => row.map((i) => (i === null ? "" : String(limits[i]).replaceAll("_", " "))));
+    const ramp = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
+    feasible.element.hidden = false;
+    feasible.show({
+      x: `outer diameter D0 [${unitName("length")}]`, y: `wall s [${unitName("length")}]`, yaxis: {}, series: [],
+      data: [
+        { type: "heatmap", x, y, z: missed, text: names, hovertemplate: "%{x}, %{y}: misses %{text}<extra></extra>", colorscale: tints.length > 1 ? tints : [[0, KINDS[1]], [1, KINDS[1]]], zmin: 0, zmax: Math.max(1, limits.length - 1), showscale: false, opacity: 0.35 },
+        { type: "contour", x, y, z: pressures, colorscale: ramp, contours: { showlabels: true, labelfont: { color: "#000" } }, line: { width: 1, color: "#333" }, colorbar: { title: { text: `needs [${unitName("pressure")}]` }, tickfont: { color: token("--ink") } }, hovertemplate: `%{x}, %{y}: needs %{z:.3g} ${unitName("pressure")}<extra></extra>`, connectgaps: false },
+      ],
+      marks: [{ x: outside("length", best.outer_diameter_mm), y: outside("length", best.wall_mm), text: "best" }],
+      layout: { annotations: limits.map((limit, i) => place(limit, missed, i, x, y)).filter(Boolean) },
+    });
+  }
+
+  /** The name of a limit in the middle of the cells that miss it. @param {string} limit @param {(number | null)[][]} cells @param {number} which @param {number[]} x @param {number[]} y */
+  function place(limit, cells, which, x, y) {
+    const hit = cells.flatMap((row, j) => row.flatMap((v, i) => (v === which ? [[i, j]] : [])));
+    if (hit.length < 8) return null;
+    const middle = (/** @type {number} */ k) => hit.reduce((sum, c) => sum + c[k], 0) / hit.length;
+    const [ci, cj] = [middle(0), middle(1)];
+    const near = hit.reduce((a, b) => (Math.hypot(b[0] - ci, b[1] - cj) < Math.hypot(a[0] - ci, a[1] - cj) ? b : a));
+    return { x: x[near[0]], y: y[near[1]], text: `misses ${limit.replaceAll("_", " ")}`, showarrow: false, font: { color: token("--ink"), size: 13 }, bgcolor: token("--paper"), opacity: 0.85 };
+  }
+
+  /** @param {number} x @param {number} y */
+  function pickOnMap(x, y) {
+    const best = found?.candidates[0] ?? found?.closest;
+    if (!best) return;
+    const scale = outside("length", 1);
+    const [d, s] = [Number((x / scale).toPrecision(3)), Number((y / scale).toPrecision(2))];
+    const link = address("muscle", { D: typed("length", d), s: typed("length", s), L: typed("length", best.length_mm), angle: typed("angle", best.angle_deg), rubber: best.rubber, p: typed("pressure", found.max_pressure_mpa), e: typed("ratio", best.points?.[0]?.contraction ?? 0.1) });
+    picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link }, "see this muscle"));
+  }
+
+  /** @param {any} c */
+  function open(c) {
+    const values = muscle.values;
+    Object.assign(values, { D: c.outer_diameter_mm, s: c.wall_mm, L: c.length_mm, angle: c.angle_deg, rubber: c.rubber, p: c.pressure_mpa, e: c.points[0].contraction, F: undefined, file: "" });
+    location.hash = address("muscle", muscle.params());
+  }
+
+  const off = onUnits(() => { paint(); });
+  return {
+    /** @param {URLSearchParams} params */
+    async load(params) {
+      const given = fields.keys.concat(choices.keys).some((k) => params.has(k)) && !params.has("p");
+      if (!given) return;
+      fields.set(params);
+      choices.set(params);
+      await search.run();
+    },
+    unmount() { off(); search.end(); },
+  };
+}
