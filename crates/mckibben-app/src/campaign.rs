@@ -4,9 +4,7 @@ use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
-use mckibben_campaign::campaign::{
-    self, CampaignError, Cost, Merged, Outcome, Plan, RunOptions, Shard, Summary,
-};
+use mckibben_campaign::campaign::{self, Cost, Merged, Outcome, Plan, RunOptions, Shard, Summary};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -102,32 +100,4 @@ pub struct CampaignMergeRequest {
 /// [`Problem`] where parts are missing, damaged, of different plans, or differ.
 pub fn campaign_merge(request: &CampaignMergeRequest) -> Result<Merged, Problem> {
     Ok(campaign::merge(&request.folders, &request.output, request.overwrite)?)
-}
-
-impl From<CampaignError> for Problem {
-    fn from(error: CampaignError) -> Self {
-        let kind = match error {
-            CampaignError::Stopped => return Self::cancelled(),
-            CampaignError::OtherPlan { .. }
-            | CampaignError::OtherVersion { .. }
-            | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
-            CampaignError::Large(_) => ProblemKind::Budget,
-            CampaignError::Locked { .. } => ProblemKind::Locked,
-            CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
-            CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
-            CampaignError::Write { .. }
-            | CampaignError::Encode(_)
-            | CampaignError::Threads(_)
-            | CampaignError::Foreign { .. }
-            | CampaignError::Appeared { .. } => ProblemKind::Output,
-            CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
-            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
-                ProblemKind::File
-            }
-            #[cfg(feature = "files")]
-            CampaignError::Read { .. } => ProblemKind::File,
-        };
-        let hint = error.hint();
-        Self::new(kind, error.to_string(), hint)
-    }
 }

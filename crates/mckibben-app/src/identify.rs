@@ -129,6 +129,8 @@ pub struct IdentifyAnswer {
     pub slack_points: usize,
     /// The muscle with the values found.
     pub muscle: MuscleSummary,
+    /// The same as a muscle file, with what was identified in its head.
+    pub muscle_file: String,
     /// The points, with what the model makes of them.
     pub points: Vec<IdentifiedPoint>,
     /// What does not fit together, is not identifiable, or should be measured.
@@ -193,18 +195,16 @@ impl From<&Fitted> for IdentifiedPoint {
     }
 }
 
-impl IdentifyAnswer {
-    /// The muscle with the values found as a muscle file, with what was identified in its head.
-    pub fn muscle_file(&self) -> String {
-        let one_line = |text: &str| text.replace(char::is_control, " ");
-        format!(
-            "# Identified from {} with the model {}:\n# {}\n{}",
-            one_line(&self.data),
-            one_line(&self.model),
-            in_one_line(&self.parameters),
-            to_toml(&self.found.muscle)
-        )
-    }
+/// The muscle with the values found as a muscle file.
+fn muscle_file(data: &str, model: &str, found: &Identification) -> String {
+    let one_line = |text: &str| text.replace(char::is_control, " ");
+    format!(
+        "# Identified from {} with the model {}:\n# {}\n{}",
+        one_line(data),
+        one_line(model),
+        in_one_line(&found.parameters),
+        to_toml(&found.muscle)
+    )
 }
 
 /// The constants of a muscle that bring the model closest to the points, with their errors.
@@ -241,7 +241,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     });
     Ok(IdentifyAnswer {
         model: model.name().into(),
-        data: origin,
+        data: origin.clone(),
         understood,
         parameters: found.parameters.clone(),
         correlation: found.correlation.clone(),
@@ -254,6 +254,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         spreads: found.spreads.clone(),
         slack_points: found.slack.len(),
         muscle: summary,
+        muscle_file: muscle_file(&origin, model.name(), &found),
         points: found.points.iter().map(IdentifiedPoint::from).collect(),
         warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
         figure,

@@ -9,6 +9,7 @@ use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
 use mckibben::table::TableError;
+use mckibben_campaign::campaign::CampaignError;
 use mckibben_fem::FemError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -314,5 +315,33 @@ impl From<StudyError> for Problem {
             StudyError::Analysis(error) => error.into(),
             StudyError::Muscle(error) => error.into(),
         }
+    }
+}
+
+impl From<CampaignError> for Problem {
+    fn from(error: CampaignError) -> Self {
+        let kind = match error {
+            CampaignError::Stopped => return Self::cancelled(),
+            CampaignError::OtherPlan { .. }
+            | CampaignError::OtherVersion { .. }
+            | CampaignError::OtherColumns { .. } => ProblemKind::OtherPlan,
+            CampaignError::Large(_) => ProblemKind::Budget,
+            CampaignError::Locked { .. } => ProblemKind::Locked,
+            CampaignError::Damaged { .. } | CampaignError::Conflict { .. } => ProblemKind::Damaged,
+            CampaignError::Incomplete { .. } => ProblemKind::Incomplete,
+            CampaignError::Write { .. }
+            | CampaignError::Encode(_)
+            | CampaignError::Threads(_)
+            | CampaignError::Foreign { .. }
+            | CampaignError::Appeared { .. } => ProblemKind::Output,
+            CampaignError::ShardOfFile { .. } | CampaignError::OtherFormat { .. } => ProblemKind::Usage,
+            CampaignError::Plan(_) | CampaignError::NoCampaign { .. } | CampaignError::Codec { .. } => {
+                ProblemKind::File
+            }
+            #[cfg(feature = "files")]
+            CampaignError::Read { .. } => ProblemKind::File,
+        };
+        let hint = error.hint();
+        Self::new(kind, error.to_string(), hint)
     }
 }

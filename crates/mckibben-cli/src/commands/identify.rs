@@ -131,7 +131,7 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     check(target, Content::Muscle)?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    save(target, Content::Muscle, answer.muscle_file().as_bytes())?;
+    save(target, Content::Muscle, answer.muscle_file.as_bytes())?;
     let text = || {
         let mut text = text::of(&answer, &units(args));
         if let Some(path) = &args.output {

@@ -1,0 +1,72 @@
+//! `plan`: a plan of a moderate size, computed in memory; the table comes back as text. For front ends without files.
+
+use crate::fields::TextFile;
+use crate::problem::{Problem, ProblemKind};
+use mckibben::budget::Resource;
+use mckibben::progress::Progress;
+use mckibben_campaign::campaign::{self, Plan};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// A plan to be computed.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct PlanRequest {
+    /// The plan (TOML).
+    pub plan: Option<TextFile>,
+}
+
+/// Its table.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
+pub struct PlanAnswer {
+    /// The table (CSV): what `fit` reads.
+    pub table: TextFile,
+    /// Muscles.
+    pub muscles: u64,
+    /// Points.
+    pub points: usize,
+    /// Points without an answer.
+    pub failed: usize,
+}
+
+/// Most points of a plan in memory.
+const MOST_POINTS: u64 = 200_000;
+
+/// Computes a plan.
+///
+/// # Errors
+/// [`Problem`] for a plan that cannot be read, is larger than what is held in memory, or was cancelled.
+pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer, Problem> {
+    let file = request.plan.as_ref().ok_or_else(|| Problem::missing("plan", "a plan file (TOML)"))?;
+    let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
+    let points = plan.muscles().saturating_mul(plan.points_per_muscle() as u64);
+    if points > MOST_POINTS {
+        let message = format!("{points} points are more than the {MOST_POINTS} that are held in memory");
+        return Err(Problem::new(
+            ProblemKind::Budget,
+            message,
+            "`campaign` computes plans of any size, into files",
+        ));
+    }
+    progress.budget().admit(Resource::Points, points as f64)?;
+    let rows = campaign::compute(&plan, progress)?;
+    let mut text = String::from(
+        "outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n,status\n",
+    );
+    for r in &rows {
+        let force = r.force_n.map_or_else(String::new, |f| f.to_string());
+        let (d, s, l, a, p, e) =
+            (r.outer_diameter_mm, r.wall_mm, r.length_mm, r.angle_deg, r.pressure_mpa, r.contraction);
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{d},{s},{l},{a},{p},{e},{force},{}", r.status);
+    }
+    let name = Path::new(&file.name).file_stem().map_or("plan".into(), |stem| stem.to_string_lossy());
+    Ok(PlanAnswer {
+        table: TextFile { name: format!("{name}.csv"), text },
+        muscles: plan.muscles(),
+        points: rows.len(),
+        failed: rows.iter().filter(|r| r.force_n.is_none()).count(),
+    })
+}
