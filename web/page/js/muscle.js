@@ -46,6 +46,15 @@ export class MuscleState {
     return fields;
   }
 
+  /** The muscle file that says the same. */
+  toml() {
+    const { D, s, L, angle, rubber, braid, k, file } = this.values;
+    if (file && this.said.size === 0) return file;
+    const stiffness = k ? (Number.isFinite(Number(k)) ? `${k} N/mm` : k) : "paper";
+    const sleeve = braid ? [`name = "${braid}"`] : [`angle = "${angle} deg"`, `stiffness = "${stiffness}"`];
+    return ["[tube]", `outer_diameter = "${D} mm"`, `wall_thickness = "${s} mm"`, `length = "${L} mm"`, `rubber = "${rubber || "paper"}"`, "", "[braid]", ...sleeve, ""].join("\n");
+  }
+
   /** @param {keyof Values} key @param {any} value */
   set(key, value) {
     /** @type {any} */ (this.values)[key] = value;

@@ -39,7 +39,7 @@ export function mount(main) {
     el("fieldset", {}, el("legend", {}, "State"), make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)),
     el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element),
     el("details", {}, el("summary", {}, "Muscle file"), fileName, fileField("Open a muscle file (TOML)", ".toml", takeFile),
-      el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: saveFile }, "Download this muscle"))));
+      el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: () => download("muscle.toml", muscle.toml(), "application/toml") }, "Download this muscle"))));
 
   // The muscle in space.
   const busy = el("div", { class: "busy" });
@@ -273,14 +273,6 @@ export function mount(main) {
     } catch (problem) {
       said.replaceChildren(problemBox(problem));
     }
-  }
-
-  function saveFile() {
-    const { D, s, L, angle, rubber, braid, k, file } = muscle.values;
-    const text = file || [
-      "[tube]", `outer_diameter = "${D} mm"`, `wall_thickness = "${s} mm"`, `length = "${L} mm"`, `rubber = "${rubber}"`, "", "[braid]",
-      braid ? `name = "${braid}"` : `angle = "${angle} deg"`, ...(braid ? [] : [`stiffness = "${Number.isFinite(Number(k)) && k ? `${k} N/mm` : k || "paper"}"`]), ""].join("\n");
-    download("muscle.toml", text, "application/toml");
   }
 
   function startPump() {

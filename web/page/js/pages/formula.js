@@ -1,0 +1,93 @@
+// A campaign of finite-element tests and the formula fitted to it: errors, figures, surfaces, and the file.
+import { engine } from "../ask.js";
+import { Chart } from "../chart.js";
+import { download, el } from "../dom.js";
+import { Figures } from "../figure.js";
+import { form, job, table } from "../form.js";
+import { number, outside, show, unitName } from "../units.js";
+
+const PLAN = `name = "page"
+
+[tube]
+length = "285 mm"
+rubber = "paper"
+
+[braid]
+angle = "28 deg"
+stiffness = "paper"
+
+[sampling]
+method = "factorial"
+
+[vary]
+tube.outer_diameter = "30,40,45,50 mm"
+tube.wall_thickness = "1..5:1 mm"
+
+[test]
+contractions = "0..0.20:0.05"
+pressures = "0..0.25:0.01 MPa"
+`;
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  /** @type {any} */ let made, formula;
+  const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace", "aria-label": "Plan (TOML)", spellcheck: "false" });
+  plan.value = PLAN;
+  const how = form([
+    { key: "method", field: "method", label: "Method", options: [["paper", "the paper's seven steps"], ["global", "one least-squares problem"]], value: "paper" },
+    { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
+    { key: "at", field: "at", label: "Surfaces at", kind: "pressure", value: "2.5 bar" },
+  ], () => fit.run());
+  const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = new Figures("formula");
+  const overWall = new Chart("surface-wall", { tools: el("h3", {}, "Pull over contraction and wall"), tall: true });
+  const overDiameter = new Chart("surface-diameter", { tools: el("h3", {}, "Pull over contraction and diameter"), tall: true });
+  const surfaces = el("div", { class: "charts", hidden: true }, overWall.element, overDiameter.element);
+  const campaign = job("Compute the plan", "plan", async () => ({ plan: { name: "page.toml", text: plan.value } }), (answer) => {
+    made = answer;
+    table1.replaceChildren(`${answer.muscles} muscles, ${answer.points} points, ${answer.failed} without an answer. `, el("button", { type: "button", onclick: () => download(answer.table.name, answer.table.text, "text/csv") }, "Download the table"));
+    fit.run();
+  });
+  const fit = job("Fit", "fit", async () => {
+    if (!made) { errors.replaceChildren(el("p", { class: "soft" }, "Compute the plan first.")); return undefined; }
+    const read = await how.read();
+    if (!read) return undefined;
+    const { method, hold_out_mm } = read;
+    return { table: made.table, method, hold_out_mm: hold_out_mm ?? [], figures: true };
+  }, (answer) => {
+    const { figures: drawn, tables, ...file } = answer;
+    formula = file;
+    const e = file.errors, row = (/** @type {string} */ name, /** @type {any} */ x) => [name, String(x.points), `${number(100 * x.rms_of_blocked, 3)} %`, `${number(100 * x.p95_of_blocked, 3)} %`, `${number(100 * x.max_of_blocked, 3)} %`];
+    errors.replaceChildren(el("h2", {}, file.name), el("p", { class: "small" }, el("code", {}, file.equation)), table(["against finite elements", "points", "rms", "95 %", "largest"], [row("fitted to", e.fit), ...(e.held_out ? [row("kept out", e.held_out)] : [])], { label: "errors of the formula, of the blocked force" }), el("p", { class: "small soft" }, "Errors as shares of the blocked force."),
+      el("p", {}, el("button", { type: "button", onclick: () => download(`${file.name}.json`, JSON.stringify(file, null, 2) + "\n", "application/json") }, "Download the formula")));
+    if (drawn?.length) figures.show({ panels: drawn.flatMap((/** @type {any} */ f) => f.figure.panels.map((/** @type {any} */ p) => ({ ...p, title: p.title || f.figure.title }))), caption: drawn[0].figure.caption, palette: drawn[0].figure.palette });
+    surface().catch(() => { surfaces.hidden = true; });
+  });
+  main.replaceChildren(el("div", { class: "bench two" },
+    el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"), el("p", { class: "small soft" }, "A plan says which muscles are tested by finite elements; this is the paper's."), plan, campaign.element, table1, how.element, fit.element),
+    el("div", { class: "middle" }, errors, surfaces, figures.element)));
+  errors.append(el("p", { class: "soft" }, "Compute a campaign and fit a formula to it: what the paper did in a hundred simulations, here while you watch."));
+
+  /** The formula as surfaces that turn. */
+  async function surface() {
+    const read = await how.read();
+    const { range } = formula;
+    if (!range?.outer_diameter_mm || !read?.at) return;
+    const steps = (/** @type {[number, number]} */ [low, high], n = 11) => Array.from({ length: n }, (_, i) => low + ((high - low) * i) / (n - 1));
+    const [D, S, E] = [steps(range.outer_diameter_mm), steps(range.wall_mm), steps(range.contraction, 21)];
+    const middle = { outer_diameter_mm: D[5], wall_mm: S[5] };
+    const model = { model: formula.name, formulas: [{ name: formula.name, text: JSON.stringify(formula) }] };
+    const line = async (/** @type {any} */ at) => (await engine().ask("curve", { ...model, ...middle, ...at, test: "isobaric", pressures_mpa: [read.at], contractions: E, extrapolate: true })).points.map((/** @type {any} */ q) => (q.force_n === undefined ? null : outside("force", q.force_n)));
+    const draw = async (/** @type {Chart} */ chart, /** @type {string} */ label, /** @type {number[]} */ list, /** @type {string} */ field) => {
+      const z = [];
+      for (const value of list) z.push(await line({ [field]: value }));
+      const axis = (/** @type {string} */ text) => ({ title: { text } });
+      chart.show({ x: "contraction ε", y: label, series: list.map((value, i) => ({ name: `${label} ${number(value)}`, x: E, y: z[i], colour: "rgba(0,0,0,0)" })).slice(0, 0), data: [{ type: "surface", x: E.map((e) => 100 * e), y: list.map((v) => outside("length", v)), z, colorscale: "Viridis", showscale: false }],
+        layout: { scene: { xaxis: axis("ε [%]"), yaxis: axis(label), zaxis: axis(`F [${unitName("force")}]`) }, margin: { l: 0, r: 0, t: 0, b: 0 }, dragmode: "orbit" } });
+    };
+    surfaces.hidden = false;
+    await draw(overWall, `s [${unitName("length")}] at D0 ${show("length", D[5])}`, S, "wall_mm");
+    await draw(overDiameter, `D0 [${unitName("length")}] at s ${show("length", S[5])}`, D, "outer_diameter_mm");
+  }
+
+  return { async load() {}, unmount() { campaign.end(); fit.end(); } };
+}

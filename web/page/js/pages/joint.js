@@ -1,0 +1,135 @@
+// A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
+import { Slot } from "../ask.js";
+import { address, write } from "../address.js";
+import { Chart, KINDS, isDark, viridis } from "../chart.js";
+import { choice, quantity } from "../controls.js";
+import { el, problemBox } from "../dom.js";
+import { job, warnings } from "../form.js";
+import { muscle } from "../muscle.js";
+import { number, onUnits, outside, show, unitName } from "../units.js";
+
+/** @param {HTMLElement} main */
+export function mount(main) {
+  const v = { r: 25, range: 60, e0: 0.12, phi: 20, k: 0, pmax: 0.6, model: "universal" };
+  /** @type {any} */ let point, family;
+  const controls = /** @type {Record<string, any>} */ ({});
+  const make = (/** @type {string} */ key, /** @type {string} */ label, /** @type {string} */ kind, /** @type {number} */ low, /** @type {number} */ high, symbol = "") => {
+    controls[key] = quantity({ label, symbol, kind, low, high, value: /** @type {any} */ (v)[key], change(value, settled) { /** @type {any} */ (v)[key] = value; ask(settled); } });
+    return controls[key].element;
+  };
+  const model = choice("Model", [["universal", "universal (while you drag)"], ["fe", "fe"]], v.model, (name) => { v.model = name; ask(true); });
+  const which = el("p", { class: "small soft" });
+  const controlsBox = el("section", { class: "controls", "aria-label": "Joint" },
+    el("fieldset", {}, el("legend", {}, "Wanted"), make("phi", "Angle", "angle", -60, 60, "φ"), make("k", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 takes the lowest pressures.")),
+    el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", "length", 5, 80, "r"), make("range", "Range to either side", "angle", 10, 120), make("e0", "Contraction at the neutral angle", "ratio", 0, 0.25), make("pmax", "Pressure of the supply", "pressure", 0.05, 1), model.element),
+    which);
+  const arm = el("div", { class: "stage", role: "img", "aria-label": "The joint" });
+  const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
+  const said = el("div", {});
+  const torque = new Chart("joint-torque", { tools: el("h3", {}, "Torque over the angle"), drag(x, _, settled) { v.phi = clamp(x); controls.phi.set(v.phi); ask(settled); } });
+  const reach = new Chart("joint-map", { tools: el("h3", {}, "Stiffness that it reaches") });
+  const map = job("Map what it reaches", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => drawMap(answer.map));
+  main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", {}, said, numbers)));
+
+  const pointSlot = new Slot(), familySlot = new Slot();
+  const clamp = (/** @type {number} */ phi) => Math.max(-v.range, Math.min(v.range, Math.round(phi)));
+
+  function request() {
+    const text = `[joint]\nradius = "${v.r} mm"\nrange = "-${v.range}..${v.range} deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n[muscle_2]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n`;
+    return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: muscle.toml() }], model: v.model };
+  }
+
+  /** @param {boolean} settled */
+  function ask(settled) {
+    controls.phi.reach(-v.range, v.range);
+    const wanted = v.k > 0 ? { stiffness_nm_per_rad: v.k } : {};
+    pointSlot.ask("joint", { ...request(), angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...wanted }, (answer) => {
+      said.replaceChildren(warnings(answer.warnings));
+      point = answer.points[0];
+      paint();
+    }, (problem) => { said.replaceChildren(problemBox(problem)); point = undefined; paint(); });
+    const angles = Array.from({ length: 25 }, (_, i) => -v.range + (2 * v.range * i) / 24);
+    const pairs = [[1, 0], [0.75, 0.25], [0.5, 0.5], [0.25, 0.75], [0, 1]].map((pair) => pair.map((x) => x * v.pmax));
+    familySlot.ask("joint", { ...request(), pressures_mpa: pairs, angles_deg: angles }, (answer) => { family = { answer, angles, pairs }; drawFamily(); }, () => {});
+    if (settled) write(address("joint", { ...muscle.params(), p: undefined, e: undefined, ...own() }));
+  }
+
+  const own = () => ({ r: `${v.r}mm`, range: `${v.range}`, e0: `${number(100 * v.e0)}%`, phi: `${v.phi}`, k: v.k ? String(v.k) : "", pmax: `${number(outside("pressure", v.pmax))}${unitName("pressure")}`, model: v.model === "universal" ? "" : v.model });
+
+  function paint() {
+    drawArm();
+    drawFamily();
+    if (!point) return numbers.replaceChildren();
+    const rows = [
+      ["pressure of muscle 1", show("pressure", point.pressure_1_mpa, 3)], ["pressure of muscle 2", show("pressure", point.pressure_2_mpa, 3)],
+      ["stiffness", `${number(point.stiffness_nm_per_rad, 3)} N m/rad`], ["pulls", `${show("force", point.force_1_n, 3)}, ${show("force", point.force_2_n, 3)}`],
+      ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
+    ];
+    numbers.replaceChildren(el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
+      el("p", { class: "small soft" }, `Both muscles are those of the page Muscle. Model ${v.model}.`));
+    which.textContent = `Muscles: D0 ${show("length", muscle.values.D)}, s ${show("length", muscle.values.s)}, L0 ${show("length", muscle.values.L)}; change them on the page Muscle.`;
+  }
+
+  // The arm: dragged about its axis.
+  function drawArm() {
+    const phi = ((point?.angle_deg ?? v.phi) * Math.PI) / 180;
+    const [cx, cy, R, far] = [0, 0, 26, 120];
+    const tip = [cx + far * Math.cos(phi), cy - far * Math.sin(phi)];
+    const tube = (/** @type {number} */ y, /** @type {number} */ e, /** @type {number} */ share, /** @type {string} */ text) => {
+      const short = 150 * (1 - (e ?? 0)), x0 = -190, fat = 6 + 26 * Math.max(0, e ?? 0) + 3 * share;
+      return `<path d="M${x0} ${y - 5}q8 ${-fat} ${short / 2} ${-fat}t${short / 2} ${fat}v10q-8 ${fat} ${-short / 2} ${fat}t${-short / 2} ${-fat}z" fill="${isDark() ? viridis(0.25 + 0.75 * share, 1) : viridis(share)}" stroke="currentColor"/><path d="M${x0 + short} ${y}L0 ${y}" stroke="currentColor" fill="none"/><text x="${x0}" y="${y < 0 ? y - 26 : y + 38}" font-size="11" fill="currentColor">${text}</text>`;
+    };
+    const p = point;
+    const label = (/** @type {number} */ i) => (p ? `${i}: ${show("pressure", i === 1 ? p.pressure_1_mpa : p.pressure_2_mpa, 3)}` : String(i));
+    arm.innerHTML = `<svg class="section" viewBox="-210 -140 360 280"><g stroke-width="1.5">${tube(-R, p?.contraction_1, p ? p.pressure_1_mpa / v.pmax : 0, label(1))}${tube(R, p?.contraction_2, p ? p.pressure_2_mpa / v.pmax : 0, label(2))}<circle r="${R}" fill="none" stroke="currentColor"/><path d="M0 0L${tip[0]} ${tip[1]}" stroke="currentColor" stroke-width="7" stroke-linecap="round"/><circle cx="${tip[0]}" cy="${tip[1]}" r="8" fill="${KINDS[1]}"/></g></svg>`;
+  }
+  let on = false;
+  const turn = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+    const svg = arm.querySelector("svg");
+    const matrix = svg?.getScreenCTM()?.inverse();
+    if (!svg || !matrix) return;
+    const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
+    v.phi = clamp((Math.atan2(-at.y, at.x) * 180) / Math.PI);
+    controls.phi.set(v.phi);
+    ask(settled);
+  };
+  arm.addEventListener("pointerdown", (event) => { on = true; arm.setPointerCapture(event.pointerId); turn(event, false); });
+  arm.addEventListener("pointermove", (event) => on && turn(event, false));
+  arm.addEventListener("pointerup", (event) => { if (on) turn(event, true); on = false; });
+
+  function drawFamily() {
+    if (!family) return;
+    const { answer, angles, pairs } = family;
+    const series = pairs.map((/** @type {number[]} */ pair, /** @type {number} */ i) => {
+      const rows = answer.points.slice(i * angles.length, (i + 1) * angles.length);
+      const name = pair.map((p) => number(outside("pressure", p), 3)).join(" | ") + " " + unitName("pressure");
+      return { name, end: name, colour: KINDS[i], x: angles, y: rows.map((/** @type {any} */ q) => q.torque_nm) };
+    });
+    torque.show({ x: "angle φ [°]", y: "torque [N m]", yaxis: {}, series, marks: point ? [{ x: point.angle_deg, y: point.torque_nm ?? 0, text: "wanted" }] : [] });
+  }
+
+  /** @param {any} found */
+  function drawMap(found) {
+    if (!found) return;
+    const colour = (/** @type {any} */ q) => q.pressures_mpa.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / 2;
+    reach.show({
+      x: "rest angle φ [°]", y: "stiffness [N m/rad]", series: [],
+      data: [{ type: "scatter", mode: "markers", showlegend: false, x: found.points.map((/** @type {any} */ q) => q.angle_deg), y: found.points.map((/** @type {any} */ q) => q.stiffness_nm_per_rad), marker: { size: 5, color: found.points.map((/** @type {any} */ q) => outside("pressure", colour(q))), colorscale: "Viridis", colorbar: { title: { text: `mean pressure [${unitName("pressure")}]` } } }, hovertemplate: "%{x:.3g}°, %{y:.3g} N m/rad<extra></extra>" }],
+    });
+  }
+
+  const off = onUnits(() => paint());
+  return {
+    /** @param {URLSearchParams} params */
+    async load(params) {
+      await muscle.read(params, ["r", "range", "e0", "phi", "k", "pmax", "model"]);
+      const read = (/** @type {string} */ key, by = 1) => { const x = parseFloat(params.get(key) ?? ""); if (Number.isFinite(x)) /** @type {any} */ (v)[key] = x * by; };
+      read("r"); read("range"); read("e0", 0.01); read("phi");
+      if (params.get("model")) { v.model = params.get("model") ?? "universal"; model.set(v.model); }
+      for (const key of Object.keys(controls)) controls[key].set(/** @type {any} */ (v)[key]);
+      ask(false);
+      map.run();
+    },
+    unmount() { off(); map.end(); },
+  };
+}
