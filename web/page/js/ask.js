@@ -18,7 +18,8 @@ export class Slot {
 
   /**
    * Asks, or waits for the question before.
-   * @param {string} command @param {any} request
+   * @template {keyof import("../../types/commands").Commands} K
+   * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
    * @param {(answer: any) => void} take @param {(problem: any) => void} [fail]
    */
   ask(command, request, take, fail) {

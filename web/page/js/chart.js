@@ -113,7 +113,7 @@ export class Chart {
   layout() {
     const spec = /** @type {Spec} */ (this.spec);
     const [ink, line, faint] = [token("--ink"), token("--line"), token("--faint")];
-    const axis = (/** @type {string} */ title) => ({ title: { text: title, standoff: 8 }, gridcolor: faint, linecolor: line, zerolinecolor: line, tickcolor: line, automargin: true, color: ink, fixedrange: true });
+    const axis = (/** @type {string} */ title) => ({ title: { text: title, standoff: 8 }, gridcolor: faint, linecolor: line, zerolinecolor: line, tickcolor: line, automargin: true, color: ink, fixedrange: true, zeroline: false });
     const last = (/** @type {Series} */ s) => { let i = s.x.length - 1; while (i > 0 && (s.y[i] === null || s.y[i] === undefined)) i--; return i; };
     const ends = spec.series.filter((s) => s.end && s.x.length).map((s) => {
       const start = s.at === "start", i = start ? 0 : last(s);

@@ -7,7 +7,7 @@ let count = 0;
 
 /**
  * A slider with a field. `change` is told every step, with `settled` at the end of a gesture.
- * @param {{ label: string, symbol?: string, kind: string, value: number, low: number, high: number, change: (value: number, settled: boolean) => void }} spec
+ * @param {{ label: string, symbol?: string, kind: import("./units.js").Kind, value: number, low: number, high: number, change: (value: number, settled: boolean) => void }} spec
  */
 export function quantity({ label, symbol = "", kind, value, low, high, change }) {
   const id = `q${++count}`;

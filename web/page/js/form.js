@@ -4,7 +4,7 @@ import { capital, el, problemBox } from "./dom.js";
 import { expectation } from "./units.js";
 
 /**
- * @typedef {{ key: string, field: string, label: string, kind?: string, list?: boolean, options?: [string, string][], value?: string, hint?: string }} Field
+ * @typedef {{ key: string, field: string, label: string, kind?: import("./units.js").Kind, list?: boolean, options?: [string, string][], value?: string, hint?: string }} Field
  * @param {Field[]} fields @param {() => void} submit
  */
 export function form(fields, submit) {
@@ -36,7 +36,7 @@ export function form(fields, submit) {
       fields.forEach((f) => mark(f.key, ""));
       const filled = fields.filter((f) => inputs.get(f.key)?.input.value.trim());
       const asked = filled.filter((f) => f.kind);
-      const texts = asked.map((f) => ({ text: inputs.get(f.key)?.input.value, kind: f.kind, list: f.list ?? false }));
+      const texts = asked.flatMap((f) => (f.kind ? [{ text: inputs.get(f.key)?.input.value ?? "", kind: f.kind, list: f.list ?? false }] : []));
       const readings = texts.length ? (await engine().ask("quantities", { texts })).readings : [];
       /** @type {Record<string, any>} */
       const values = {};
@@ -72,8 +72,9 @@ export function form(fields, submit) {
 
 /**
  * A button that starts long work, with progress, a way to end it, and its problems below.
- * @param {string} label @param {string} command
- * @param {() => Promise<any>} request nothing where there is none to ask
+ * @template {keyof import("../../types/commands").Commands} K
+ * @param {string} label @param {K} command
+ * @param {() => Promise<import("../../types/commands").Commands[K]["request"] | undefined>} request nothing where there is none to ask
  * @param {(answer: any) => void} take
  * @param {(problem: any) => void} [fail]
  */

@@ -9,9 +9,9 @@ export const QUANTITIES = /** @type {const} */ ([
   { key: "L", field: "length_mm", kind: "length", label: "Length", symbol: "L0", low: 60, high: 900 },
   { key: "angle", field: "angle_deg", kind: "angle", label: "Braid angle", symbol: "θ0", low: 12, high: 45 },
 ]);
-export const PRESSURE = { key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure", symbol: "p", low: 0, high: 0.6 };
-export const CONTRACTION = { key: "e", field: "contraction", kind: "ratio", label: "Contraction", symbol: "ε", low: 0, high: 0.35 };
-export const LOAD = { key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F", low: 0, high: 1000 };
+export const PRESSURE = /** @type {const} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure", symbol: "p", low: 0, high: 0.6 });
+export const CONTRACTION = /** @type {const} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction", symbol: "ε", low: 0, high: 0.35 });
+export const LOAD = /** @type {const} */ ({ key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F", low: 0, high: 1000 });
 const ALL = [...QUANTITIES, PRESSURE, CONTRACTION, LOAD];
 const WORDS = ["rubber", "braid", "k", "file"];
 
@@ -83,7 +83,7 @@ export class MuscleState {
     this.said = new Set();
     this.wrong = new Map();
     const asked = ALL.filter(({ key }) => params.has(key));
-    const texts = asked.map(({ key, kind }) => ({ text: params.get(key), kind }));
+    const texts = asked.map(({ key, kind }) => ({ text: params.get(key) ?? "", kind }));
     const readings = texts.length ? (await engine().ask("quantities", { texts }, { lane: "state" })).readings : [];
     asked.forEach(({ key }, i) => {
       if (readings[i].problem) return this.wrong.set(key, readings[i].problem.message);

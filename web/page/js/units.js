@@ -1,6 +1,7 @@
 // Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from the engine.
 import { engine } from "./ask.js";
 
+/** @typedef {import("../../types/commands").units_answer.Answer["kinds"][number]["kind"]} Kind */
 /** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
 const kinds = new Map();
 /** Units to choose from by a click; the first is the usual one. @type {Record<string, string[]>} */

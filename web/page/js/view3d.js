@@ -95,7 +95,11 @@ export class View {
     this.contract = contract;
     this.cut = false;
     /** @type {any} */ this.shape = undefined;
-    /** @type {{ field: string, low: number, high: number }} */ this.show = { field: "", low: 0, high: 1 };
+    /** @type {{ field: string, low: number, high: number, restLength: number, restRadius: number }} */
+    this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
+    /** @type {WebGLTexture | null} */ this.plugTexture = null;
+    /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
+    /** Stations and nodes of the mesh that is there. */ this.meshOf = "";
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
     const gl = this.canvas.getContext("webgl2", { antialias: true, alpha: true });
     this.gl = gl;
@@ -123,14 +127,13 @@ export class View {
 
   /** Points and triangles that depend on the number of stations and nodes alone. @param {number} stations @param {number} across */
   mesh(stations, across) {
-    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
     const key = `${stations}x${across}`;
     if (this.meshOf === key) return;
     this.meshOf = key;
     const last = stations - 1, count = 2 * last + 1;
     const grid = (/** @type {[number, number][]} */ columns) => {
       // Columns of (angle, row); neighbours are joined.
-      const data = [], index = [];
+      const data = /** @type {number[]} */ ([]), index = /** @type {number[]} */ ([]);
       columns.forEach(([angle, row], k) => {
         for (let j = -last; j <= last; j++) data.push(j, angle, row);
         if (k === 0) return;
@@ -175,7 +178,6 @@ export class View {
   set(shape, show) {
     this.shape = shape;
     this.show = show;
-    this.rest = show;
     if (this.gl) { this.upload(); this.draw(); }
     else this.section();
   }
@@ -244,7 +246,7 @@ export class View {
     const known = shape.strands ? Math.min(shape.strands, 2 * MOST) : 2 * DRAWN;
     const count = 2 * Math.round(known / 2);
     gl.uniform1f(at("strands"), count);
-    gl.uniform1f(at("width"), (0.9 / count) * this.rest.restRadius);
+    gl.uniform1f(at("width"), (0.9 / count) * this.show.restRadius);
     paint(strand, [0.93, 0.92, 0.9]);
     gl.bindVertexArray(parts.ribbon.array);
     gl.drawElementsInstanced(gl.TRIANGLES, parts.ribbon.count, gl.UNSIGNED_INT, 0, count);
@@ -281,7 +283,7 @@ export class View {
 
   /** The left end stays where it is; the picture is as wide as the muscle at rest. @param {number} aspect */
   camera(aspect) {
-    const { restLength, restRadius } = this.rest;
+    const { restLength, restRadius } = this.show;
     const now = this.shape.length_mm;
     const wide = 0.5 * restLength + 1.4 * restRadius;
     const half = Math.max(wide, Math.max(2.4 * restRadius, 1.15 * this.largest()) * aspect) / this.zoom;
@@ -318,7 +320,7 @@ export class View {
       const box = canvas.getBoundingClientRect();
       const share = (event.clientX - box.left) / box.width;
       // The right end of the muscle: its last tenth and what lies beyond.
-      const { restLength } = this.rest;
+      const { restLength } = this.show;
       const place = 0.5 + ((this.shape.length_mm - 0.5 * restLength) * Math.cos(this.turn[1])) / (2 * (this.half ?? 1));
       const end = Boolean(this.contract) && share > place - 0.06 && share < place + 0.08;
       from = { x: event.clientX, y: event.clientY, turn: [...this.turn], end };
@@ -329,7 +331,7 @@ export class View {
       if (!from) return;
       if (from.end) {
         const dx = (event.clientX - from.x) * this.millimetresPerPixel / Math.max(0.3, Math.cos(this.turn[1]));
-        this.contract?.(-dx / this.rest.restLength, settled);
+        this.contract?.(-dx / this.show.restLength, settled);
       } else {
         this.turn = [Math.max(-1.5, Math.min(1.5, from.turn[0] + 0.008 * (event.clientY - from.y))), from.turn[1] + 0.008 * (event.clientX - from.x)];
         this.draw();
@@ -354,7 +356,7 @@ export class View {
   /** Without WebGL: outer and inner line of the section. */
   section() {
     const { stations, across, arrays, length_mm } = this.shape;
-    const { restLength } = this.rest;
+    const { restLength } = this.show;
     const line = (/** @type {number} */ i, /** @type {number} */ sign) => {
       const points = [];
       for (let j = 1 - stations; j < stations; j++) {

@@ -2,6 +2,8 @@
 // drags; the whole one is loaded when it is first needed.
 import { Problem, gone } from "./problem.js";
 
+/** @typedef {import("../../../types/commands").Commands} Commands */
+
 /** Commands of the small module; it has no `fe3d`. */
 const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "braid-list", "braid-show", "rubber-list", "rubber-show", "models", "quantities", "units"];
 
@@ -92,18 +94,20 @@ export class Engine {
 
   /**
    * Answers a request. `lane`: `state` for what must come first.
-   * @param {string} command @param {any} request
+   * @template {keyof Commands} K
+   * @param {K} command @param {Commands[K]["request"]} request
    * @param {{ lane?: "state" | "side", signal?: AbortSignal }} [options]
    * @returns {Promise<any>}
    */
   ask(command, request, { lane = "side", signal } = {}) {
-    const small = LIVE.includes(command) && request.model !== "fe3d";
+    const small = LIVE.includes(command) && /** @type {any} */ (request).model !== "fe3d";
     return this.lanes[small ? lane : "whole"].ask(command, request, { signal });
   }
 
   /**
    * Long work with progress; the signal ends it.
-   * @param {string} command @param {any} request
+   * @template {keyof Commands} K
+   * @param {K} command @param {Commands[K]["request"]} request
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
    * @returns {Promise<any>}
    */

@@ -5,7 +5,7 @@ import { unpack } from "./packed.js";
 let current = 0;
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
-/** @param {string} command @param {string} request */
+/** @param {string} command @param {string} request @returns {{ problem?: any, answer?: any, buffers?: ArrayBuffer[] }} */
 function ask(command, request) {
   const [a, b] = [encoder.encode(command), encoder.encode(request)];
   const at = engine.reserve(a.length + b.length);
@@ -20,7 +20,7 @@ function ask(command, request) {
 self.onmessage = async ({ data }) => {
   if (data.module) {
     const host = { progress: (/** @type {number} */ done, /** @type {number} */ total) => self.postMessage({ id: current, done, total }) };
-    engine = (await WebAssembly.instantiate(data.module, { host })).exports;
+    engine = (await WebAssembly.instantiate(/** @type {WebAssembly.Module} */ (data.module), { host })).exports;
     engine.start();
     return;
   }

@@ -49,7 +49,7 @@ export function mount(main) {
       ["bulged diameter", (x) => show("length", x.bulged_diameter_mm)], ["cavity", (x) => (x.volume_mm3 ? `${number(x.volume_mm3 / 1e3, 3)} cm³` : "–")], ["starts at", (x) => show("pressure", x.start_pressure_mpa, 3)], ["largest stretch", (x) => number(x.max_stretch, 3)],
     ]);
     numbers.replaceChildren(table(["", "A", "B"], rows.map(([name, of]) => [capital(name), a ? of(a) : "–", b ? of(b) : "–"]), { label: "both in numbers" }));
-    chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series: sides.flatMap((s, i) => (s.family ? [{ name: `${s.name.toUpperCase()}: ${s.family.model}`, end: s.name.toUpperCase(), colour: KINDS[i], dash: /** @type {const} */ (i ? "dash" : "solid"), x: s.family.points.map((/** @type {any} */ q) => 100 * q.contraction), y: s.family.points.map((/** @type {any} */ q) => (q.status === "ok" ? outside("force", q.force_n) : null)) }] : [])) });
+    chart.show({ x: "contraction ε [%]", y: `pull F [${unitName("force")}]`, series: sides.flatMap((s, i) => (s.family ? [{ name: `${s.name.toUpperCase()}: ${s.family.model}`, end: s.name.toUpperCase(), colour: KINDS[i], dash: /** @type {"dash" | "solid"} */ (i ? "dash" : "solid"), x: s.family.points.map((/** @type {any} */ q) => 100 * q.contraction), y: s.family.points.map((/** @type {any} */ q) => (q.status === "ok" ? outside("force", q.force_n) : null)) }] : [])) });
   }
 
   const off = onUnits(() => paint());

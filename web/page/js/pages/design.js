@@ -48,6 +48,7 @@ export function mount(main) {
     const lists = Object.fromEntries(Object.entries({ outer_diameter_mm, wall_mm, length_mm, angle_deg }).filter(([, v]) => v));
     if (wanted.load) { delete wanted.force_n; if (wanted.stroke_mm) delete wanted.contraction; }
     else delete wanted.load;
+    /** @type {any} */
     const asked = { ...wanted, ...rest, ...lists, figure: unitName("pressure") };
     if (rubber) asked.rubbers = rubber.split(",").map((/** @type {string} */ r) => r.trim());
     write(address("design", { ...fields.texts(), ...choices.texts() }));
@@ -157,8 +158,8 @@ export function mount(main) {
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      const given = fields.keys.concat(choices.keys).some((k) => params.has(k)) && !params.has("p");
-      if (!given) return;
+      // The muscle's own words mean other things here: a link to a specification has none of its pressure.
+      if (params.has("p")) params = new URLSearchParams();
       fields.set(params);
       choices.set(params);
       await search.run();

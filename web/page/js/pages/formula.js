@@ -30,7 +30,8 @@ pressures = "0..0.25:0.01 MPa"
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  /** @type {any} */ let made, formula;
+  /** @type {any} */ let made;
+  /** @type {any} */ let formula;
   const plan = el("textarea", { rows: 20, style: "width:100%;font:13px ui-monospace,monospace", "aria-label": "Plan (TOML)", spellcheck: "false" });
   plan.value = PLAN;
   const how = form([
@@ -38,7 +39,7 @@ export function mount(main) {
     { key: "hold", field: "hold_out_mm", label: "Diameters kept out", kind: "length", list: true, hint: "45 mm" },
     { key: "at", field: "at", label: "Surfaces at", kind: "pressure", value: "2.5 bar" },
   ], () => fit.run());
-  const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = new Figures("formula");
+  const table1 = el("p", { class: "small" }), errors = el("div", {}), figures = el("div", {});
   const overWall = new Chart("surface-wall", { tools: el("h3", {}, "Pull over contraction and wall"), tall: true });
   const overDiameter = new Chart("surface-diameter", { tools: el("h3", {}, "Pull over contraction and diameter"), tall: true });
   const surfaces = el("div", { class: "charts", hidden: true }, overWall.element, overDiameter.element);
@@ -59,12 +60,17 @@ export function mount(main) {
     const e = file.errors, row = (/** @type {string} */ name, /** @type {any} */ x) => [name, String(x.points), `${number(100 * x.rms_of_blocked, 3)} %`, `${number(100 * x.p95_of_blocked, 3)} %`, `${number(100 * x.max_of_blocked, 3)} %`];
     errors.replaceChildren(el("h2", {}, file.name), el("p", { class: "small" }, el("code", {}, file.equation)), table(["against finite elements", "points", "rms", "95 %", "largest"], [row("fitted to", e.fit), ...(e.held_out ? [row("kept out", e.held_out)] : [])], { label: "errors of the formula, of the blocked force" }), el("p", { class: "small soft" }, "Errors as shares of the blocked force."),
       el("p", {}, el("button", { type: "button", onclick: () => download(`${file.name}.json`, JSON.stringify(file, null, 2) + "\n", "application/json") }, "Download the formula")));
-    if (drawn?.length) figures.show({ panels: drawn.flatMap((/** @type {any} */ f) => f.figure.panels.map((/** @type {any} */ p) => ({ ...p, title: p.title || f.figure.title }))), caption: drawn[0].figure.caption, palette: drawn[0].figure.palette });
+    figures.replaceChildren(...(drawn ?? []).map((/** @type {any} */ f) => {
+      const box = el("details", {}, el("summary", {}, f.figure.title || f.name));
+      // A figure is drawn when it is opened.
+      box.addEventListener("toggle", () => { const one = new Figures(f.name); box.append(one.element); one.show(f.figure); }, { once: true });
+      return box;
+    }));
     surface().catch(() => { surfaces.hidden = true; });
   });
   main.replaceChildren(el("div", { class: "bench two" },
     el("section", { class: "controls", "aria-label": "Campaign" }, el("h2", {}, "Campaign"), el("p", { class: "small soft" }, "A plan says which muscles are tested by finite elements; this is the paper's."), plan, campaign.element, table1, how.element, fit.element),
-    el("div", { class: "middle" }, errors, surfaces, figures.element)));
+    el("div", { class: "middle" }, errors, surfaces, figures)));
   errors.append(el("p", { class: "soft" }, "Compute a campaign and fit a formula to it: what the paper did in a hundred simulations, here while you watch."));
 
   /** The formula as surfaces that turn. */
@@ -78,6 +84,7 @@ export function mount(main) {
     const model = { model: formula.name, formulas: [{ name: formula.name, text: JSON.stringify(formula) }] };
     const line = async (/** @type {any} */ at) => (await engine().ask("curve", { ...model, ...middle, ...at, test: "isobaric", pressures_mpa: [read.at], contractions: E, extrapolate: true })).points.map((/** @type {any} */ q) => (q.force_n === undefined ? null : outside("force", q.force_n)));
     const draw = async (/** @type {Chart} */ chart, /** @type {string} */ label, /** @type {number[]} */ list, /** @type {string} */ field) => {
+      /** @type {(number | null)[][]} */
       const z = [];
       for (const value of list) z.push(await line({ [field]: value }));
       const axis = (/** @type {string} */ text) => ({ title: { text } });

@@ -1,8 +1,8 @@
 // A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
-import { Slot } from "../ask.js";
+import { Slot, engine } from "../ask.js";
 import { address, write } from "../address.js";
 import { Chart, KINDS, isDark, viridis } from "../chart.js";
-import { choice, quantity } from "../controls.js";
+import { quantity } from "../controls.js";
 import { el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
@@ -10,18 +10,18 @@ import { number, onUnits, outside, show, unitName } from "../units.js";
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  const v = { r: 25, range: 60, e0: 0.12, phi: 20, k: 0, pmax: 0.6, model: "universal" };
-  /** @type {any} */ let point, family;
+  const v = { r: 25, range: 60, e0: 0.12, phi: 20, k: 5, pmax: 0.5 };
+  /** @type {any} */ let point;
+  /** @type {any} */ let family;
   const controls = /** @type {Record<string, any>} */ ({});
-  const make = (/** @type {string} */ key, /** @type {string} */ label, /** @type {string} */ kind, /** @type {number} */ low, /** @type {number} */ high, symbol = "") => {
+  const make = (/** @type {string} */ key, /** @type {string} */ label, /** @type {import("../units.js").Kind} */ kind, /** @type {number} */ low, /** @type {number} */ high, symbol = "") => {
     controls[key] = quantity({ label, symbol, kind, low, high, value: /** @type {any} */ (v)[key], change(value, settled) { /** @type {any} */ (v)[key] = value; ask(settled); } });
     return controls[key].element;
   };
-  const model = choice("Model", [["universal", "universal (while you drag)"], ["fe", "fe"]], v.model, (name) => { v.model = name; ask(true); });
   const which = el("p", { class: "small soft" });
   const controlsBox = el("section", { class: "controls", "aria-label": "Joint" },
-    el("fieldset", {}, el("legend", {}, "Wanted"), make("phi", "Angle", "angle", -60, 60, "φ"), make("k", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 takes the lowest pressures.")),
-    el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", "length", 5, 80, "r"), make("range", "Range to either side", "angle", 10, 120), make("e0", "Contraction at the neutral angle", "ratio", 0, 0.25), make("pmax", "Pressure of the supply", "pressure", 0.05, 1), model.element),
+    el("fieldset", { class: "state" }, el("legend", {}, "Wanted"), make("phi", "Angle", "angle", -60, 60, "φ"), make("k", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 takes the lowest pressures.")),
+    el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", "length", 5, 80, "r"), make("range", "Range to either side", "angle", 10, 120), make("e0", "Contraction at the neutral angle", "ratio", 0, 0.25), make("pmax", "Pressure of the supply", "pressure", 0.05, 1)),
     which);
   const arm = el("div", { class: "stage", role: "img", "aria-label": "The joint" });
   const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
@@ -29,32 +29,38 @@ export function mount(main) {
   const torque = new Chart("joint-torque", { tools: el("h3", {}, "Torque over the angle"), drag(x, _, settled) { v.phi = clamp(x); controls.phi.set(v.phi); ask(settled); } });
   const reach = new Chart("joint-map", { tools: el("h3", {}, "Stiffness that it reaches") });
   const map = job("Map what it reaches", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => drawMap(answer.map));
-  main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", {}, said, numbers)));
+  main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", { class: "side" }, said, numbers)));
 
+  let settling = 0;
   const pointSlot = new Slot(), familySlot = new Slot();
   const clamp = (/** @type {number} */ phi) => Math.max(-v.range, Math.min(v.range, Math.round(phi)));
 
   function request() {
     const text = `[joint]\nradius = "${v.r} mm"\nrange = "-${v.range}..${v.range} deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n[muscle_2]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n`;
-    return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: muscle.toml() }], model: v.model };
+    return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: muscle.toml() }], model: "universal", extrapolate: true };
   }
 
   /** @param {boolean} settled */
   function ask(settled) {
     controls.phi.reach(-v.range, v.range);
-    const wanted = v.k > 0 ? { stiffness_nm_per_rad: v.k } : {};
-    pointSlot.ask("joint", { ...request(), angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...wanted }, (answer) => {
+    const wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.k > 0 ? { stiffness_nm_per_rad: v.k } : {}) };
+    const take = (/** @type {any} */ answer) => {
       said.replaceChildren(warnings(answer.warnings));
-      point = answer.points[0];
+      point = { ...answer.points[0], model: answer.model };
       paint();
-    }, (problem) => { said.replaceChildren(problemBox(problem)); point = undefined; paint(); });
+    };
+    const fail = (/** @type {any} */ problem) => { said.replaceChildren(problemBox(problem)); point = undefined; paint(); };
+    pointSlot.ask("joint", { ...request(), ...wanted }, take, fail);
+    // What stays is what finite elements say.
+    clearTimeout(settling);
+    if (settled) settling = window.setTimeout(() => pointSlot.ask("joint", { ...request(), model: "fe", extrapolate: false, ...wanted }, take, fail), 50);
     const angles = Array.from({ length: 25 }, (_, i) => -v.range + (2 * v.range * i) / 24);
     const pairs = [[1, 0], [0.75, 0.25], [0.5, 0.5], [0.25, 0.75], [0, 1]].map((pair) => pair.map((x) => x * v.pmax));
     familySlot.ask("joint", { ...request(), pressures_mpa: pairs, angles_deg: angles }, (answer) => { family = { answer, angles, pairs }; drawFamily(); }, () => {});
     if (settled) write(address("joint", { ...muscle.params(), p: undefined, e: undefined, ...own() }));
   }
 
-  const own = () => ({ r: `${v.r}mm`, range: `${v.range}`, e0: `${number(100 * v.e0)}%`, phi: `${v.phi}`, k: v.k ? String(v.k) : "", pmax: `${number(outside("pressure", v.pmax))}${unitName("pressure")}`, model: v.model === "universal" ? "" : v.model });
+  const own = () => ({ r: `${v.r}mm`, range: `${v.range}`, e0: `${number(100 * v.e0)}%`, phi: `${v.phi}`, k: v.k ? String(v.k) : "", pmax: `${number(outside("pressure", v.pmax))}${unitName("pressure")}` });
 
   function paint() {
     drawArm();
@@ -66,7 +72,7 @@ export function mount(main) {
       ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
     ];
     numbers.replaceChildren(el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
-      el("p", { class: "small soft" }, `Both muscles are those of the page Muscle. Model ${v.model}.`));
+      el("p", { class: "small soft" }, `Both muscles are those of the page Muscle. Pressures by ${point.model}; curves and map by universal.`));
     which.textContent = `Muscles: D0 ${show("length", muscle.values.D)}, s ${show("length", muscle.values.s)}, L0 ${show("length", muscle.values.L)}; change them on the page Muscle.`;
   }
 
@@ -111,6 +117,7 @@ export function mount(main) {
   /** @param {any} found */
   function drawMap(found) {
     if (!found) return;
+    found.points = found.points.filter(Boolean);
     const colour = (/** @type {any} */ q) => q.pressures_mpa.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / 2;
     reach.show({
       x: "rest angle φ [°]", y: "stiffness [N m/rad]", series: [],
@@ -122,12 +129,14 @@ export function mount(main) {
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      await muscle.read(params, ["r", "range", "e0", "phi", "k", "pmax", "model"]);
+      await muscle.read(params, ["r", "range", "e0", "phi", "k", "pmax"]);
       const read = (/** @type {string} */ key, by = 1) => { const x = parseFloat(params.get(key) ?? ""); if (Number.isFinite(x)) /** @type {any} */ (v)[key] = x * by; };
       read("r"); read("range"); read("e0", 0.01); read("phi");
-      if (params.get("model")) { v.model = params.get("model") ?? "universal"; model.set(v.model); }
+      read("k");
+      const pmax = params.get("pmax");
+      if (pmax) v.pmax = (await engine().ask("quantities", { texts: [{ text: pmax, kind: "pressure" }] })).readings[0].value ?? v.pmax;
       for (const key of Object.keys(controls)) controls[key].set(/** @type {any} */ (v)[key]);
-      ask(false);
+      ask(true);
       map.run();
     },
     unmount() { off(); map.end(); },

@@ -21,7 +21,9 @@ const OWN = ["test", "show", "cut", "over"];
 export function mount(main) {
   const wanted = { test: "isobaric", show: "max_stretch", cut: "", over: "" };
   const v = muscle.values;
-  /** @type {any} */ let shape, point, facts;
+  /** @type {any} */ let shape;
+  /** @type {any} */ let point;
+  /** @type {any} */ let facts;
   let pumping = 0;
 
   // Controls.
@@ -36,7 +38,7 @@ export function mount(main) {
   const held = choice("Held", [["e", "contraction"], ["F", "load"]], "e", (what) => changed("F", what === "F" ? Math.round(point?.force_n ?? 100) : undefined, true));
   const fileName = el("p", { class: "small soft" });
   const controlsBox = el("section", { class: "controls", "aria-label": "Muscle" },
-    el("fieldset", {}, el("legend", {}, "State"), make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)),
+    el("fieldset", { class: "state" }, el("legend", {}, "State"), make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)),
     el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element),
     el("details", {}, el("summary", {}, "Muscle file"), fileName, fileField("Open a muscle file (TOML)", ".toml", takeFile),
       el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: () => download("muscle.toml", muscle.toml(), "application/toml") }, "Download this muscle"))));
@@ -48,8 +50,8 @@ export function mount(main) {
   const stage = el("div", { class: "stage", title: hint }, stageSay, scale, legend, busy);
   let dragged = /** @type {number | undefined} */ (undefined);
   const view = new View(stage, { contract(share, settled) {
-    dragged ??= shape.shape_contraction;
-    const to = Math.min(0.9, Math.max(-0.1, Math.round(1000 * (dragged + share)) / 1000));
+    const from = (dragged ??= Number(shape.shape_contraction));
+    const to = Math.min(0.9, Math.max(-0.1, Math.round(1000 * (from + share)) / 1000));
     if (settled) dragged = undefined;
     muscle.values.F = undefined;
     changed("e", to, settled);
@@ -72,7 +74,7 @@ export function mount(main) {
 
   const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
   const said = el("div", {});
-  main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, stage, stageTools, chart.element, el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"), over)), el("div", {}, said, numbers)));
+  main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, stage, stageTools, chart.element, el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"), over)), el("div", { class: "side" }, said, numbers)));
   onDrop(main, (file) => { if (file?.name.endsWith(".toml")) file.text().then((text) => takeFile(file.name, text)); });
 
   // Questions: the state first, then curves, then what is slow.
@@ -134,7 +136,7 @@ export function mount(main) {
   /** @type {any[]} */ let overlays = [];
 
   function curves() {
-    const { test } = wanted;
+    const test = /** @type {"isobaric" | "isometric" | "isotonic" | "along"} */ (wanted.test);
     if (test === "along") return drawCurves();
     const shown = outside("pressure", Math.max(muscle.values.p, 0.02)), step = niceUp(shown / 5), fields = muscle.fields();
     const steps = Math.ceil(shown / step - 1e-9), top = inside("pressure", steps * step);
