@@ -50,6 +50,8 @@ export class Chart {
     const bar = el("div", { class: "row" }, tools ?? null, el("span", { class: "grow" }), this.asTable, save("csv"), save("svg"), save("png"));
     this.element = el("section", { class: tall ? "chart tall" : "chart", "aria-label": name.replaceAll("-", " ") }, bar, this.plot, this.table);
     this.drag = drag;
+    this.ring = el("i", { class: "ring", hidden: true });
+    /** @type {number[] | undefined} */ this.at = undefined;
     this.drawing = false;
     this.again = false;
     this.ready = false;
@@ -57,6 +59,21 @@ export class Chart {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
     document.addEventListener("theme", () => this.draw());
     if (drag) this.listen(drag);
+  }
+
+  /** A ring over the curves at values of the axes; none without. Nothing is drawn anew for it. @param {number} [x] @param {number} [y] */
+  mark(x, y) {
+    this.at = x === undefined || y === undefined ? undefined : [x, y];
+    this.placeMark();
+  }
+
+  placeMark() {
+    const full = /** @type {any} */ (this.plot)._fullLayout;
+    this.ring.hidden = !this.at || !full?.xaxis;
+    if (this.ring.hidden || !this.at) return;
+    const place = (/** @type {any} */ axis, /** @type {number} */ v) => axis._offset + Math.max(0, Math.min(axis._length, axis.d2p(v)));
+    this.ring.style.transform = `translate(${place(full.xaxis, this.at[0])}px, ${place(full.yaxis, this.at[1])}px)`;
+    this.plot.append(this.ring);
   }
 
   flip() {
@@ -84,6 +101,7 @@ export class Chart {
       if (!this.ready) this.plot.replaceChildren();
       this.ready = true;
       await Plotly.react(this.plot, this.traces(), this.layout(), { displayModeBar: false, responsive: false });
+      this.placeMark();
     } catch (error) {
       const retry = el("button", { type: "button", onclick: () => this.draw() }, "Try again");
       this.plot.replaceChildren(el("p", { class: "waiting" }, `${/** @type {Error} */ (error).message} The table has the numbers. `, retry));

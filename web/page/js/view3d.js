@@ -4,7 +4,7 @@
 // it on the graphics processor, so that a new shape costs one upload of a few kilobytes.
 import { el } from "./dom.js";
 
-const AROUND = 64;
+const AROUND = 48;
 /** Strands drawn of a family whose number is not known, and most that are drawn. */
 const DRAWN = 24, MOST = 60;
 
@@ -19,11 +19,11 @@ float side(int j) { return j < 0 ? -1.0 : 1.0; }
 const SURFACE = SHARED + `
 in float station; in float angle; in float row;
 uniform float flat_normal;
-out vec3 place; out vec3 normal; out float value;
+out vec3 place; out vec3 normal; out float value; out vec3 strand;
 void main() {
   int j = int(round(station));
   vec4 n = node(j, row);
-  vec4 a = node(j - 1, row), b = node(j + 1, row);
+  vec4 a = node(j - 1, row), b = node(j + 1, row), t = node(j, outer + 1.0);
   float z = n.y * side(j), dz = b.y * side(j + 1) - a.y * side(j - 1), dr = b.x - a.x;
   vec2 slope = normalize(vec2(-dr, max(dz, 1e-6)));
   float c = cos(angle), s = sin(angle);
@@ -31,45 +31,37 @@ void main() {
   vec3 round_normal = vec3(slope.x, slope.y * c, slope.y * s) * (row > 0.5 ? 1.0 : -1.0);
   normal = flat_normal > 0.5 ? vec3(0.0, -s, c) : round_normal;
   value = n.z;
-  gl_Position = camera * vec4(place, 1.0);
-}`;
-const STRANDS = SHARED + `
-in float station; in float edge;
-uniform float strands; uniform float width; uniform float rest_radius;
-out vec3 place; out vec3 normal; out float value;
-void main() {
-  int j = int(round(station));
-  float per = strands / 2.0, id = float(gl_InstanceID);
-  float family = id < per ? 1.0 : -1.0;
-  vec4 n = node(j, outer), t = node(j, outer + 1.0);
-  float phi = 6.2831853 * mod(id, per) / per + family * t.x * side(j);
-  float c = cos(phi), s = sin(phi), a = radians(t.y);
-  vec3 around = vec3(0.0, -s, c), along = vec3(1.0, 0.0, 0.0);
-  // Across the strand, in the surface.
-  vec3 across = normalize(around * cos(a) - family * along * sin(a));
-  normal = vec3(0.0, c, s);
-  place = vec3(n.y * side(j), n.x * c, n.x * s) + normal * (0.6 * width) + across * edge * width;
-  value = t.z;
+  strand = vec3(angle, t.x * side(j), t.z);
   gl_Position = camera * vec4(place, 1.0);
 }`;
 const FRAGMENT = `#version 300 es
 precision highp float;
 in vec3 place; in vec3 normal; in float value;
+in vec3 strand;                  // angle about the axis, turn of a strand from the middle, value of the strands
 uniform vec2 reach;              // values at the ends of the colour map
-uniform vec3 eye; uniform vec3 plain; uniform float mapped; uniform float cut; uniform float shade;
+uniform vec3 eye; uniform vec3 plain; uniform float mapped; uniform float cut;
+uniform float strands;           // of a family; 0 draws none
 out vec4 colour;
 // Viridis by polynomials of degree six (Matt Zucker's fit, public domain).
 vec3 viridis(float t) {
   const vec3 c0 = vec3(0.2777, 0.0054, 0.3341), c1 = vec3(0.1051, 1.4046, 1.3846), c2 = vec3(-0.3309, 0.2148, 0.0951), c3 = vec3(-4.6342, -5.7991, -19.3324), c4 = vec3(6.2283, 14.1799, 56.6906), c5 = vec3(4.7764, -13.7451, -65.3530), c6 = vec3(-5.4355, 4.6459, 26.3124);
   return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
 }
+vec3 shown(float v) { return viridis(clamp((v - reach.x) / max(reach.y - reach.x, 1e-9), 0.0, 1.0)); }
+// How much of a point a strand of a family covers, its edges as soft as a pixel is wide.
+float covered(float family) {
+  float u = (strand.x - family * strand.y) * strands / 6.2831853;
+  float pixel = max(fwidth(u), 1e-4), off = abs(fract(u + 0.5) - 0.5);
+  return pixel > 0.7 ? 0.2 : 1.0 - smoothstep(0.085 - 0.7 * pixel, 0.085 + 0.7 * pixel, off);
+}
 void main() {
   if (cut > 0.5 && place.y > 1e-4 && place.z > 1e-4) discard;
   vec3 n = normalize(normal);
   if (dot(n, eye) < 0.0) n = -n;
-  float head = max(dot(n, eye), 0.0), sun = max(dot(n, normalize(vec3(-0.3, 0.4, 0.85))), 0.0);
-  vec3 base = mapped > 0.5 ? viridis(clamp((value - reach.x) / max(reach.y - reach.x, 1e-9), 0.0, 1.0)) : plain;
-  colour = vec4(base * mix(1.0, 0.35 + 0.4 * head + 0.3 * sun, shade), 1.0);
+  float light = 0.35 + 0.4 * max(dot(n, eye), 0.0) + 0.3 * max(dot(n, normalize(vec3(-0.3, 0.4, 0.85))), 0.0);
+  vec3 base = mapped > 0.5 && mapped < 1.5 ? shown(value) : plain;
+  if (strands > 0.5) base = mix(base, mapped > 1.5 ? shown(strand.z) : vec3(0.93, 0.92, 0.9), max(covered(1.0), covered(-1.0)));
+  colour = vec4(base * light, 1.0);
 }`;
 
 /** @param {WebGL2RenderingContext} gl @param {string} vertex */
@@ -84,6 +76,17 @@ function program(gl, vertex) {
   gl.linkProgram(made);
   if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made) ?? "shader");
   return made;
+}
+
+/** @type {boolean | undefined} */ let slow;
+/** Whether WebGL runs without a graphics processor: smooth edges would then cost more than all the rest. */
+function software() {
+  if (slow !== undefined) return slow;
+  const gl = document.createElement("canvas").getContext("webgl2");
+  const info = gl?.getExtension("WEBGL_debug_renderer_info");
+  slow = Boolean(gl && info && /swiftshader|llvmpipe|software|basic render/i.test(String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL))));
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return slow;
 }
 
 export class View {
@@ -101,7 +104,7 @@ export class View {
     /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
     /** Stations and nodes of the mesh that is there. */ this.meshOf = "";
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
-    const gl = this.canvas.getContext("webgl2", { antialias: true, alpha: true });
+    const gl = this.canvas.getContext("webgl2", { antialias: !software(), alpha: true });
     this.gl = gl;
     if (gl) {
       this.prepare(gl);
@@ -116,7 +119,6 @@ export class View {
   /** @param {WebGL2RenderingContext} gl */
   prepare(gl) {
     this.surface = program(gl, SURFACE);
-    this.strand = program(gl, STRANDS);
     this.texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, this.texture);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
@@ -146,10 +148,7 @@ export class View {
     };
     const round = (/** @type {number} */ row) => Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
     const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
-    const ribbon = [], join = [];
-    for (let j = -last; j <= last; j++) ribbon.push(j, -1, j, 1);
-    for (let i = 0; i < count - 1; i++) join.push(2 * i, 2 * i + 1, 2 * i + 2, 2 * i + 2, 2 * i + 1, 2 * i + 3);
-    this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)), walls: [grid(wall(0)), grid(wall(Math.PI / 2))], ribbon: this.buffers(this.strand, ribbon, join, [["station", 1], ["edge", 1]]) };
+    this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)), walls: [grid(wall(0)), grid(wall(Math.PI / 2))] };
   }
 
   /** @param {any} of @param {number[]} data @param {number[]} index @param {[string, number][]} parts */
@@ -218,39 +217,30 @@ export class View {
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     const { camera, eye } = this.camera(w / h);
     const strand = this.show.field.startsWith("strand_");
-    const use = (/** @type {any} */ p) => {
-      gl.useProgram(p);
-      const at = (/** @type {string} */ name) => gl.getUniformLocation(p, name);
-      gl.uniformMatrix4fv(at("camera"), false, camera);
-      gl.uniform3fv(at("eye"), eye);
-      gl.uniform1f(at("outer"), shape.across - 1);
-      gl.uniform1f(at("cut"), this.cut ? 1 : 0);
-      gl.uniform2f(at("reach"), this.show.low, this.show.high);
-      return at;
-    };
+    gl.useProgram(/** @type {WebGLProgram} */ (this.surface));
+    const at = (/** @type {string} */ name) => gl.getUniformLocation(/** @type {WebGLProgram} */ (this.surface), name);
+    gl.uniformMatrix4fv(at("camera"), false, camera);
+    gl.uniform3fv(at("eye"), eye);
+    gl.uniform1f(at("outer"), shape.across - 1);
+    gl.uniform1f(at("cut"), this.cut ? 1 : 0);
+    gl.uniform2f(at("reach"), this.show.low, this.show.high);
     const parts = /** @type {any} */ (this.parts);
     const draw = (/** @type {any} */ part) => { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); };
-    let at = use(this.surface);
-    const paint = (/** @type {boolean} */ mapped, /** @type {number[]} */ plain, shade = 1) => { gl.uniform1f(at("mapped"), mapped ? 1 : 0); gl.uniform3fv(at("plain"), plain); gl.uniform1f(at("shade"), shade); };
+    const known = shape.strands ? Math.min(shape.strands / 2, MOST) : DRAWN;
+    /** What colours a part: the field (1), that of the strands (2), or nothing. */
+    const paint = (/** @type {number} */ mapped, /** @type {number[]} */ plain, strands = 0) => { gl.uniform1f(at("mapped"), mapped); gl.uniform3fv(at("plain"), plain); gl.uniform1f(at("strands"), strands); };
     gl.uniform1f(at("flat_normal"), 0);
-    paint(!strand, [0.55, 0.52, 0.5]);
+    paint(strand ? 2 : 1, [0.5, 0.48, 0.46], Math.round(known));
     draw(parts.outer);
     if (this.cut) {
+      paint(strand ? 0 : 1, [0.55, 0.52, 0.5]);
       draw(parts.inner);
       gl.uniform1f(at("flat_normal"), 1);
-      paint(!strand, [0.65, 0.6, 0.56]);
       gl.uniform1f(at("cut"), 0);
       parts.walls.forEach(draw);
     }
-    at = use(this.strand);
-    const known = shape.strands ? Math.min(shape.strands, 2 * MOST) : 2 * DRAWN;
-    const count = 2 * Math.round(known / 2);
-    gl.uniform1f(at("strands"), count);
-    gl.uniform1f(at("width"), (0.9 / count) * this.show.restRadius);
-    paint(strand, [0.93, 0.92, 0.9]);
-    gl.bindVertexArray(parts.ribbon.array);
-    gl.drawElementsInstanced(gl.TRIANGLES, parts.ribbon.count, gl.UNSIGNED_INT, 0, count);
-    this.plugs(use(this.surface));
+    paint(0, [0.42, 0.45, 0.48]);
+    this.plugs(at);
   }
 
   /** The terminals: the end of the outer surface drawn on by a straight piece. @param {any} at */
@@ -273,10 +263,7 @@ export class View {
       return this.buffers(this.surface, data, index, [["station", 1], ["angle", 1], ["row", 1]]);
     });
     gl.uniform1f(at("flat_normal"), 0);
-    gl.uniform1f(at("mapped"), 0);
     gl.uniform1f(at("cut"), 0);
-    gl.uniform1f(at("shade"), 1);
-    gl.uniform3fv(at("plain"), [0.42, 0.45, 0.48]);
     for (const part of this.plug) { gl.bindVertexArray(part.array); gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 0); }
     gl.bindTexture(gl.TEXTURE_2D, this.texture ?? null);
   }

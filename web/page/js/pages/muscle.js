@@ -81,6 +81,7 @@ export function mount(main) {
   const stateSlot = new Slot({ lane: "state", busy: (on) => busy.classList.toggle("on", on) });
   const factSlot = new Slot(), curveSlot = new Slot(), overSlot = new Slot();
   const settleTimer = { id: 0 };
+  let curveTimer = 0;
 
   /** @param {string} key @param {any} value @param {boolean} settled */
   function changed(key, value, settled) {
@@ -107,7 +108,8 @@ export function mount(main) {
       Object.values(controls).forEach((c) => c.mark(""));
       paint();
       paintNumbers();
-      drawCurves();
+      if (wanted.test === "along") drawCurves();
+      else mark();
       if (pressure === undefined) say(`Pull ${withUncertainty("force", answer.force_n, answer.uncertainty_n)}`);
     }, (problem) => {
       const key = [...QUANTITIES, PRESSURE, CONTRACTION, LOAD].find((q) => q.field === problem.field)?.key;
@@ -115,7 +117,12 @@ export function mount(main) {
       said.replaceChildren(problemBox(problem), problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
       point = undefined;
     });
-    curves();
+    if (pressure === undefined) soon();
+  }
+
+  /** Curves, at most ten times a second: the muscle comes first. */
+  function soon() {
+    curveTimer ||= window.setTimeout(() => { curveTimer = 0; curves(); }, 100);
   }
 
   /** What comes after: P′, and what the muscle does at this pressure. */
@@ -133,6 +140,7 @@ export function mount(main) {
 
   // Curves: five pressures up to a round one above this, and the state's own.
   /** @type {{ test: string, answer: any, top: number } | undefined} */ let family;
+  let familyKey = "";
   /** @type {any[]} */ let overlays = [];
 
   function curves() {
@@ -145,7 +153,12 @@ export function mount(main) {
     const request = test === "isobaric" ? { pressures_mpa: pressures, contractions: reachOf() }
       : test === "isometric" ? { contractions: [0, 0.05, 0.1, 0.15, 0.2], pressures_mpa: along }
       : { forces_n: [0.1, 0.3, 0.5, 0.7].map((x) => Math.max(1, roundTo(x * (facts?.characteristics?.blocked_force_n ?? 500)))), pressures_mpa: along.slice(1) };
-    curveSlot.ask("curve", { test, ...fields, ...request }, (answer) => { family = { test, answer, top }; drawCurves(); }, () => {});
+    // Along a family only the mark moves: nothing is asked or drawn anew.
+    const key = JSON.stringify([test, fields, request]);
+    if (key !== familyKey) {
+      familyKey = key;
+      curveSlot.ask("curve", { test, ...fields, ...request }, (answer) => { family = { test, answer, top }; drawCurves(); }, () => { familyKey = ""; });
+    }
     const names = wanted.over.split(",").filter(Boolean);
     if (!names.length || test !== "isobaric") { overlays = []; return; }
     const found = /** @type {any[]} */ ([]);
@@ -186,8 +199,14 @@ export function mount(main) {
       name: `${o.model} at ${show("pressure", o.fixed[0], 3)}`, dash: "dash", colour: KINDS[OVERLAYS.indexOf(o.model) + 1] ?? KINDS[6],
       x: o.points.map((/** @type {any} */ q) => 100 * q.contraction), y: o.points.map((/** @type {any} */ q) => (q.status === "ok" ? outside("force", q.force_n) : null)),
     }));
-    const marks = point ? [isobaric ? { x: 100 * point.contraction, y: outside("force", point.force_n) } : { x: outside("pressure", point.pressure_mpa), y: isotonic ? 100 * point.contraction : outside("force", point.force_n) }].map((m) => ({ ...m, text: "this state" })) : [];
-    chart.show({ x: isobaric ? "contraction ε [%]" : `pressure p [${pu}]`, y: isotonic ? "contraction ε [%]" : `pull F [${fu}]`, series, marks });
+    chart.show({ x: isobaric ? "contraction ε [%]" : `pressure p [${pu}]`, y: isotonic ? "contraction ε [%]" : `pull F [${fu}]`, series });
+    mark();
+  }
+
+  function mark() {
+    if (!point || wanted.test === "along") return chart.mark();
+    const [pull, pressure, contraction] = [outside("force", point.force_n), outside("pressure", point.pressure_mpa), 100 * point.contraction];
+    chart.mark(...(wanted.test === "isobaric" ? /** @type {const} */ ([contraction, pull]) : /** @type {const} */ ([pressure, wanted.test === "isotonic" ? contraction : pull])));
   }
 
   function drawAlong() {

@@ -1,0 +1,57 @@
+// What the tests share: a browser, a file server for the static page under a sub-path, and the page's words.
+import { createServer } from "node:http";
+import { readFile } from "node:fs/promises";
+import { extname, join, normalize } from "node:path";
+import { spawn } from "node:child_process";
+import { chromium } from "playwright-core";
+
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm", ".svg": "image/svg+xml" };
+
+/** The static page, as any file server would hand it out, below /tools/muscles/. @param {string} folder */
+export async function statically(folder) {
+  const server = createServer(async (request, answer) => {
+    const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://x").pathname));
+    if (!path.startsWith("/tools/muscles/")) return answer.writeHead(404).end();
+    const file = path.slice("/tools/muscles/".length) || "index.html";
+    try {
+      const bytes = await readFile(join(folder, file));
+      answer.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream" }).end(bytes);
+    } catch {
+      answer.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
+  const { port } = /** @type {any} */ (server.address());
+  return { url: `http://127.0.0.1:${port}/tools/muscles/`, end: () => server.close() };
+}
+
+/** `mckibben serve`. @param {string} program */
+export async function served(program) {
+  const child = spawn(program, ["serve", "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
+  const url = await new Promise((resolve, reject) => {
+    child.stdout.on("data", (data) => { const found = /http:\/\/\S+/.exec(String(data)); if (found) resolve(found[0].replace(/\/?$/, "/")); });
+    child.on("exit", (code) => reject(new Error(`serve ended with ${code}`)));
+  });
+  return { url: String(url), end: () => child.kill("SIGTERM") };
+}
+
+export const launch = () => chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+});
+
+/** A page that fails the test on any error of its own. @param {import("playwright-core").Browser} browser @param {import("playwright-core").BrowserContextOptions} [options] */
+export async function tab(browser, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, acceptDownloads: true, ...options });
+  const page = await context.newPage();
+  /** @type {string[]} */
+  const errors = [];
+  page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
+  page.on("pageerror", (error) => errors.push(error.message));
+  return { page, errors, context };
+}
+
+/** Until the muscle page has a state. @param {import("playwright-core").Page} page */
+export const alive = (page) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
+/** @param {import("playwright-core").Page} page */
+export const pull = (page) => page.locator(".stage .say b").innerText();

@@ -1,0 +1,46 @@
+// How long from an input event to the painted frame that shows its answer, and how soon the first view stands. Prints; asserts nothing.
+// node tests/latency.mjs static|serve
+import { alive, launch, served, statically, tab } from "./browser.mjs";
+
+const root = new URL("../..", import.meta.url).pathname;
+const site = process.argv[2] === "serve" ? await served(process.env.MCKIBBEN ?? `${root}target/release/mckibben`) : await statically(process.env.DIST ?? `${root}web/dist`);
+const browser = await launch();
+const quantile = (/** @type {number[]} */ list, /** @type {number} */ q) => list.sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(q * list.length))];
+const firsts = [];
+for (let i = 0; i < 5; i++) {
+  const { page, context } = await tab(browser);
+  const began = Date.now();
+  await page.goto(site.url, { waitUntil: "commit" });
+  await alive(page);
+  firsts.push(Date.now() - began);
+  await context.close();
+}
+console.log(`first view with a living muscle: median ${quantile(firsts, 0.5)} ms, worst ${Math.max(...firsts)} ms`);
+const { page } = await tab(browser);
+await page.goto(site.url);
+await alive(page);
+await page.waitForTimeout(4000);
+await page.evaluate(() => {
+  const w = /** @type {any} */ (window);
+  w.delays = [];
+  /** @type {number[]} */ let open = [];
+  document.addEventListener("input", (event) => open.push(event.timeStamp), true);
+  new MutationObserver(() => {
+    const mine = open;
+    open = [];
+    // The frame is painted after its callbacks; a task queued in one runs once that is done.
+    requestAnimationFrame(() => { const { port1, port2 } = new MessageChannel(); port1.onmessage = () => mine.forEach((t) => w.delays.push(performance.now() - t)); port2.postMessage(0); });
+  }).observe(/** @type {any} */ (document.querySelector(".stage .say")), { childList: true });
+});
+for (const name of ["Pressure", "Contraction", "Outer diameter", "Wall"]) {
+  const box = /** @type {any} */ (await page.getByRole("slider", { name }).boundingBox());
+  await page.mouse.move(box.x + 0.4 * box.width, box.y + box.height / 2);
+  await page.mouse.down();
+  for (let i = 0; i < 60; i++) { await page.mouse.move(box.x + (0.4 + 0.2 * Math.sin(i / 6)) * box.width, box.y + box.height / 2); await page.waitForTimeout(16); }
+  await page.mouse.up();
+  await page.waitForTimeout(800);
+  const list = await page.evaluate(() => /** @type {any} */ (window).delays.splice(0));
+  console.log(`${name}: ${list.length} inputs, median ${quantile(list, 0.5).toFixed(1)} ms, 95 % ${quantile(list, 0.95).toFixed(1)} ms, worst ${quantile(list, 1).toFixed(1)} ms`);
+}
+await browser.close();
+site.end();
