@@ -38,3 +38,14 @@ pub fn charts() -> String {
     let script = sources.split_once('>').map_or("", |(_, rest)| rest);
     script.split("</script>").next().unwrap_or_default().to_owned()
 }
+
+/// The script that turns the muscle in a report: the page's own view, in one piece.
+pub fn viewer() -> String {
+    let modules = ["js/dom.js", "js/view3d.js"].into_iter().filter_map(file);
+    let mut out = String::new();
+    for module in modules {
+        let text = String::from_utf8_lossy(&module).replace("\nexport ", "\n");
+        out.extend(text.lines().filter(|line| !line.starts_with("import ")).flat_map(|line| [line, "\n"]));
+    }
+    out + include_str!("report.js")
+}

@@ -47,6 +47,8 @@ mod point;
 mod problem;
 mod quantities;
 mod question;
+#[cfg(feature = "files")]
+mod report;
 mod rubber;
 mod rubber_fit;
 mod shape;
@@ -82,6 +84,8 @@ pub use plan::*;
 pub use point::*;
 pub use problem::*;
 pub use quantities::*;
+#[cfg(feature = "files")]
+pub use report::*;
 pub use rubber::*;
 pub use rubber_fit::*;
 pub use shape::*;

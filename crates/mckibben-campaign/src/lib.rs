@@ -11,4 +11,5 @@ pub mod fit;
 mod hash;
 mod row;
 
+pub use hash::hex as sha256;
 pub use row::Row;

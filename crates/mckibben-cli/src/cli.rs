@@ -14,6 +14,7 @@ use crate::commands::models::ModelsArgs;
 use crate::commands::motion::MotionArgs;
 use crate::commands::muscle::MuscleShowArgs;
 use crate::commands::point::{ContractionArgs, ForceArgs, PressureArgs};
+use crate::commands::report::ReportArgs;
 use crate::commands::rubber::{RubberListArgs, RubberShowArgs};
 use crate::commands::rubber_fit::RubberFitArgs;
 use crate::commands::schema::SchemaArgs;
@@ -82,6 +83,9 @@ pub enum Command {
     /// One finite-element test with everything it knows: curves, shape, strands, stretches, sensitivities
     #[command(after_help = commands::simulate::EXAMPLES)]
     Simulate(Box<SimulateArgs>),
+    /// All that is known of a muscle as one HTML file that opens offline and prints well
+    #[command(after_help = commands::report::EXAMPLES)]
+    Report(Box<ReportArgs>),
     /// Many finite-element tests from a plan, resumable, into Parquet
     #[command(after_help = commands::campaign::EXAMPLES)]
     Campaign(Box<CampaignArgs>),

@@ -13,6 +13,7 @@
 
 mod axes;
 mod curve;
+mod document;
 mod error;
 mod figure;
 mod font;
@@ -36,6 +37,7 @@ mod text_legend;
 mod ticks;
 mod xml;
 
+pub use document::{Body, Document, Part};
 pub use error::FigureError;
 pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
 pub use scene::{Face, Scene, Thread, View};

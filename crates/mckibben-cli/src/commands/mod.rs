@@ -13,6 +13,7 @@ pub mod models;
 pub mod motion;
 pub mod muscle;
 pub mod point;
+pub mod report;
 pub mod rubber;
 pub mod rubber_fit;
 pub mod schema;
@@ -50,6 +51,7 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Rubber(RubberCommand::List(args)) => rubber::list(&args, format),
         Command::Rubber(RubberCommand::Show(args)) => rubber::show(&args, format),
         Command::Rubber(RubberCommand::Fit(args)) => rubber_fit::run(&args, format),
+        Command::Report(args) => report::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
         Command::Completions { shell } => {

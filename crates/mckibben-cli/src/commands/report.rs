@@ -1,0 +1,126 @@
+//! `report`: all that is known of a muscle, as one file.
+
+use crate::failure::Failure;
+use crate::flags::{Format, MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::output::{Content, Target, check, emit, json, save};
+use crate::progress::Bar;
+use crate::quantities::{contraction, quantity};
+use clap::Args;
+use mckibben::units::Dimension;
+use mckibben_app::{ProblemKind, ReportRequest, report};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+pub const EXAMPLES: &str = "Examples:
+  mckibben report examples/prototype.toml -o muscle.html
+  mckibben report -D 38 -s 1 -p 2.5bar -e 15% -o muscle.html";
+
+/// `report`.
+#[derive(Debug, Args)]
+pub struct ReportArgs {
+    /// Pressure of the state that is shown [0.25]
+    #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
+    pub pressure: Option<String>,
+    /// Its contraction [half of the free contraction]
+    #[arg(short = 'e', long, value_name = "RATIO", allow_hyphen_values = true)]
+    pub contraction: Option<String>,
+    #[command(flatten)]
+    pub muscle: MuscleFlags,
+    #[command(flatten)]
+    pub units: UnitsFlag,
+    /// Write the page to a file instead of standard output
+    #[arg(short, long, value_name = "FILE.html", help_heading = "Output")]
+    pub output: Option<PathBuf>,
+    /// Also write it as PDF, by Chromium where it is installed
+    #[arg(long, value_name = "FILE.pdf", help_heading = "Output")]
+    pub pdf: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteFlag,
+}
+
+/// Runs the command.
+pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
+    let target = |path: Option<&'_ Path>| -> (Option<PathBuf>, bool) {
+        (path.map(Path::to_owned), args.replace.overwrite)
+    };
+    let (page, pdf) = (target(args.output.as_deref()), target(args.pdf.as_deref()));
+    for (path, overwrite) in [&page, &pdf] {
+        check(Target { path: path.as_deref(), overwrite: *overwrite }, Content::Other)?;
+    }
+    let browser = args.pdf.as_ref().map(|_| browser()).transpose()?;
+    let request = ReportRequest {
+        muscle: args.muscle.fields()?,
+        pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+        contraction: contraction("--contraction", args.contraction.as_deref())?,
+        units: args.units.or_typed([&args.pressure, &args.muscle.outer_diameter]),
+    };
+    let answer = report(&request, &Bar::new("parts"))?;
+    let bytes = match format {
+        Format::Json => format!("{:#}\n", json(&answer)?).into_bytes(),
+        _ => answer.document.to_html(&mckibben_web::viewer())?.into_bytes(),
+    };
+    if let (Some(browser), Some(path)) = (browser, &args.pdf) {
+        let html = answer.document.to_html("")?;
+        save(
+            Target { path: Some(path), overwrite: args.replace.overwrite },
+            Content::Other,
+            &printed(browser, &html)?,
+        )?;
+    }
+    match &args.output {
+        Some(path) => {
+            save(Target { path: Some(path), overwrite: args.replace.overwrite }, Content::Other, &bytes)?;
+        }
+        None if args.pdf.is_some() => {}
+        None => emit(&bytes, None)?,
+    }
+    Ok(0)
+}
+
+/// A browser that prints.
+fn browser() -> Result<&'static str, Failure> {
+    let names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome", "msedge"];
+    let runs = |name: &&&str| {
+        let quiet = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        quiet.is_ok_and(|status| status.success())
+    };
+    names.iter().find(runs).copied().ok_or_else(|| {
+        let message = "--pdf prints the page by Chromium or Chrome, and none is installed";
+        Failure::input(
+            ProblemKind::Output,
+            message,
+            "install chromium, or print the HTML page from any browser",
+        )
+    })
+}
+
+/// The page as PDF.
+fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
+    let wrong = |why: String| {
+        Failure::input(
+            ProblemKind::Output,
+            format!("{browser} does not print the page: {why}"),
+            "print the HTML page",
+        )
+    };
+    // A folder of its own that nobody else can write to, also for the browser's profile.
+    let folder = tempfile::tempdir().map_err(|e| wrong(e.to_string()))?;
+    let (page, pdf) = (folder.path().join("report.html"), folder.path().join("report.pdf"));
+    std::fs::write(&page, html).map_err(|e| wrong(e.to_string()))?;
+    let mut flags = vec!["--headless".to_owned(), "--disable-gpu".into(), "--no-pdf-header-footer".into()];
+    flags.push(format!("--user-data-dir={}", folder.path().join("profile").display()));
+    flags.push(format!("--print-to-pdf={}", pdf.display()));
+    if is_root() {
+        // Its sandbox refuses to work for root; the page is our own and has no script.
+        flags.push("--no-sandbox".into());
+    }
+    let ran = Command::new(browser).args(flags).arg(&page).output().map_err(|e| wrong(e.to_string()))?;
+    if !ran.status.success() {
+        return Err(wrong(String::from_utf8_lossy(&ran.stderr).lines().last().unwrap_or_default().into()));
+    }
+    std::fs::read(&pdf).map_err(|e| wrong(e.to_string()))
+}
+
+fn is_root() -> bool {
+    std::env::var_os("USER").or_else(|| std::env::var_os("HOME")).is_some_and(|v| v == "root" || v == "/root")
+}

@@ -1,0 +1,159 @@
+//! A report: headings, texts, tables, figures and a body, as one page that needs no network.
+
+use crate::xml::escape;
+use crate::{Figure, FigureError, Scene};
+use serde::Serialize;
+use std::fmt::Write as _;
+
+/// A report.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Document {
+    /// Its title.
+    pub title: String,
+    /// What it is, in a sentence or two.
+    pub lead: String,
+    /// Its parts, in order.
+    pub parts: Vec<Part>,
+    /// Small print at its end: versions, hashes.
+    pub footer: String,
+}
+
+/// A part of a report.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum Part {
+    /// A heading.
+    Heading(String),
+    /// A paragraph.
+    Text(String),
+    /// Sentences, one below the other.
+    List(Vec<String>),
+    /// A table.
+    Table {
+        /// Its head; empty for pairs of names and values.
+        head: Vec<String>,
+        /// Its rows.
+        rows: Vec<Vec<String>>,
+    },
+    /// A figure.
+    Figure(Box<Figure>),
+    /// A text whose lines and blanks matter, such as a file.
+    Code(String),
+    /// A body in space.
+    Body(Body),
+}
+
+/// A body in space: what a script turns it from, and a picture for paper and for readers without scripts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct Body {
+    /// What the script gets, as JSON.
+    pub data: String,
+    /// The picture.
+    #[serde(skip)]
+    pub picture: Option<Scene>,
+}
+
+const STYLE: &str = include_str!("document.css");
+
+impl Document {
+    /// The report as one HTML page. `viewer` is a script (a module without imports) that finds each body's data in an element
+    /// `.body` as JSON and shows it there; a body without one stays its picture.
+    ///
+    /// # Errors
+    /// Those of [`Figure::to_svg`] and [`Scene::to_svg`].
+    pub fn to_html(&self, viewer: &str) -> Result<String, FigureError> {
+        let title = escape(&self.title);
+        let mut out = format!(
+            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
+             <title>{title}</title><style>{STYLE}</style></head>\n<body>\n<h1>{title}</h1>\n<p class=\"lead\">{}</p>\n",
+            escape(&self.lead)
+        );
+        for part in &self.parts {
+            part.write(&mut out)?;
+        }
+        let _ = writeln!(out, "<footer>{}</footer>", escape(&self.footer));
+        if self.parts.iter().any(|part| matches!(part, Part::Body(_))) {
+            let _ = writeln!(out, "<script type=\"module\">\n{}\n</script>", viewer.replace("</", "<\\/"));
+        }
+        out.push_str("</body></html>\n");
+        Ok(out)
+    }
+}
+
+impl Part {
+    fn write(&self, out: &mut String) -> Result<(), FigureError> {
+        // Writing to a string cannot fail.
+        let _ = match self {
+            Self::Heading(text) => writeln!(out, "<h2>{}</h2>", escape(text)),
+            Self::Text(text) => writeln!(out, "<p>{}</p>", escape(text)),
+            Self::List(list) => {
+                let items: String = list.iter().map(|text| format!("<li>{}</li>", escape(text))).collect();
+                writeln!(out, "<ul>{items}</ul>")
+            }
+            Self::Table { head, rows } => {
+                table(out, head, rows);
+                Ok(())
+            }
+            Self::Figure(figure) => writeln!(out, "<figure>{}</figure>", figure.to_svg()?),
+            Self::Code(text) => {
+                let lines: Vec<String> = text.lines().map(escape).collect();
+                writeln!(out, "<pre>{}</pre>", lines.join("\n"))
+            }
+            Self::Body(body) => {
+                let still = body.picture.as_ref().map(Scene::to_svg).transpose()?.unwrap_or_default();
+                let data = body.data.replace("</", "<\\/");
+                writeln!(
+                    out,
+                    "<div class=\"body\"><div class=\"still\">{still}</div><script type=\"application/json\">{data}</script></div>"
+                )
+            }
+        };
+        Ok(())
+    }
+}
+
+fn table(out: &mut String, head: &[String], rows: &[Vec<String>]) {
+    let cells = |row: &[String], first: &str, other: &str| -> String {
+        let cell = |(i, text): (usize, &String)| {
+            let tag = if i == 0 { first } else { other };
+            format!("<{tag}>{}</{tag}>", escape(text))
+        };
+        row.iter().enumerate().map(cell).collect()
+    };
+    out.push_str("<table>");
+    if !head.is_empty() {
+        let _ = write!(out, "<thead><tr>{}</tr></thead>", cells(head, "th", "th"));
+    }
+    for row in rows {
+        let _ = write!(out, "<tr>{}</tr>", cells(row, "th", "td"));
+    }
+    out.push_str("</table>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a user typed stands in the page as text, wherever it comes from.
+    #[test]
+    fn texts_are_no_markup() {
+        let evil = "</script><script>alert(1)</script>";
+        let one = || evil.to_owned();
+        let parts = vec![
+            Part::Heading(one()),
+            Part::Text(one()),
+            Part::List(vec![one()]),
+            Part::Table { head: vec![one()], rows: vec![vec![one()]] },
+            Part::Code(one()),
+            Part::Body(Body { data: format!("\"{evil}\""), picture: None }),
+        ];
+        let html =
+            Document { title: one(), lead: one(), parts, footer: one() }.to_html("").unwrap_or_default();
+        assert!(html.len() > 1000 && !html.contains("<script>alert"), "{html}");
+    }
+}
