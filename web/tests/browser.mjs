@@ -37,7 +37,7 @@ export async function served(program) {
 
 export const launch = () => chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+  args: (process.env.CHROMIUM_FLAGS ?? "--no-sandbox --enable-unsafe-swiftshader").split(" "),
 });
 
 /** A page that fails the test on any error of its own. @param {import("playwright-core").Browser} browser @param {import("playwright-core").BrowserContextOptions} [options] */

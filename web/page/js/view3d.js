@@ -113,7 +113,11 @@ export class View {
       this.canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
       this.canvas.addEventListener("webglcontextrestored", () => { this.prepare(gl); this.upload(); this.draw(); });
     }
-    new ResizeObserver(() => this.draw()).observe(stage);
+    /** Of the stage, in pixels of the page; asking for it every time would lay the page out anew. */
+    this.width = stage.clientWidth;
+    this.height = stage.clientHeight;
+    this.rest = 0;
+    new ResizeObserver(() => { this.width = stage.clientWidth; this.height = stage.clientHeight; this.draw(true); }).observe(stage);
   }
 
   /** @param {WebGL2RenderingContext} gl */
@@ -205,11 +209,15 @@ export class View {
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, stations, across + 1, 0, gl.RGBA, gl.FLOAT, texels);
   }
 
-  draw() {
+  /** @param {boolean} [sharp] */
+  draw(sharp = false) {
     const { gl, shape, canvas } = this;
     if (!gl || !shape) return;
-    const ratio = Math.min(2, devicePixelRatio || 1);
-    const [w, h] = [Math.round(this.stage.clientWidth * ratio), Math.round(this.stage.clientHeight * ratio)];
+    // Without a graphics processor a moving muscle is drawn coarser, and sharp when it rests.
+    const coarse = software() && !sharp;
+    if (coarse) { clearTimeout(this.rest); this.rest = window.setTimeout(() => this.draw(true), 200); }
+    const ratio = coarse ? 0.6 : Math.min(2, devicePixelRatio || 1);
+    const [w, h] = [Math.round(this.width * ratio), Math.round(this.height * ratio)];
     if (!w || !h) return;
     if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
     gl.viewport(0, 0, w, h);
@@ -296,7 +304,7 @@ export class View {
 
   /** Half the width of the picture in mm, for a scale bar. */
   get millimetresPerPixel() {
-    return (2 * (this.half ?? 1)) / Math.max(1, this.stage.clientWidth);
+    return (2 * (this.half ?? 1)) / Math.max(1, this.width);
   }
 
   listen() {

@@ -73,6 +73,9 @@ export function mount(main) {
   } });
 
   const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
+  const meterBox = el("div", {}), notes = el("ul", { class: "warnings" });
+  /** @type {HTMLElement[]} */ const values = [];
+  let noted = "";
   const said = el("div", {});
   main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, stage, stageTools, chart.element, el("div", { class: "row small" }, el("span", { class: "soft" }, "Other models at this pressure:"), over)), el("div", { class: "side" }, said, numbers)));
   onDrop(main, (file) => { if (file?.name.endsWith(".toml")) file.text().then((text) => takeFile(file.name, text)); });
@@ -140,7 +143,7 @@ export function mount(main) {
 
   // Curves: five pressures up to a round one above this, and the state's own.
   /** @type {{ test: string, answer: any, top: number } | undefined} */ let family;
-  let familyKey = "";
+  let familyKey = "", legendKey = "", scaled = 0;
   /** @type {any[]} */ let overlays = [];
 
   function curves() {
@@ -238,20 +241,24 @@ export function mount(main) {
     view.set(shape, { field: name, low, high, restLength: muscle.values.L, restRadius: muscle.values.D / 2 });
     const end = (/** @type {number} */ x) => (kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3));
     const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(",");
-    legend.replaceChildren(el("span", {}, words), el("i", { style: `background:linear-gradient(90deg,${ramp})` }), el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))));
+    const key = `${words} ${end(low)} ${end(high)}`;
+    if (key !== legendKey) legend.replaceChildren(el("span", {}, words), el("i", { style: `background:linear-gradient(90deg,${ramp})` }), el("span", {}, el("b", {}, end(low)), el("b", {}, end(high))));
+    legendKey = key;
     const sayIt = point.slack ? [el("b", {}, "Slack"), el("br"), `It hangs ${show("ratio", shape.shape_contraction, 3)} shortened and does not pull.`]
       : [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`];
     stageSay.replaceChildren(...sayIt);
-    requestAnimationFrame(() => {
-      const step = niceUp(80 * view.millimetresPerPixel * 0.6);
-      scale.replaceChildren(el("span", { style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / view.millimetresPerPixel}px` }), show("length", step, 3));
-    });
+    const perPixel = view.millimetresPerPixel;
+    if (perPixel !== scaled) {
+      scaled = perPixel;
+      const step = niceUp(80 * perPixel * 0.6);
+      scale.replaceChildren(el("span", { style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px` }), show("length", step, 3));
+    }
   }
 
   function paintNumbers() {
     if (!point) return;
     const c = facts?.characteristics;
-    const rows = /** @type {[string, string | Node][]} */ ([
+    const rows = /** @type {[string, string][]} */ ([
       ["stiffness", point.stiffness_n_per_mm === undefined ? "–" : `${number(point.stiffness_n_per_mm, 3)} N/mm`],
       ["contraction", show("ratio", point.contraction, 3)],
       ["bulged diameter", show("length", point.bulged_diameter_mm)],
@@ -262,17 +269,23 @@ export function mount(main) {
       ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
       ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
     ]);
-    const list = el("dl", {}, el("dt", { class: "head" }, "pull"), el("dd", { class: "head" }, point.slack ? "slack" : withUncertainty("force", point.force_n, point.uncertainty_n)), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
+    rows.unshift(["pull", point.slack ? "slack" : withUncertainty("force", point.force_n, point.uncertainty_n)]);
+    if (!values.length) {
+      const list = el("dl", {}, ...rows.flatMap(([name], i) => { values.push(el("dd", { class: i ? undefined : "head" })); return [el("dt", { class: i ? undefined : "head" }, name), values[i]]; }));
+      numbers.replaceChildren(list, meterBox, notes, el("p", { class: "small soft" }, `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`));
+    }
+    rows.forEach(([, value], i) => { if (values[i].textContent !== value) values[i].textContent = value; });
     const meters = [
       meter("stretch of the rubber", point.max_stretch, facts?.fitted_to_stretch, (x) => number(x, 3), 1),
       meter("pull", point.force_n, c?.blocked_force_n, (x) => show("force", x, 3)),
       meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
-      meter("tension of a strand", point.strand_tension_n, undefined, (x) => show("force", x, 3)),
     ];
-    const warnings = el("ul", { class: "warnings" }, ...(point.warnings ?? []).map((/** @type {string} */ w) => el("li", {}, capital(w))));
-    const notes = [...muscle.wrong.values()].map((m) => el("li", {}, m));
-    if (muscle.unknown.length) notes.push(el("li", {}, `Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`));
-    numbers.replaceChildren(list, ...meters.filter((m) => m !== null), warnings, el("ul", { class: "warnings" }, ...notes), el("p", { class: "small soft" }, `Model ${point.model}; ± covers 95 % against a measured muscle. ${engine().about}.`));
+    meterBox.replaceChildren(...meters.filter((m) => m !== null));
+    const said = [...(point.warnings ?? []).map(capital), ...muscle.wrong.values(), ...(muscle.unknown.length ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`] : [])];
+    if (said.join() !== noted) {
+      noted = said.join();
+      notes.replaceChildren(...said.map((w) => el("li", {}, w)));
+    }
   }
 
   /** A share of a limit as a bar. @param {string} name @param {number | undefined | null} value @param {number | undefined | null} limit @param {(x: number) => string} text */
@@ -341,7 +354,7 @@ export function mount(main) {
 
   engine().ask("rubber-list", {}).then((answer) => rubber.options(answer.rubbers.map((/** @type {any} */ r) => r.name)), () => {});
   engine().ask("braid-list", {}).then((answer) => braid.options(answer.braids.map((/** @type {any} */ r) => r.name)), () => {});
-  const offUnits = onUnits(() => { paint(); paintNumbers(); drawCurves(); settle(); });
+  const offUnits = onUnits(() => { scaled = 0; paint(); paintNumbers(); drawCurves(); settle(); });
 
   return {
     /** @param {URLSearchParams} params */
