@@ -72,6 +72,7 @@ pub extern "C" fn answer_length() -> usize {
 pub extern "C" fn start() {
     std::panic::set_hook(Box::new(|panic| {
         let words = panic.to_string();
-        let _ = ANSWER.try_with(|answer| answer.try_borrow_mut().map(|mut answer| *answer = words.into_bytes()));
+        let _ =
+            ANSWER.try_with(|answer| answer.try_borrow_mut().map(|mut answer| *answer = words.into_bytes()));
     }));
 }
