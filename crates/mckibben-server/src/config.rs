@@ -73,7 +73,13 @@ impl Default for JobConfig {
         Self {
             workers: cores().div_ceil(2),
             waiting: 16,
-            limits: Limits { points: 100e3, elements: 20e3, bytes: 1e9, factorisations: 1e8, seconds: 1800.0 },
+            limits: Limits {
+                points: 100e3,
+                elements: 20e3,
+                bytes: 1e9,
+                factorisations: 1e8,
+                seconds: 1800.0,
+            },
             kept: 32,
             kept_bytes: 64 << 20,
             kept_for: Duration::from_secs(600),

@@ -2,12 +2,17 @@
 
 use crate::refusal::Refusal;
 use axum::http::StatusCode;
-use mckibben::budget::{Budget, Limits};
+use mckibben::budget::{Budget, Exceeded, Limits, Resource};
 use mckibben::progress::Progress;
 use mckibben_app::{CommandEntry, Problem, ProblemKind, ask, ask_packed};
 use serde_json::Value;
 use std::sync::Arc;
+use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
+use tokio::time::sleep;
+
+/// Work has this long to see that its time is over.
+const LATE: Duration = Duration::from_secs(2);
 
 /// A bounded queue: so many at work, so many waiting, no more.
 #[derive(Debug)]
@@ -122,9 +127,16 @@ pub async fn worked<T: Send + 'static>(
             (done, None) => done,
         }
     });
+    let late =
+        limits.seconds.is_finite().then(|| Duration::from_secs_f64(limits.seconds.clamp(0.0, 1e9)) + LATE);
     tokio::select! {
         done = handle => done.unwrap_or_else(|e| Err(Problem::new(ProblemKind::Internal, e.to_string(), "").into())),
         Ok(_) = stopping.wait_for(|s| *s) => Err(Refusal::ending()),
+        // Work that looks at no clock has its place until it ends, but nobody waits for it.
+        () = sleep(late.unwrap_or_default()), if late.is_some() => {
+            let spent = Exceeded::Spent { resource: Resource::Seconds, limit: limits.seconds };
+            Err(Problem::from(spent).into())
+        }
     }
 }
 

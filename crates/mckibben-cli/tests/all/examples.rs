@@ -55,7 +55,7 @@ fn words(line: &str) -> Vec<String> {
 fn works(folder: &Path, place: &str, line: &str) {
     let words = words(line);
     let words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
-    if let ["serve", more @ ..] = words[..] {
+    if let ["serve", more @ ..] = &words[..] {
         return crate::serve::works(folder, more);
     }
     let result = ran(command(folder).args(words).output().unwrap());

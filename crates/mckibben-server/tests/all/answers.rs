@@ -70,10 +70,14 @@ async fn problems_have_their_status_and_their_words() {
     let deep = "[".repeat(100_000);
     client.post("/api/v1/force", deep).await.problem(400);
     client.post("/api/v1/force", vec![b'"', 0xff, b'"']).await.problem(400);
-    let unreached = client.post("/api/v1/pressure", r#"{"force_n": 1e9, "contraction": 0.1}"#).await.problem(422);
+    let unreached =
+        client.post("/api/v1/pressure", r#"{"force_n": 1e9, "contraction": 0.1}"#).await.problem(422);
     assert!(unreached["nearest"]["force_n"].is_number(), "{unreached}");
     let unknown = client.post("/api/v1/force", r#"{"presure_mpa": 0.2}"#).await.problem(422);
-    assert_eq!((&unknown["hint"], &unknown["field"]), (&json!("did you mean `pressure_mpa`?"), &json!("presure_mpa")));
+    assert_eq!(
+        (&unknown["hint"], &unknown["field"]),
+        (&json!("did you mean `pressure_mpa`?"), &json!("presure_mpa"))
+    );
     for (method, path, allowed) in [
         (Method::GET, "/api/v1/force", "POST"),
         (Method::PUT, "/api/v1/health", "GET,HEAD"),

@@ -59,7 +59,11 @@ impl Client {
     pub async fn send(&self, request: Request<Body>) -> Answer {
         let response = self.0.clone().oneshot(request).await.unwrap();
         let (parts, body) = response.into_parts();
-        Answer { status: parts.status, headers: parts.headers, bytes: body.collect().await.unwrap().to_bytes() }
+        Answer {
+            status: parts.status,
+            headers: parts.headers,
+            bytes: body.collect().await.unwrap().to_bytes(),
+        }
     }
 
     pub async fn get(&self, path: &str) -> Answer {
@@ -110,7 +114,8 @@ pub fn posted(path: &str) -> request::Builder {
 /// A request that takes minutes, in small steps.
 pub fn endless() -> String {
     let pressures: Vec<f64> = (1..5000).map(|i| 0.25 * f64::from(i) / 5000.0).collect();
-    json!({ "test": "isometric", "model": "fe3d", "pressures_mpa": pressures, "contractions": [0.1] }).to_string()
+    json!({ "test": "isometric", "model": "fe3d", "pressures_mpa": pressures, "contractions": [0.1] })
+        .to_string()
 }
 
 /// A server on a socket, ended when it is dropped.

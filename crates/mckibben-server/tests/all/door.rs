@@ -23,8 +23,19 @@ async fn only_names_of_this_computer_are_answered() {
         assert_eq!(status(&client, &[("host", host), json]).await, 200, "{host}");
     }
     for host in [
-        "", "evil.example", "localhost.evil.example", "evil.example:8080", "localhost:8080.evil.example", "127.0.0.1:",
-        "127.0.0.2", "[::1", "[::1]x", "[::2]:8080", "localhost:99999", "a@localhost", "localhost@evil.example",
+        "",
+        "evil.example",
+        "localhost.evil.example",
+        "evil.example:8080",
+        "localhost:8080.evil.example",
+        "127.0.0.1:",
+        "127.0.0.2",
+        "[::1",
+        "[::1]x",
+        "[::2]:8080",
+        "localhost:99999",
+        "a@localhost",
+        "localhost@evil.example",
     ] {
         assert_eq!(status(&client, &[("host", host), json]).await, 403, "{host}");
     }
@@ -56,7 +67,9 @@ async fn forms_of_other_pages_cannot_ask() {
     let client = Client::usual();
     let host = ("host", "localhost:8080");
     assert_eq!(status(&client, &[host, ("content-type", "application/json; charset=utf-8")]).await, 200);
-    for kind in ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", "application/jsonp", ""] {
+    for kind in
+        ["text/plain", "application/x-www-form-urlencoded", "multipart/form-data", "application/jsonp", ""]
+    {
         assert_eq!(status(&client, &[host, ("content-type", kind)]).await, 415, "{kind}");
     }
     assert_eq!(status(&client, &[host]).await, 415);
@@ -74,7 +87,12 @@ async fn every_answer_tells_browsers_what_they_may() {
         client.send(refused).await,
     ] {
         let policy = answer.header("content-security-policy");
-        for part in ["default-src 'self'", "script-src 'self' 'wasm-unsafe-eval'", "frame-ancestors 'none'", "base-uri 'none'"] {
+        for part in [
+            "default-src 'self'",
+            "script-src 'self' 'wasm-unsafe-eval'",
+            "frame-ancestors 'none'",
+            "base-uri 'none'",
+        ] {
             assert!(policy.contains(part), "{policy}");
         }
         assert_eq!(answer.header("x-content-type-options"), "nosniff");

@@ -38,7 +38,16 @@ async fn delete(client: &Client, job: &str) -> Answer {
 async fn a_job_tells_its_way_and_its_answer() {
     let client = Client::usual();
     let job = client.job("design", DESIGN).await;
-    let told = events(&client.send(asked(Method::GET, &format!("{job}/events")).header("accept-encoding", "gzip").body(Body::empty()).unwrap()).await);
+    let told = events(
+        &client
+            .send(
+                asked(Method::GET, &format!("{job}/events"))
+                    .header("accept-encoding", "gzip")
+                    .body(Body::empty())
+                    .unwrap(),
+            )
+            .await,
+    );
     let wanted: Value = serde_json::from_str(&ask("design", DESIGN, &Silent).unwrap()).unwrap();
     let (last, way) = told.split_last().unwrap();
     assert_eq!(last, &("answer".to_owned(), wanted.clone()));
@@ -115,10 +124,9 @@ async fn a_job_has_a_budget() {
 #[tokio::test]
 async fn the_oldest_answers_are_forgotten() {
     let done = |s: &Value| s["state"] == "done";
-    for config in [
-        JobConfig { kept: 1, ..JobConfig::default() },
-        JobConfig { kept_bytes: 1, ..JobConfig::default() },
-    ] {
+    for config in
+        [JobConfig { kept: 1, ..JobConfig::default() }, JobConfig { kept_bytes: 1, ..JobConfig::default() }]
+    {
         let client = with(config);
         let first = client.job("compare", SHORT).await;
         client.once(&first, done).await;

@@ -26,7 +26,10 @@ async fn what_does_not_fit_is_refused_before_memory_is_taken() {
     let muscle = json!({ "name": "m.toml", "text": "" });
     for (name, request) in [
         // 10⁹ points of a curve, which are 400 kB of a request.
-        ("curve", json!({ "test": "isobaric", "model": "ideal", "pressures_mpa": many, "contractions": many })),
+        (
+            "curve",
+            json!({ "test": "isobaric", "model": "ideal", "pressures_mpa": many, "contractions": many }),
+        ),
         ("simulate", json!({ "test": "isobaric", "model": "fe3d", "mesh": "16x256x2048" })),
         ("compare", json!({ "models": ["ideal", "paper"], "pressures_mpa": many, "contractions": many })),
         ("motion", json!({ "step": drive(1e9), "muscle": muscle, "model": "ideal" })),
@@ -55,7 +58,8 @@ async fn time_and_work_are_limited() {
 async fn long_bodies_are_refused_stated_or_not() {
     let client = Client::new(Config { body_bytes: 1000, ..Config::default() });
     let long = "x".repeat(1001);
-    let stated = posted("/api/v1/force").header("content-length", "1001").body(Body::from(long.clone())).unwrap();
+    let stated =
+        posted("/api/v1/force").header("content-length", "1001").body(Body::from(long.clone())).unwrap();
     assert_eq!(client.send(stated).await.problem(413)["kind"], "budget");
     client.post("/api/v1/force", long).await.problem(413);
     let little = Client::new(Config { bodies_bytes: 10, ..Config::default() });

@@ -33,7 +33,10 @@ fn a_connection_answers_one_request_after_the_other() {
 #[test]
 fn who_sends_nothing_is_left() {
     let server = Server::new(impatient());
-    let head = format!("POST /api/v1/units HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\n", server.address);
+    let head = format!(
+        "POST /api/v1/units HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\n",
+        server.address
+    );
     assert_eq!(rest(server.sent("")), "");
     assert_eq!(rest(server.sent("GET / HT")), "");
     assert_eq!(rest(server.sent(&head)), "");
