@@ -15,7 +15,7 @@ pub fn document() -> Value {
     let get = |id: &str, text: &str, parameters: Value| {
         json!({ "get": {
             "operationId": id, "summary": text, "parameters": parameters,
-            "responses": { "200": described(text), "default": problem() },
+            "responses": with_problems(json!({ "200": described(text) }), &FOUND),
         }})
     };
     let id = json!([{ "name": "id", "in": "path", "required": true, "schema": { "type": "string" } }]);
@@ -32,7 +32,7 @@ pub fn document() -> Value {
     job["get"]["responses"]["200"]["content"]["application/json"]["schema"] = reference("job.state");
     job["delete"] = json!({
         "operationId": "forget", "summary": "Ends a job and forgets it.", "parameters": id,
-        "responses": { "204": { "description": "It is forgotten." }, "default": problem() },
+        "responses": with_problems(json!({ "204": { "description": "It is forgotten." } }), &FOUND),
     });
     paths.insert("/api/v1/jobs/{id}".into(), job);
     let mut events = get("events", "`progress` now and then, at last `answer` or `problem`.", id);
@@ -48,7 +48,13 @@ pub fn document() -> Value {
             "license": { "name": "MIT OR Apache-2.0", "identifier": env!("CARGO_PKG_LICENSE") },
         },
         "paths": paths,
-        "components": { "schemas": parts.schemas },
+        "components": {
+            "schemas": parts.schemas,
+            "responses": { "problem": {
+                "description": "Why there is no answer.",
+                "content": { "application/problem+json": { "schema": reference("problem") } },
+            }},
+        },
     })
 }
 
@@ -65,24 +71,18 @@ fn add(command: &CommandEntry, paths: &mut Map<String, Value>, parts: &mut Compo
     let summary = command.about();
     let ask = json!({
         "operationId": name, "summary": summary, "requestBody": body,
-        "responses": {
-            "200": {
-                "description": "The answer; as `application/octet-stream` the numbers of `arrays` are bytes.",
-                "content": { "application/json": { "schema": answer }, "application/octet-stream": {} },
-            },
-            "default": problem(),
-        },
+        "responses": with_problems(json!({ "200": {
+            "description": "The answer; as `application/octet-stream` the numbers of `arrays` are bytes.",
+            "content": { "application/json": { "schema": answer }, "application/octet-stream": {} },
+        }}), &ASKED),
     });
     let job = json!({
         "operationId": format!("job-{name}"), "summary": format!("A job: {summary}"), "requestBody": body,
-        "responses": {
-            "202": {
-                "description": "It is under way.",
-                "headers": { "Location": { "schema": { "type": "string" } } },
-                "content": { "application/json": { "schema": reference("job.links") } },
-            },
-            "default": problem(),
-        },
+        "responses": with_problems(json!({ "202": {
+            "description": "It is under way.",
+            "headers": { "Location": { "schema": { "type": "string" } } },
+            "content": { "application/json": { "schema": reference("job.links") } },
+        }}), &ASKED),
     });
     paths.insert(format!("/api/v1/{name}"), json!({ "post": ask }));
     paths.insert(format!("/api/v1/jobs/{name}"), json!({ "post": job }));
@@ -92,11 +92,15 @@ fn reference(name: &str) -> Value {
     json!({ "$ref": format!("#/components/schemas/{name}") })
 }
 
-fn problem() -> Value {
-    json!({
-        "description": "Why there is no answer.",
-        "content": { "application/problem+json": { "schema": reference("problem") } },
-    })
+/// Statuses of problems where something is looked up, and where something is asked.
+const FOUND: [u16; 3] = [403, 404, 405];
+const ASKED: [u16; 10] = [400, 403, 405, 408, 413, 415, 422, 429, 500, 503];
+
+fn with_problems(mut responses: Value, statuses: &[u16]) -> Value {
+    for status in statuses {
+        responses[status.to_string()] = json!({ "$ref": "#/components/responses/problem" });
+    }
+    responses
 }
 
 /// Schemas by unique names.
