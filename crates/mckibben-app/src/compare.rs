@@ -320,6 +320,7 @@ fn grid(
         budget.admit(Resource::Points, pressures.len() as f64 * contractions.len() as f64)?;
         return Ok((pressures, contractions));
     };
+    budget.admit(Resource::Points, points.len() as f64)?;
     let mut pressures: Vec<f64> = points.iter().map(|m| m.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
     pressures.dedup();

@@ -11,6 +11,7 @@ use crate::units::Units;
 use crate::warnings::largest_stretch;
 use crate::words::number;
 use mckibben::answer::Options;
+use mckibben::budget::Resource;
 use mckibben::identify::{
     Fitted, Identification, Identified, IdentifyError, Parameter, ParameterError, Request, Spread, Target,
     identify_default, identify_with,
@@ -215,6 +216,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     let muscle = request.muscle.resolve()?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
     let Data { points, origin, understood } = request.points(&muscle)?;
+    progress.budget().admit(Resource::Points, points.len() as f64)?;
     let (free, fixed) = request.parameters(&muscle)?;
     let asked = Request {
         muscle: &muscle,

@@ -5,8 +5,10 @@ use crate::figure;
 use crate::muscle::muscle_of;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
+use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
+use mckibben::progress::Progress;
 use mckibben::rubber::fit::{
     FitSettings, FittedLaw, Form, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
     TensionFitError, fit_tension, read_tests,
@@ -203,7 +205,7 @@ impl RubberFitAnswer {
 ///
 /// # Errors
 /// [`Problem`].
-pub fn rubber_fit(request: &RubberFitRequest) -> Result<RubberFitAnswer, Problem> {
+pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer, Problem> {
     let settings = request.settings()?;
     let base = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
     let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
@@ -214,6 +216,7 @@ pub fn rubber_fit(request: &RubberFitRequest) -> Result<RubberFitAnswer, Problem
     };
     let (points, table) = read_tests(file.text.as_bytes(), options, &request.columns)
         .map_err(|error| Problem::of_table(&file.name, &error))?;
+    progress.budget().admit(Resource::Points, points.len() as f64)?;
     let fit = fit_tension(&points, &settings)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
     let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());

@@ -91,8 +91,11 @@ pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAns
     let base = request.muscle.resolve()?;
     let options = request.asking.options(&base)?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
-    model.admit(&base, &progress.budget())?;
-    let study = thickness(&base, options, |m| model.build(m))?;
+    let budget = progress.budget();
+    model.admit(&base, &budget)?;
+    let study = thickness(&base, options, &budget, |m| model.build(m));
+    budget.ended()?;
+    let study = study?;
     let figure = request.figure.as_ref().map(|unit| {
         let MuscleSummary { angle_deg, rubber, .. } = (&base).into();
         let about = format!("D0 30 mm, L0 285 mm, θ0 {angle_deg}°, rubber {rubber}");

@@ -1,6 +1,7 @@
 //! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
 
 use crate::problem::Problem;
+use mckibben::budget::Resource;
 use mckibben::joint;
 use mckibben::progress::Progress;
 use mckibben::threads;
@@ -168,6 +169,7 @@ impl SweepAnswer {
 /// # Errors
 /// [`Problem`] where it was cancelled.
 pub fn sweep(request: &SweepRequest, progress: &dyn Progress) -> Result<SweepAnswer, Problem> {
+    progress.budget().admit(Resource::Points, request.muscles as f64)?;
     let done = AtomicUsize::new(0);
     let one = |&i: &usize| {
         if progress.cancelled() {

@@ -18,6 +18,7 @@ use crate::commands::report::ReportArgs;
 use crate::commands::rubber::{RubberListArgs, RubberShowArgs};
 use crate::commands::rubber_fit::RubberFitArgs;
 use crate::commands::schema::SchemaArgs;
+use crate::commands::serve::ServeArgs;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::validate::ValidateArgs;
 use crate::flags::Format;
@@ -116,6 +117,9 @@ pub enum Command {
     /// The force models: what they are, their source, and where they hold
     #[command(after_help = crate::commands::models::EXAMPLES)]
     Models(ModelsArgs),
+    /// The workbench in a browser, and every command over HTTP, on this computer
+    #[command(after_help = commands::serve::EXAMPLES)]
+    Serve(ServeArgs),
     /// JSON Schema of requests and answers
     #[command(after_help = "Examples:\n  mckibben schema force\n  mckibben schema")]
     Schema(SchemaArgs),

@@ -43,7 +43,7 @@ fn main() -> ExitCode {
         }
     };
     progress::limit(&cli.limit);
-    let done = guarded(|| commands::run(cli.command, cli.format));
+    let done = guarded(|| commands::run(cli.command, cli.format, &cli.limit));
     threads::shortage().into_iter().for_each(output::warn);
     match done {
         Ok(code) => ExitCode::from(code),

@@ -36,9 +36,19 @@ const TICK: Duration = Duration::from_millis(50);
 
 /// Sets what the answer may cost.
 pub fn limit(limits: &[(Resource, f64)]) {
-    let all = limits.iter().fold(Limits::default(), |all, &(resource, limit)| all.with(resource, limit));
     // Once, at the start of the program.
-    let _ = BUDGET.set(Budget::new(all));
+    let _ = BUDGET.set(Budget::new(with(Limits::default(), limits)));
+}
+
+/// Limits with others in their place.
+pub fn with(all: Limits, limits: &[(Resource, f64)]) -> Limits {
+    limits.iter().fold(all, |all, &(resource, limit)| all.with(resource, limit))
+}
+
+/// Whether a signal asked for the end. From the first call on the first signal no longer ends the program by itself; the
+/// second one does.
+pub fn stopped() -> bool {
+    STOPPED.load(Ordering::Relaxed)
 }
 
 /// Ends work that does not look for the wish itself, and at last the program: files appear whole or not at all.
@@ -101,7 +111,7 @@ impl Progress for Bar {
     }
 
     fn cancelled(&self) -> bool {
-        STOPPED.load(Ordering::Relaxed)
+        stopped()
     }
 
     fn budget(&self) -> Budget {

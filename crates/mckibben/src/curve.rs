@@ -6,7 +6,7 @@
 
 use crate::analysis::{AnalysisError, free_contraction};
 use crate::answer::{self, Answer, Options};
-use crate::model::{ForceModel, Workspace};
+use crate::model::{ForceModel, ModelError, Workspace};
 use serde::{Deserialize, Serialize};
 
 /// Which test.
@@ -90,17 +90,20 @@ fn point<M: ForceModel + ?Sized>(
     options: Options,
     free: Option<f64>,
 ) -> CurvePoint {
+    // A search asks the model many times before it gives up: of what is to end, not once.
+    let open = workspace.budget().check().map_err(|e| AnalysisError::from(ModelError::Exceeded(e)));
     match test {
         Test::Isotonic => CurvePoint {
             pressure_mpa: x,
             contraction: None,
             force_n: Some(fixed),
-            answer: answer::contraction(model, workspace, fixed, x, options),
+            answer: open.and_then(|()| answer::contraction(model, workspace, fixed, x, options)),
         },
         Test::Isometric | Test::Isobaric => {
             let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
-            let answer =
-                answer::point_beyond(model, workspace, p, e, options, free).map_err(AnalysisError::from);
+            let answer = open.and_then(|()| {
+                answer::point_beyond(model, workspace, p, e, options, free).map_err(AnalysisError::from)
+            });
             CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
         }
     }

@@ -17,6 +17,7 @@ pub mod report;
 pub mod rubber;
 pub mod rubber_fit;
 pub mod schema;
+pub mod serve;
 pub mod simulate;
 mod study;
 pub mod validate;
@@ -26,9 +27,10 @@ use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::emit;
 use clap::CommandFactory;
+use mckibben::budget::Resource;
 
-/// Runs a command; the exit code where it ends well.
-pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
+/// Runs a command; the exit code where it ends well. What its answer may cost is set already, but for `serve`, which answers many.
+pub fn run(command: Command, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
     match command {
         Command::Design(args) => design::run(&args, format),
         Command::Force(args) => point::force(&args, format),
@@ -54,6 +56,7 @@ pub fn run(command: Command, format: Format) -> Result<u8, Failure> {
         Command::Report(args) => report::run(&args, format),
         Command::Models(args) => models::run(&args, format),
         Command::Schema(args) => schema::run(&args),
+        Command::Serve(args) => serve::run(args, format, limits),
         Command::Completions { shell } => {
             // Into memory first: clap_complete panics where it cannot write.
             let mut script = vec![];

@@ -7,6 +7,7 @@ use crate::files;
 use crate::flags::{ColumnsFlag, Format, OverwriteOrForceFlag, PlotFlag};
 use crate::output::{Content, Target, check, save, show, warn};
 use crate::plot;
+use crate::progress::Bar;
 use crate::quantities::{quantity, ratio};
 use crate::word::word_or;
 use clap::Args;
@@ -93,7 +94,7 @@ pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, Content::Muscle)?;
-    let mut answer = rubber_fit(&request(args)?)?;
+    let mut answer = rubber_fit(&request(args)?, &Bar::hidden())?;
     if target.path.is_some() {
         save(target, Content::Muscle, answer.muscle_file()?.as_bytes())?;
     }

@@ -54,7 +54,10 @@ fn words(line: &str) -> Vec<String> {
 /// Runs a command as shown, `mckibben` and what follows.
 fn works(folder: &Path, place: &str, line: &str) {
     let words = words(line);
-    let words = words.iter().skip(1);
+    let words: Vec<&str> = words.iter().skip(1).map(String::as_str).collect();
+    if let ["serve", more @ ..] = &words[..] {
+        return crate::serve::works(folder, more);
+    }
     let result = ran(command(folder).args(words).output().unwrap());
     assert_eq!(result.code, 0, "{place}: {line}\n{}", result.err);
 }

@@ -16,5 +16,6 @@ mod identify;
 mod joint;
 mod motion;
 mod rubber_fit;
+mod serve;
 mod tables;
 mod threads;

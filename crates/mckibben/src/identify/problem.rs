@@ -187,7 +187,7 @@ impl<'a, B: Build> Problem<'a, B> {
             }
             let muscle = candidate.of_section(&chunk.section).ok()?;
             let model = (self.build)(&muscle).ok()?;
-            let mut w = Workspace::new();
+            let mut w = Workspace::within(self.progress.budget());
             Some(chunk.rows.iter().map(|&i| one(model.as_ref(), &mut w, &self.points[i])).collect())
         };
         let lists = threads::map(&self.chunks, of_chunk);
@@ -232,7 +232,9 @@ impl<'a, B: Build> Problem<'a, B> {
             let point = self.points.first()?;
             let model = (self.build)(&candidate.of_section(&point.section).ok()?).ok()?;
             let e = point.at.contraction + candidate.contraction_offset;
-            model.force_by(&mut Workspace::new(), point.at.pressure_mpa, e, &names)?.ok()
+            model
+                .force_by(&mut Workspace::within(self.progress.budget()), point.at.pressure_mpa, e, &names)?
+                .ok()
         };
         probe().is_some()
     }

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# Requests made up from the OpenAPI document, right ones and wrong ones: every answer is one that the document names and describes, and none
+# is a 5xx.
+#
+#     bash checks/server_schema.sh [PROGRAM] [EXAMPLES]
+set -euo pipefail
+cd "$(dirname "$0")/.."
+program=${1:-target/release/mckibben}
+
+folder=$(mktemp -d)
+trap 'kill "$server" 2>/dev/null || true; rm -rf "$folder"' EXIT
+mkfifo "$folder/address"
+# Short limits: requests are many, and long answers are no other answers.
+"$program" serve --port 0 --limit seconds=1 --limit points=1000 --limit elements=1000 >"$folder/address" &
+server=$!
+read -r address <"$folder/address"
+
+python3 -m venv "$folder/venv"
+"$folder/venv/bin/pip" install --quiet schemathesis
+"$folder/venv/bin/schemathesis" run "$address/api/v1/openapi.json" \
+    --checks not_a_server_error,status_code_conformance,content_type_conformance,response_schema_conformance \
+    --phases examples,coverage,fuzzing --max-examples "${2:-30}" --seed 1 --request-timeout 30 \
+    --suppress-health-check all
+kill "$server"
+wait "$server"

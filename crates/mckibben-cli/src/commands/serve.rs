@@ -1,0 +1,75 @@
+//! `serve`: the workbench in a browser.
+
+use crate::failure::Failure;
+use crate::flags::Format;
+use crate::output::{emit, warn};
+use crate::progress;
+use clap::Args;
+use mckibben::budget::Resource;
+use mckibben_app::ProblemKind;
+use mckibben_server::Config;
+use std::io::ErrorKind;
+use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
+
+pub const EXAMPLES: &str = "Example:
+  mckibben serve --port 0
+
+Open the address that it prints in a browser; Ctrl-C ends it.";
+
+/// `serve`.
+#[derive(Debug, Args)]
+pub struct ServeArgs {
+    /// Port; 0 takes any free one
+    #[arg(long, value_name = "PORT", default_value_t = 8080)]
+    pub port: u16,
+    /// Open the page in the browser
+    #[arg(long)]
+    pub open: bool,
+    /// Address to listen at; another one than this computer's own needs --host-name, and lets everybody in who reaches it
+    #[arg(long, value_name = "ADDRESS", default_value_t = IpAddr::V4(Ipv4Addr::LOCALHOST))]
+    pub address: IpAddr,
+    /// Name by which this computer is asked, besides localhost; may be repeated
+    #[arg(long, value_name = "NAME")]
+    pub host_name: Vec<String>,
+}
+
+/// Serves until a signal ends it.
+pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
+    if !args.address.is_loopback() && args.host_name.is_empty() {
+        let message = format!("--address: {} is asked by a name that nobody stated", args.address);
+        let hint = "say by which name or address others ask, as in --host-name bench.local";
+        return Err(Failure::input(ProblemKind::Usage, message, hint));
+    }
+    // Signals are taken over before anybody can know that the server is there.
+    progress::stopped();
+    let at = SocketAddr::new(args.address, args.port);
+    let listener = TcpListener::bind(at).map_err(|e| unbound(at, &e))?;
+    let address = listener.local_addr().map_err(|e| unbound(at, &e))?;
+    let address = format!("http://{address}");
+    let line = match format {
+        Format::Json => serde_json::json!({ "address": address }).to_string(),
+        Format::Text | Format::Csv => address.clone(),
+    };
+    emit(&(line + "\n"), None)?;
+    if args.open
+        && let Err(error) = open::that_detached(&address)
+    {
+        warn(format!("no browser can be opened ({error}): open {address} yourself"));
+    }
+    let mut config = Config { host_names: args.host_name, ..Config::default() };
+    config.limits = progress::with(config.limits, limits);
+    config.jobs.limits = progress::with(config.jobs.limits, limits);
+    mckibben_server::run(listener, config, progress::stopped)
+        .map_err(|e| Failure::input(ProblemKind::Output, e.to_string(), ""))?;
+    Ok(0)
+}
+
+fn unbound(at: SocketAddr, error: &std::io::Error) -> Failure {
+    let (message, hint) = match error.kind() {
+        ErrorKind::AddrInUse => {
+            (format!("port {} is in use by another program", at.port()), "--port 0 takes any free port")
+        }
+        _ => (format!("cannot listen at {at}: {error}"), "--port 0 takes any free port"),
+    };
+    Failure::input(ProblemKind::Usage, message, hint)
+}

@@ -1,0 +1,94 @@
+//! `serve`: an address that answers, and an end in good time.
+
+use crate::common::{command, ran, root};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::net::{TcpListener, TcpStream};
+use std::path::Path;
+use std::process::{Child, Stdio};
+use std::time::{Duration, Instant};
+
+/// A server that has said where it is: the child and its line.
+fn started(folder: &Path, args: &[&str]) -> (Child, String) {
+    let mut child = command(folder).arg("serve").args(args).stdout(Stdio::piped()).spawn().unwrap();
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    (child, line.trim_end().to_owned())
+}
+
+/// Asks it to end; its exit code and how long that took.
+fn ended(mut child: Child) -> (Option<i32>, Duration) {
+    let from = Instant::now();
+    #[cfg(unix)]
+    // SAFETY: a signal to a child of one's own.
+    unsafe {
+        libc::kill(child.id() as i32, libc::SIGTERM)
+    };
+    #[cfg(not(unix))]
+    child.kill().unwrap();
+    (child.wait().unwrap().code(), from.elapsed())
+}
+
+/// `serve` as it is shown: it says where it is, and ends well.
+pub fn works(folder: &Path, args: &[&str]) {
+    let (child, line) = started(folder, args);
+    assert!(line.contains("http://127.0.0.1:"), "{line}");
+    let (code, _) = ended(child);
+    assert!(cfg!(not(unix)) || code == Some(0), "{code:?}");
+}
+
+fn answer(address: &str, request: &str) -> String {
+    let host = address.strip_prefix("http://").unwrap();
+    let mut stream = TcpStream::connect(host).unwrap();
+    let (head, body) = request.split_once("\n\n").unwrap_or((request, ""));
+    let length = body.len();
+    write!(
+        stream,
+        "{head} HTTP/1.1\r\nHost: {host}\r\nContent-Type: application/json\r\nContent-Length: {length}\r\n\
+         Connection: close\r\n\r\n{body}"
+    )
+    .unwrap();
+    let mut text = String::new();
+    stream.read_to_string(&mut text).unwrap();
+    text
+}
+
+#[test]
+fn it_prints_an_address_that_answers_and_a_signal_ends_it() {
+    let (child, address) = started(&root(), &["--port", "0"]);
+    let page = answer(&address, "GET /");
+    assert!(page.starts_with("HTTP/1.1 200") && page.contains("<!doctype html>"), "{page}");
+    let force = answer(&address, "POST /api/v1/force\n\n{\"pressure_mpa\": 0.2, \"contraction\": 0.1}");
+    let (_, body) = force.split_once("\r\n\r\n").unwrap();
+    let line: serde_json::Value = crate::common::json("force -p 0.2 -e 0.1");
+    assert_eq!(serde_json::from_str::<serde_json::Value>(body).unwrap(), line);
+    let job = r#"{"test": "isobaric", "model": "fe3d", "mesh": "2x24x60"}"#;
+    assert!(answer(&address, &format!("POST /api/v1/jobs/simulate\n\n{job}")).starts_with("HTTP/1.1 202"));
+    std::thread::sleep(Duration::from_millis(500));
+    let (code, took) = ended(child);
+    assert!(took < Duration::from_secs(2), "{took:?}");
+    assert!(cfg!(not(unix)) || code == Some(0), "{code:?}");
+}
+
+#[test]
+fn the_limits_of_the_command_line_are_those_of_its_requests() {
+    let (child, line) = started(&root(), &["--port", "0", "--format", "json", "--limit", "factorisations=2"]);
+    let line: serde_json::Value = serde_json::from_str(&line).unwrap();
+    let refused = answer(line["address"].as_str().unwrap(), "POST /api/v1/force\n\n{\"pressure_mpa\": 0.2}");
+    assert!(refused.starts_with("HTTP/1.1 422") && refused.contains("2 factorisations"), "{refused}");
+    ended(child);
+}
+
+#[test]
+fn what_cannot_be_is_said() {
+    let taken = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = taken.local_addr().unwrap().port().to_string();
+    for (args, says) in [
+        (["--port", &port], "hint: --port 0 takes any free port"),
+        (["--port", "65536"], "65536 is not in 0..=65535"),
+        (["--address", "0.0.0.0"], "hint: say by which name or address others ask, as in --host-name"),
+        (["--address", "192.0.2.1"], "--host-name"),
+    ] {
+        let run = ran(command(&root()).arg("serve").args(args).output().unwrap());
+        assert!(run.code == 2 && run.err.contains(says) && run.out.is_empty(), "{args:?}: {run:?}");
+    }
+}

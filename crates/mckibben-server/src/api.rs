@@ -1,0 +1,150 @@
+//! The routes below `/api/v1`.
+
+use crate::door::received;
+use crate::events;
+use crate::openapi;
+use crate::refusal::Refusal;
+use crate::serve::State;
+use crate::work::{Question, answer, worked};
+use axum::body::{Body, Bytes};
+use axum::extract::{FromRequestParts, Path, State as Shared};
+use axum::http::header::{ACCEPT, CONTENT_TYPE, LOCATION};
+use axum::http::request::Parts;
+use axum::http::{HeaderMap, StatusCode};
+use axum::response::{IntoResponse, Response};
+use mckibben::progress::Progress;
+use mckibben_app::{COMMANDS, CommandEntry};
+use serde_json::{Value, json};
+use std::sync::{Arc, LazyLock};
+
+type Ours = Shared<Arc<State>>;
+
+/// The name in a path.
+pub struct Name(String);
+
+impl<S: Send + Sync> FromRequestParts<S> for Name {
+    type Rejection = Refusal;
+
+    async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Refusal> {
+        let name = Path::<String>::from_request_parts(parts, state).await;
+        name.map(|Path(name)| Self(name)).map_err(|_| Refusal::not_found("there is nothing at this address"))
+    }
+}
+
+/// The content type of packed answers.
+const PACKED: &str = "application/octet-stream";
+
+fn as_json(bytes: impl Into<Bytes>) -> Response {
+    ([(CONTENT_TYPE, "application/json")], bytes.into()).into_response()
+}
+
+fn command(name: &str) -> Result<&'static CommandEntry, Refusal> {
+    let found = COMMANDS.iter().find(|c| c.name == name);
+    // The application layer knows which one may be meant.
+    found.ok_or_else(|| match mckibben_app::schema(name) {
+        Err(problem) => Refusal { status: StatusCode::NOT_FOUND, problem: Box::new(problem) },
+        Ok(_) => Refusal::not_found("there is no such command"),
+    })
+}
+
+/// The commands.
+pub async fn list() -> Response {
+    static LIST: LazyLock<Bytes> = LazyLock::new(|| {
+        let entry = |c: &CommandEntry| {
+            json!({
+                "name": c.name,
+                "about": c.about(),
+                "long": c.long,
+                "disk": c.touches_disk(&Value::Null),
+                "links": {
+                    "ask": format!("/api/v1/{}", c.name),
+                    "job": format!("/api/v1/jobs/{}", c.name),
+                    "schema": format!("/api/v1/schema/{}", c.name),
+                },
+            })
+        };
+        json!({ "commands": COMMANDS.iter().map(entry).collect::<Vec<_>>() }).to_string().into()
+    });
+    as_json(LIST.clone())
+}
+
+/// That the server is there, and which one.
+pub async fn health() -> Response {
+    as_json(json!({ "status": "ok", "version": env!("CARGO_PKG_VERSION") }).to_string())
+}
+
+/// All of this for programs.
+pub async fn openapi() -> Response {
+    static DOCUMENT: LazyLock<Bytes> = LazyLock::new(|| openapi::document().to_string().into());
+    as_json(DOCUMENT.clone())
+}
+
+/// The schema of a command.
+pub async fn schema(Name(name): Name) -> Result<Response, Refusal> {
+    let name = command(&name)?.name;
+    Ok(as_json(mckibben_app::schema(name)?.to_string()))
+}
+
+/// Answers a request.
+pub async fn ask(
+    Shared(state): Ours,
+    Name(name): Name,
+    headers: HeaderMap,
+    body: Body,
+) -> Result<Response, Refusal> {
+    let command = command(&name)?;
+    let (text, held) = received(&state.config, &state.room, &headers, body).await?;
+    let packed = headers.get_all(ACCEPT).iter().any(|v| v.to_str().is_ok_and(|v| v.contains(PACKED)));
+    let work = worked(
+        state.gate.enter()?,
+        state.stopping.clone(),
+        state.config.limits,
+        |_, _| {},
+        move |progress| {
+            let (question, _held) = (Question { command, text }, held);
+            question.check()?;
+            answer(&question, packed, progress)
+        },
+    );
+    let kind = if packed { PACKED } else { "application/json" };
+    Ok(([(CONTENT_TYPE, kind)], work.await?).into_response())
+}
+
+/// Starts a job.
+pub async fn start(
+    Shared(state): Ours,
+    Name(name): Name,
+    headers: HeaderMap,
+    body: Body,
+) -> Result<Response, Refusal> {
+    let command = command(&name)?;
+    let (text, held) = received(&state.config, &state.room, &headers, body).await?;
+    let place = state.jobs.enter()?;
+    // What can be refused at once is, and not told as a job that failed.
+    let check = move |_: &dyn Progress| {
+        let (question, _held) = (Question { command, text }, held);
+        question.check().map(|()| question)
+    };
+    let question =
+        worked(state.gate.enter()?, state.stopping.clone(), state.config.limits, |_, _| {}, check).await?;
+    let id = state.jobs.start(place, state.stopping.clone(), question)?;
+    let at = format!("/api/v1/jobs/{id}");
+    let links = json!({ "id": id, "events": format!("{at}/events"), "answer": at });
+    Ok((StatusCode::ACCEPTED, [(LOCATION, at)], as_json(links.to_string())).into_response())
+}
+
+/// How a job is getting on.
+pub async fn state(Shared(state): Ours, Name(id): Name) -> Result<Response, Refusal> {
+    Ok(as_json(state.jobs.find(&id)?.to_json()))
+}
+
+/// The same as it happens.
+pub async fn events(Shared(state): Ours, Name(id): Name) -> Result<Response, Refusal> {
+    Ok(events::stream(&state.jobs, state.jobs.find(&id)?).into_response())
+}
+
+/// Ends a job and forgets it.
+pub async fn forget(Shared(state): Ours, Name(id): Name) -> Result<StatusCode, Refusal> {
+    state.jobs.forget(&id)?;
+    Ok(StatusCode::NO_CONTENT)
+}

@@ -1,0 +1,93 @@
+//! What the server allows.
+
+use mckibben::budget::Limits;
+use std::num::NonZero;
+use std::time::Duration;
+
+/// What the server allows; the default suits one person on one computer.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Config {
+    /// Names of this computer besides `localhost`, `127.0.0.1` and `[::1]`: requests to other names are refused, so that a foreign
+    /// page whose name was made to point here gets no answer.
+    pub host_names: Vec<String>,
+    /// Requests that are worked on at once: as many as there are cores.
+    pub workers: usize,
+    /// Requests that may wait for their turn.
+    pub waiting: usize,
+    /// What one request may cost: ten seconds, in which a fast computer makes half a million tangents of `fe`; of `fe3d` so many
+    /// elements that the end of the time is seen within a second.
+    pub limits: Limits,
+    /// Connections at once; more wait to be accepted.
+    pub connections: usize,
+    /// Length of a request's body.
+    pub body_bytes: usize,
+    /// Length of all bodies that are held at once.
+    pub bodies_bytes: usize,
+    /// A connection on which nothing comes for so long, where something should, is closed.
+    pub silence: Duration,
+    /// A body has to be there after so long.
+    pub body_time: Duration,
+    /// Long work.
+    pub jobs: JobConfig,
+}
+
+/// What the server allows of long work.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JobConfig {
+    /// Jobs at once: half as many as there are cores, so that short requests find one.
+    pub workers: usize,
+    /// Jobs that may wait for their turn.
+    pub waiting: usize,
+    /// What one may cost: half an hour.
+    pub limits: Limits,
+    /// Finished jobs that are kept; the oldest goes first.
+    pub kept: usize,
+    /// Bytes of the answers that are kept; the newest answer is, whatever its length.
+    pub kept_bytes: usize,
+    /// So long.
+    pub kept_for: Duration,
+    /// A job whose events were listened to, and are no longer by anybody for so long, is cancelled.
+    pub unwatched: Duration,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        let workers = cores();
+        Self {
+            host_names: vec![],
+            workers,
+            waiting: 64,
+            limits: Limits { points: 20e3, elements: 4e3, bytes: 2e8, factorisations: 5e5, seconds: 10.0 },
+            connections: 512,
+            body_bytes: 8 << 20,
+            bodies_bytes: 64 << 20,
+            silence: Duration::from_secs(10),
+            body_time: Duration::from_secs(60),
+            jobs: JobConfig::default(),
+        }
+    }
+}
+
+impl Default for JobConfig {
+    fn default() -> Self {
+        Self {
+            workers: cores().div_ceil(2),
+            waiting: 16,
+            limits: Limits {
+                points: 100e3,
+                elements: 20e3,
+                bytes: 1e9,
+                factorisations: 1e8,
+                seconds: 1800.0,
+            },
+            kept: 32,
+            kept_bytes: 64 << 20,
+            kept_for: Duration::from_secs(600),
+            unwatched: Duration::from_secs(30),
+        }
+    }
+}
+
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, NonZero::get)
+}

@@ -1,0 +1,86 @@
+//! Connections, and the end of the server.
+
+use crate::common::{PATIENCE, Server, endless, rest};
+use mckibben_server::Config;
+use std::io::{Read, Write};
+use std::time::Duration;
+
+fn impatient() -> Config {
+    let silence = Duration::from_millis(300);
+    Config { silence, body_time: 3 * silence, ..Config::default() }
+}
+
+#[test]
+fn a_connection_answers_one_request_after_the_other() {
+    let server = Server::new(Config::default());
+    let mut stream = server.sent("");
+    for _ in 0..3 {
+        let request = "POST /api/v1/units HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 2\r\n\r\n{}";
+        stream.write_all(request.as_bytes()).unwrap();
+        let mut start = [0; 15];
+        stream.read_exact(&mut start).unwrap();
+        assert_eq!(&start, b"HTTP/1.1 200 OK");
+        let mut text = String::from_utf8_lossy(&start).into_owned();
+        while !text.ends_with("]}") {
+            let mut more = [0; 4096];
+            let n = stream.read(&mut more).unwrap();
+            assert!(n > 0, "{text}");
+            text += std::str::from_utf8(&more[..n]).unwrap();
+        }
+    }
+}
+
+#[test]
+fn who_sends_nothing_is_left() {
+    let server = Server::new(impatient());
+    let head = format!(
+        "POST /api/v1/units HTTP/1.1\r\nHost: {}\r\nContent-Type: application/json\r\n",
+        server.address
+    );
+    assert_eq!(rest(server.sent("")), "");
+    assert_eq!(rest(server.sent("GET / HT")), "");
+    assert_eq!(rest(server.sent(&head)), "");
+    assert!(rest(server.sent(&format!("{head}Content-Length: 2\r\n\r\n{{"))).contains(" 408 "));
+    // A byte now and then does not help.
+    let mut slow = server.sent(&format!("{head}Content-Length: 1000\r\n\r\n"));
+    for _ in 0..20 {
+        std::thread::sleep(Duration::from_millis(100));
+        if slow.write_all(b" ").is_err() {
+            break;
+        }
+    }
+    assert!(rest(slow).contains(" 408 "));
+    assert_eq!(server.ask("GET", "/api/v1/health", "").0, 200);
+}
+
+#[test]
+fn there_are_so_many_connections_and_no_more() {
+    let server = Server::new(Config { connections: 1, ..impatient() });
+    let silent = server.sent("");
+    // It is answered when the silent one is left.
+    assert_eq!(server.ask("GET", "/api/v1/health", "").0, 200);
+    assert_eq!(rest(silent), "");
+}
+
+#[test]
+fn the_server_ends_within_two_seconds_whatever_it_does() {
+    let server = Server::new(Config::default());
+    let (status, links) = server.ask("POST", "/api/v1/jobs/simulate", &endless());
+    assert_eq!(status, 202);
+    let links: serde_json::Value = serde_json::from_str(&links).unwrap();
+    let mut events = server.request("GET", links["events"].as_str().unwrap(), "");
+    let request = server.request("POST", "/api/v1/simulate", &endless());
+    let silent = server.sent("POST");
+    let mut begun = [0; 4096];
+    assert!(events.read(&mut begun).unwrap() > 0);
+    std::thread::sleep(Duration::from_millis(300));
+    let address = server.address;
+    let took = server.end();
+    assert!(took < Duration::from_secs(2), "{took:?}");
+    let told = rest(events);
+    assert!(told.contains("event: problem") && told.contains("\"cancelled\""), "{told}");
+    assert!(rest(request).contains(" 503 "));
+    assert_eq!(rest(silent), "");
+    let again = std::net::TcpStream::connect_timeout(&address, PATIENCE);
+    assert!(again.is_err(), "nobody listens any more");
+}
