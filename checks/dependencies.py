@@ -15,7 +15,7 @@ LICENCES = set(
 # Licences of single crates, with what they ask for.
 SINGLE = {"dejavu": "the fonts' own terms, in NOTICE"}
 # Two versions at a time, until those that ask for the older one follow.
-TWICE = set("equator equator-macro getrandom miniz_oxide r-efi safe_arch simba syn thiserror thiserror-impl wide".split())
+TWICE = set("darling darling_core darling_macro equator equator-macro getrandom miniz_oxide r-efi safe_arch simba syn thiserror thiserror-impl wide".split())
 
 
 def fits(expression):

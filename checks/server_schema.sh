@@ -5,7 +5,7 @@
 #     bash checks/server_schema.sh [PROGRAM] [EXAMPLES]
 set -euo pipefail
 cd "$(dirname "$0")/.."
-program=${1:-target/release/mckibben}
+program=$(realpath "${1:-target/release/mckibben}")
 
 folder=$(mktemp -d)
 trap 'kill "$server" 2>/dev/null || true; rm -rf "$folder"' EXIT
@@ -15,9 +15,11 @@ mkfifo "$folder/address"
 server=$!
 read -r address <"$folder/address"
 
-python3 -m venv "$folder/venv"
-"$folder/venv/bin/pip" install --quiet schemathesis
-"$folder/venv/bin/schemathesis" run "$address/api/v1/openapi.json" \
+# It keeps what it found where it runs.
+cd "$folder"
+python3 -m venv venv
+"venv/bin/pip" install --quiet schemathesis
+"venv/bin/schemathesis" run "$address/api/v1/openapi.json" \
     --checks not_a_server_error,status_code_conformance,content_type_conformance,response_schema_conformance \
     --phases examples,coverage,fuzzing --max-examples "${2:-30}" --seed 1 --request-timeout 30 \
     --suppress-health-check all

@@ -4,14 +4,24 @@ use crate::config::JobConfig;
 use crate::refusal::Refusal;
 use crate::work::{Gate, Place, Question, answer, worked};
 use axum::http::StatusCode;
+use mckibben::threads::Threads;
 use mckibben_app::{Problem, ProblemKind};
 use serde_json::json;
 use std::collections::{HashMap, VecDeque};
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, OnceLock, PoisonError};
 use tokio::sync::watch;
 use tokio::task::AbortHandle;
 use tokio::time::{Instant, sleep};
+
+/// Jobs have threads of their own, so that the parts of a short request do not wait behind those of a long one.
+fn threads() -> &'static Threads {
+    static THREADS: LazyLock<Threads> = LazyLock::new(|| {
+        // Where the system gives no more of them, a job works alone.
+        Threads::new(Threads::shared().count()).unwrap_or_default()
+    });
+    &THREADS
+}
 
 /// Where a job is on its way.
 #[derive(Debug, Clone)]
@@ -184,7 +194,7 @@ impl Jobs {
             });
         };
         let work = worked(place, stopping, self.config.limits, report, move |progress| {
-            let bytes = answer(&question, false, progress)?;
+            let bytes = threads().within(|| answer(&question, false, progress))?;
             String::from_utf8(bytes)
                 .map_err(|e| Problem::new(ProblemKind::Internal, e.to_string(), "").into())
         });

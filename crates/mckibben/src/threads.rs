@@ -23,7 +23,7 @@ const TICK: Duration = Duration::from_millis(100);
 pub struct ThreadsError(String);
 
 /// Threads that work, or none besides the calling one.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Threads(Option<ThreadPool>);
 
 impl Threads {
@@ -44,6 +44,14 @@ impl Threads {
     /// How many they are.
     pub fn count(&self) -> usize {
         self.0.as_ref().map_or(1, ThreadPool::current_num_threads)
+    }
+
+    /// Does work whose parts stay on these threads: that of others does not wait behind it.
+    pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        match &self.0 {
+            Some(pool) if rayon::current_thread_index().is_none() => pool.install(work),
+            _ => work(),
+        }
     }
 
     /// `f` of every item, in their order.
@@ -120,6 +128,7 @@ fn pool(count: usize) -> Result<ThreadPool, ThreadsError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::threads;
     use std::panic::AssertUnwindSafe;
 
     /// 0², 1², …, 99², however many threads there are.
@@ -135,6 +144,13 @@ mod tests {
             taken.sort_unstable();
             assert_eq!(taken, squares, "{count}");
         }
+    }
+
+    #[test]
+    fn work_within_threads_stays_there() {
+        let threads = Threads::new(2).unwrap();
+        let count = || threads::map(&[1, 2, 3], |_| rayon::current_num_threads());
+        assert_eq!(threads.within(count), [2, 2, 2]);
     }
 
     /// One pool asked from its only thread would wait for itself.
