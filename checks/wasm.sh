@@ -3,7 +3,7 @@
 # with the compiler that Debian keeps for its browsers, which brings the source of the standard library.
 set -euo pipefail
 
-crates=(mckibben mckibben-fem mckibben-motion mckibben-campaign mckibben-report mckibben-app)
+crates=(mckibben mckibben-fem mckibben-motion mckibben-campaign mckibben-report mckibben-app mckibben-wasm)
 
 # Called by cargo in place of that compiler: it is older than the one this workspace asks for, and what was not stable
 # then has to be named.
@@ -22,7 +22,10 @@ export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target}/wasm
 check=(check --target wasm32-unknown-unknown --no-default-features --locked "${crates[@]/#/--package=}")
 
 if rustup target add wasm32-unknown-unknown >/dev/null 2>&1; then
-    RUSTFLAGS="-D warnings" exec cargo "${check[@]}"
+    export RUSTFLAGS="-D warnings"
+    cargo "${check[@]}"
+    # With every command, as the page loads it when it needs more than its first view.
+    exec cargo "${check[@]}" --features mckibben-wasm/whole
 fi
 if [ ! -x /usr/bin/rustc ] || [ ! -d /usr/lib/rustlib ]; then
     (apt-get update -qq && apt-get install -y -qq --no-install-recommends rustc-web cargo-web rust-web-src) >/dev/null

@@ -19,7 +19,7 @@ const ask = (/** @type {string[]} */ ...line) => JSON.parse(execFileSync(program
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
-for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end: () => void }>][]} */ ([["static", () => statically(process.env.DIST ?? `${root}web/dist`)], ["serve", () => served(program)]])) {
+for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end: () => void }>][]} */ ([["static", () => statically(process.env.DIST ?? `${root}web/dist`)], ["serve", () => served(program)]]).filter(([name]) => ["all", name].includes(process.env.ENGINES ?? "all"))) {
   describe(name, { concurrency: false }, () => {
     /** @type {{ url: string, end: () => void }} */ let site;
     before(async () => { site = await start(); });

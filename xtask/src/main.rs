@@ -12,12 +12,15 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 11] = [
+const TASKS: [Task; 12] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
     ("schemas", "JSON Schemas of requests and answers in docs/schema; --check compares", schemas),
     ("checks", "outputs read by other programs (python3, ccx, chromium)", checks),
     ("wasm", "numeric crates build for wasm32-unknown-unknown", |_| script("bash", "checks/wasm.sh")),
+    ("workbench", "the page in a browser, on both of its engines (npm, chromium)", |_| {
+        script("bash", "web/test.sh")
+    }),
     ("targets", "the program is checked for other systems", |_| script("bash", "checks/targets.sh")),
     ("processors", "lanes of the finite elements on lesser processors (qemu)", |_| {
         script("bash", "checks/processors.sh")

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# The workbench as its users have it: scripts against the types of the schemas, and every page in Chromium.
+# web/test.sh [serve|static|all]: behind `mckibben serve` (MCKIBBEN, target/release/mckibben), as web/build.sh makes it (made where it
+# is not there), or both.
+set -euo pipefail
+cd "$(dirname "$0")"
+export ENGINES=${1:-all}
+npm install --no-package-lock --no-audit --no-fund --silent
+npm run --silent types
+if [ "$ENGINES" != serve ] && [ ! -e dist/live.wasm ]; then
+    ./build.sh
+fi
+npm test --silent
