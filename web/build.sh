@@ -1,8 +1,14 @@
 #!/usr/bin/env bash
 # The workbench as a folder that any file server can hand out: the page, its engine as WebAssembly, the chart library.
-# web/build.sh [FOLDER] (web/dist where none is named)
+# web/build.sh [--site] [FOLDER] (web/dist where none is named). --site adds the documentation (mdBook, which is installed where it is
+# missing) and that of the crates, and links them with the page.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+site=
+if [ "${1:-}" = --site ]; then
+    site=yes
+    shift
+fi
 out=${1:-web/dist}
 target=wasm32-unknown-unknown
 if ! rustup target add $target >/dev/null 2>&1; then
@@ -23,6 +29,16 @@ build "$made/live.wasm"
 build "$made/whole.wasm" --features whole
 cp -r web/page/. "$made"
 cargo run --locked --quiet --package mckibben-web --example charts >"$made/js/plotly.js"
+if [ -n "$site" ]; then
+    if ! command -v mdbook >/dev/null; then
+        cargo install mdbook --version 0.5.1 --locked --quiet
+    fi
+    mdbook build docs --dest-dir "$made/docs"
+    cargo doc --workspace --no-deps --locked --quiet
+    cp -r "$CARGO_TARGET_DIR/doc" "$made/api"
+    # Outside of the book there is only the repository.
+    printf 'export { Engine } from "./engine/wasm.js";\nexport const DOCUMENTATION = "docs/index.html";\n' >"$made/js/kind.js"
+fi
 mkdir -p "$out"
 find "$out" -mindepth 1 -delete
 cp -r "$made"/. "$out"

@@ -19,7 +19,8 @@ pub const CHARTS: &str = "js/plotly.js";
 pub const KIND: &str = "js/kind.js";
 
 /// The module in place of [`KIND`] in a page that a server hands out: the engine is that server.
-pub const KIND_OF_SERVER: &str = "export { Engine } from \"./engine/http.js\";\n";
+pub const KIND_OF_SERVER: &str =
+    "export { Engine } from \"./engine/http.js\";\nexport const DOCUMENTATION = \"\";\n";
 
 /// A file of the page as it is kept, by its path from the page's folder, such as `index.html`.
 pub fn file(path: &str) -> Option<Cow<'static, [u8]>> {

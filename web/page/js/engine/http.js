@@ -4,6 +4,8 @@ import { Problem, gone } from "./problem.js";
 
 const API = new URL("../../api/v1/", import.meta.url);
 
+const MOST_TRIES = 5;
+
 /** @param {Response} answer */
 async function problem(answer) {
   const said = await answer.json().catch(() => ({}));
@@ -13,11 +15,16 @@ async function problem(answer) {
 /** @param {string} path @param {RequestInit} init */
 async function reach(path, init) {
   /** @type {Response} */ let answer;
-  try {
-    answer = await fetch(new URL(path, API), init);
-  } catch (error) {
-    if (init.signal?.aborted) throw new DOMException("cancelled", "AbortError");
-    throw gone("the server cannot be reached");
+  for (let tries = 0; ; tries++) {
+    try {
+      answer = await fetch(new URL(path, API), init);
+    } catch (error) {
+      if (init.signal?.aborted) throw new DOMException("cancelled", "AbortError");
+      throw gone("the server cannot be reached");
+    }
+    // Its queue is full: it says when to come again.
+    if (answer.status !== 429 || tries === MOST_TRIES) break;
+    await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(5, Number(answer.headers.get("retry-after") ?? 1))));
   }
   if (!answer.ok) throw await problem(answer);
   return answer;

@@ -1,5 +1,6 @@
 // What stands behind the numbers: verification, validation, sources, limits.
 import { engine } from "../ask.js";
+import { DOCUMENTATION } from "../kind.js";
 import { el } from "../dom.js";
 import { job, table } from "../form.js";
 import { number } from "../units.js";
@@ -21,7 +22,7 @@ export function mount(main) {
     el("p", {}, "The ± covers 95 % of the differences from measured muscles. It is wide, because rubbers vary from batch to batch and few are known; identify your own on the page Data and it shrinks. The model leaves out the thickness of the braid, the gap before first contact, what ends lose, and the history of the rubber. Friction between strands enters where a muscle file states it."),
     el("h2", {}, "Verification and validation"), check.element), cases,
     el("div", { class: "prose" }, el("h2", {}, "Models")), models,
-    el("div", { class: "prose" }, el("h2", {}, "Sources and licence"), el("p", {}, "mckibben is free software under MIT or Apache 2.0. Charts are drawn by plotly.js (MIT). Sources of formulas, rubbers and measured muscles stand in the documentation, with their terms."), el("p", { class: "small soft" }, "Everything here is one call away from the command line, Rust and HTTP, in the same words: `mckibben --help`.")));
+    el("div", { class: "prose" }, el("h2", {}, "Sources and licence"), el("p", {}, "mckibben is free software under MIT or Apache 2.0. Charts are drawn by plotly.js (MIT). Sources of formulas, rubbers and measured muscles stand in the documentation, with their terms. ", DOCUMENTATION && el("a", { href: DOCUMENTATION }, "Read it.")), el("p", { class: "small soft" }, "Everything here is one call away from the command line, Rust and HTTP, in the same words: `mckibben --help`.")));
   engine().ask("models", {}).then((answer) => models.replaceChildren(table(["model", "what it is"], answer.models.map((/** @type {any} */ m) => [m.name, m.description]), { text: [0, 1], label: "models" })), () => {});
   return { async load() {}, unmount() { check.end(); } };
 }
