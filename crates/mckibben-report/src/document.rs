@@ -106,7 +106,8 @@ impl Part {
             }
             Self::Body(body) => {
                 let still = body.picture.as_ref().map(Scene::to_svg).transpose()?.unwrap_or_default();
-                let data = body.data.replace("</", "<\\/");
+                // In JSON it can only stand in a text, where this means the same.
+                let data = body.data.replace('<', "\\u003c");
                 writeln!(
                     out,
                     "<div class=\"body\"><div class=\"still\">{still}</div><script type=\"application/json\">{data}</script></div>"
