@@ -55,6 +55,8 @@ export class Chart {
     this.drawing = false;
     this.again = false;
     this.ready = false;
+    /** What drawing took the last time, in milliseconds. */
+    this.cost = 0;
     new ResizeObserver(() => this.ready && this.plot.offsetWidth && this.draw()).observe(this.plot);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
     document.addEventListener("theme", () => this.draw());
@@ -100,7 +102,9 @@ export class Chart {
       const Plotly = await plotly();
       if (!this.ready) this.plot.replaceChildren();
       this.ready = true;
+      const began = performance.now();
       await Plotly.react(this.plot, this.traces(), this.layout(), { displayModeBar: false, responsive: false });
+      this.cost = performance.now() - began;
       this.placeMark();
     } catch (error) {
       const retry = el("button", { type: "button", onclick: () => this.draw() }, "Try again");

@@ -102,7 +102,8 @@ export class View {
     this.show = { field: "", low: 0, high: 1, restLength: 1, restRadius: 1 };
     /** @type {WebGLTexture | null} */ this.plugTexture = null;
     /** @type {{ array: WebGLVertexArrayObject, count: number }[] | undefined} */ this.plug = undefined;
-    /** Stations and nodes of the mesh that is there. */ this.meshOf = "";
+    /** Meshes by their stations and nodes: with the measures of the muscle their number changes to and fro. @type {Map<string, any>} */
+    this.meshes = new Map();
     this.canvas = el("canvas", { role: "img", "aria-label": "The deformed muscle" });
     const gl = this.canvas.getContext("webgl2", { antialias: !software(), alpha: true });
     this.gl = gl;
@@ -128,14 +129,16 @@ export class View {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     gl.enable(gl.DEPTH_TEST);
-    this.meshOf = "";
+    this.meshes = new Map();
+    this.plug = undefined;
+    this.plugTexture = null;
   }
 
   /** Points and triangles that depend on the number of stations and nodes alone. @param {number} stations @param {number} across */
   mesh(stations, across) {
     const key = `${stations}x${across}`;
-    if (this.meshOf === key) return;
-    this.meshOf = key;
+    this.parts = this.meshes.get(key);
+    if (this.parts) return;
     const last = stations - 1, count = 2 * last + 1;
     const grid = (/** @type {[number, number][]} */ columns) => {
       // Columns of (angle, row); neighbours are joined.
@@ -153,6 +156,7 @@ export class View {
     const round = (/** @type {number} */ row) => Array.from({ length: AROUND + 1 }, (_, k) => /** @type {[number, number]} */ ([(2 * Math.PI * k) / AROUND, row]));
     const wall = (/** @type {number} */ angle) => Array.from({ length: across }, (_, i) => /** @type {[number, number]} */ ([angle, i]));
     this.parts = { outer: grid(round(across - 1)), inner: grid(round(0)), walls: [grid(wall(0)), grid(wall(Math.PI / 2))] };
+    this.meshes.set(key, this.parts);
   }
 
   /** @param {any} of @param {number[]} data @param {number[]} index @param {[string, number][]} parts */

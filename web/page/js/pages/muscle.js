@@ -123,9 +123,11 @@ export function mount(main) {
     if (pressure === undefined) soon();
   }
 
-  /** Curves, at most ten times a second: the muscle comes first. */
+  /** Curves, at most ten times a second, and where drawing them takes most of a frame once the hand rests: the muscle comes first. */
   function soon() {
-    curveTimer ||= window.setTimeout(() => { curveTimer = 0; curves(); }, 100);
+    if (chart.cost > 6) clearTimeout(curveTimer);
+    else if (curveTimer) return;
+    curveTimer = window.setTimeout(() => { curveTimer = 0; curves(); }, 100);
   }
 
   /** What comes after: P′, and what the muscle does at this pressure. */
