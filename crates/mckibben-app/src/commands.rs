@@ -40,15 +40,20 @@ impl CommandEntry {
     /// What it is about, in a line: of a schema the description of the request.
     #[cfg(feature = "schema")]
     pub fn about(&self) -> String {
-        let schema = (self.schema)();
-        schema["request"]["description"].as_str().unwrap_or_default().to_owned()
+        self.schema()["request"]["description"].as_str().unwrap_or_default().to_owned()
+    }
+
+    /// Its JSON Schema: `request`, `answer` and `error`.
+    #[cfg(feature = "schema")]
+    pub fn schema(&self) -> Value {
+        (self.schema)()
     }
 
     /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
         let known = self.fields.get_or_init(|| {
-            let schema = (self.schema)();
+            let schema = self.schema();
             let properties = schema["request"]["properties"].as_object();
             properties.into_iter().flat_map(|p| p.keys().cloned()).collect()
         });
@@ -145,7 +150,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
 /// [`Problem`] of kind `usage` for a name that is no command.
 #[cfg(feature = "schema")]
 pub fn schema(command: &str) -> Result<Value, Problem> {
-    Ok((find(command)?.schema)())
+    Ok(find(command)?.schema())
 }
 
 /// Answers a request in JSON: for pages, other languages and servers. The command is its name, the words of the command line
@@ -172,8 +177,8 @@ pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<Stri
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
 ///
 /// First the length of the JSON in bytes (32 bits), then the JSON with blanks behind it up to a multiple of four bytes, in which each of
-/// `arrays` is the count of its numbers in place of
-/// the numbers, then all numbers (32 bits each), array after array. All of it little-endian.
+/// `arrays` is the count of its numbers in place of the numbers, then all numbers (32 bits each), array after array. All of it
+/// little-endian.
 ///
 /// # Errors
 /// [`Problem`].
@@ -206,7 +211,11 @@ fn answered(command: &str, request: &str, progress: &dyn Progress) -> Result<Val
     (command.ask)(value, progress)
 }
 
-fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
+/// The command of a name.
+///
+/// # Errors
+/// [`Problem`] of kind `usage` for a name that is no command, with the one that may be meant.
+pub fn find(command: &str) -> Result<&'static CommandEntry, Problem> {
     COMMANDS.iter().find(|c| c.name == command).ok_or_else(|| {
         let names: Vec<&str> = COMMANDS.iter().map(|c| c.name).collect();
         let meant = nearest(command, names.iter().copied())

@@ -243,7 +243,8 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     });
     Ok(IdentifyAnswer {
         model: model.name().into(),
-        data: origin.clone(),
+        muscle_file: muscle_file(&origin, model.name(), &found),
+        data: origin,
         understood,
         parameters: found.parameters.clone(),
         correlation: found.correlation.clone(),
@@ -256,7 +257,6 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         spreads: found.spreads.clone(),
         slack_points: found.slack.len(),
         muscle: summary,
-        muscle_file: muscle_file(&origin, model.name(), &found),
         points: found.points.iter().map(IdentifiedPoint::from).collect(),
         warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
         figure,

@@ -66,7 +66,7 @@ pub use braid::*;
 pub use campaign::*;
 #[cfg(feature = "schema")]
 pub use commands::schema;
-pub use commands::{COMMANDS, CommandEntry, ask, ask_packed};
+pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, find};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;

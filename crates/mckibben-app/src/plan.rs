@@ -1,6 +1,7 @@
 //! `plan`: a plan of a moderate size, computed in memory; the table comes back as text. For front ends without files.
 
 use crate::fields::TextFile;
+use crate::fit::table::COLUMNS;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::budget::Resource;
 use mckibben::progress::Progress;
@@ -52,9 +53,7 @@ pub fn plan(request: &PlanRequest, progress: &dyn Progress) -> Result<PlanAnswer
     }
     progress.budget().admit(Resource::Points, points as f64)?;
     let rows = campaign::compute(&plan, progress)?;
-    let mut text = String::from(
-        "outer_diameter_mm,wall_mm,length_mm,angle_deg,pressure_mpa,contraction,force_n,status\n",
-    );
+    let mut text = format!("{},status\n", COLUMNS.join(","));
     for r in &rows {
         let force = r.force_n.map_or_else(String::new, |f| f.to_string());
         let (d, s, l, a, p, e) =

@@ -7,16 +7,14 @@ use crate::figure;
 use crate::muscle::MuscleSummary;
 use crate::point::{ForceRequest, PointAnswer, force, given, ratio};
 use crate::problem::Problem;
-use crate::shape::{ShapeRequest, shape};
+use crate::shape::{ShapeRequest, shaped};
 use crate::show::{MuscleShowAnswer, MuscleShowRequest, muscle_show};
 use crate::simulate::PictureFields;
 use crate::units::Units;
 use crate::words::{law_text, number, percent, within};
 use mckibben::curve::Test;
-use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::progress::Progress;
-use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::output::Shape;
 use mckibben_report::{Body, Document, Figure, Part};
 use schemars::JsonSchema;
@@ -163,14 +161,11 @@ fn body(
         contraction: Some(contraction),
         ..ShapeRequest::default()
     };
-    let mut answer = shape(&asked, progress)?;
+    let (mut answer, section) = shaped(&asked, progress)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
-    let muscle = request.muscle.resolve()?;
-    let fe = Axisymmetric::new(&muscle)?;
-    let section = fe.section_at(&mut Workspace::new(), pressure_mpa, answer.shape_contraction)?;
     let wanted = PictureFields { units: request.units.clone(), ..PictureFields::default() };
     let picture =
         figure::picture(&wanted, "fe", &answer.muscle, &Shape::of_section(&section), &answer.point.response)?;

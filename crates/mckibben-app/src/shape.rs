@@ -9,7 +9,7 @@ use mckibben::analysis::contraction_at;
 use mckibben::answer::{self, Answer, Options};
 use mckibben::model::Workspace;
 use mckibben::progress::Progress;
-use mckibben_fem::axisymmetric::Axisymmetric;
+use mckibben_fem::axisymmetric::{Axisymmetric, Section};
 use mckibben_fem::output::Stations;
 use mckibben_fem::simulation::{Elements, Simulation};
 use schemars::JsonSchema;
@@ -65,6 +65,14 @@ pub struct ShapeAnswer {
 /// # Errors
 /// [`Problem`].
 pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAnswer, Problem> {
+    Ok(shaped(request, progress)?.0)
+}
+
+/// The same, with the section that it was read from.
+pub(crate) fn shaped(
+    request: &ShapeRequest,
+    progress: &dyn Progress,
+) -> Result<(ShapeAnswer, Section), Problem> {
     let muscle = request.muscle.resolve()?;
     let model = Model::named("fe", &[], &request.mesh)?;
     let budget = progress.budget();
@@ -82,22 +90,21 @@ pub fn shape(request: &ShapeRequest, progress: &dyn Progress) -> Result<ShapeAns
     let workspace = &mut Workspace::within(budget.clone());
     let found = at(&fe, workspace, pressure_mpa, request);
     budget.ended()?;
-    let (point, shape_contraction, stations) = found?;
+    let (point, shape_contraction, section) = found?;
+    let stations = Stations::of(&section);
     let count = stations.nodes.first().map_or(0, |(_, list)| list.len()) / stations.across.max(1);
-    let strands = stations.strands.into_iter();
-    let strands = strands
-        .map(|(name, list)| (format!("strand_{}", name.strip_prefix("strand_").unwrap_or(name)), list));
-    let nodes = stations.nodes.into_iter().map(|(name, list)| (name.to_owned(), list));
-    Ok(ShapeAnswer {
+    let arrays = stations.nodes.into_iter().chain(stations.strands);
+    let answer = ShapeAnswer {
         point,
         shape_contraction,
         length_mm: muscle.tube().length_mm * (1.0 - shape_contraction),
         strands: muscle.braid().strands.map(|s| s.count),
         stations: count,
         across: stations.across,
-        arrays: nodes.chain(strands).collect(),
+        arrays: arrays.map(|(name, list)| (name.to_owned(), list)).collect(),
         muscle: (&muscle).into(),
-    })
+    };
+    Ok((answer, section))
 }
 
 /// The point, and the shape there; that of a slack muscle at its free contraction.
@@ -106,7 +113,7 @@ fn at(
     workspace: &mut Workspace,
     pressure_mpa: f64,
     request: &ShapeRequest,
-) -> Result<(Answer, f64, Stations), Problem> {
+) -> Result<(Answer, f64, Section), Problem> {
     let options = Options::default();
     let contraction = match request.force_n {
         Some(force_n) => {
@@ -127,5 +134,5 @@ fn at(
         shape_contraction = free.min(contraction);
     }
     let section = fe.section_at(workspace, pressure_mpa, shape_contraction)?;
-    Ok((point, shape_contraction, Stations::of(&section)))
+    Ok((point, shape_contraction, section))
 }

@@ -95,10 +95,7 @@ impl Part {
                 let items: String = list.iter().map(|text| format!("<li>{}</li>", escape(text))).collect();
                 writeln!(out, "<ul>{items}</ul>")
             }
-            Self::Table { head, rows } => {
-                table(out, head, rows);
-                Ok(())
-            }
+            Self::Table { head, rows } => writeln!(out, "{}", table(head, rows)),
             Self::Figure(figure) => writeln!(out, "<figure>{}</figure>", figure.to_svg()?),
             Self::Code(text) => {
                 let lines: Vec<String> = text.lines().map(escape).collect();
@@ -118,22 +115,18 @@ impl Part {
     }
 }
 
-fn table(out: &mut String, head: &[String], rows: &[Vec<String>]) {
-    let cells = |row: &[String], first: &str, other: &str| -> String {
+fn table(head: &[String], rows: &[Vec<String>]) -> String {
+    let line = |row: &[String], first: &str, other: &str| {
         let cell = |(i, text): (usize, &String)| {
             let tag = if i == 0 { first } else { other };
             format!("<{tag}>{}</{tag}>", escape(text))
         };
-        row.iter().enumerate().map(cell).collect()
+        format!("<tr>{}</tr>", row.iter().enumerate().map(cell).collect::<String>())
     };
-    out.push_str("<table>");
-    if !head.is_empty() {
-        let _ = write!(out, "<thead><tr>{}</tr></thead>", cells(head, "th", "th"));
-    }
-    for row in rows {
-        let _ = write!(out, "<tr>{}</tr>", cells(row, "th", "td"));
-    }
-    out.push_str("</table>\n");
+    let head =
+        if head.is_empty() { String::new() } else { format!("<thead>{}</thead>", line(head, "th", "th")) };
+    let body: String = rows.iter().map(|row| line(row, "th", "td")).collect();
+    format!("<table>{head}{body}</table>")
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use mckibben::progress::Progress;
 use mckibben_app::{COMMANDS, CommandEntry};
 use serde_json::{Value, json};
 use std::sync::{Arc, LazyLock};
+use tokio::sync::OwnedSemaphorePermit;
 
 type Ours = Shared<Arc<State>>;
 
@@ -39,12 +40,8 @@ fn as_json(bytes: impl Into<Bytes>) -> Response {
 }
 
 fn command(name: &str) -> Result<&'static CommandEntry, Refusal> {
-    let found = COMMANDS.iter().find(|c| c.name == name);
-    // The application layer knows which one may be meant.
-    found.ok_or_else(|| match mckibben_app::schema(name) {
-        Err(problem) => Refusal { status: StatusCode::NOT_FOUND, problem: Box::new(problem) },
-        Ok(_) => Refusal::not_found("there is no such command"),
-    })
+    let unknown = |problem| Refusal { status: StatusCode::NOT_FOUND, problem: Box::new(problem) };
+    mckibben_app::find(name).map_err(unknown)
 }
 
 /// The commands.
@@ -81,8 +78,19 @@ pub async fn openapi() -> Response {
 
 /// The schema of a command.
 pub async fn schema(Name(name): Name) -> Result<Response, Refusal> {
-    let name = command(&name)?.name;
-    Ok(as_json(mckibben_app::schema(name)?.to_string()))
+    Ok(as_json(command(&name)?.schema().to_string()))
+}
+
+/// A request to a command, with its share of the memory for bodies.
+async fn asked(
+    state: &State,
+    name: &str,
+    headers: &HeaderMap,
+    body: Body,
+) -> Result<(Question, OwnedSemaphorePermit), Refusal> {
+    let command = command(name)?;
+    let (text, held) = received(&state.config, &state.room, headers, body).await?;
+    Ok((Question { command, text }, held))
 }
 
 /// Answers a request.
@@ -92,8 +100,7 @@ pub async fn ask(
     headers: HeaderMap,
     body: Body,
 ) -> Result<Response, Refusal> {
-    let command = command(&name)?;
-    let (text, held) = received(&state.config, &state.room, &headers, body).await?;
+    let (question, held) = asked(&state, &name, &headers, body).await?;
     let packed = headers.get_all(ACCEPT).iter().any(|v| v.to_str().is_ok_and(|v| v.contains(PACKED)));
     let work = worked(
         state.gate.enter()?,
@@ -101,7 +108,7 @@ pub async fn ask(
         state.config.limits,
         |_, _| {},
         move |progress| {
-            let (question, _held) = (Question { command, text }, held);
+            let _held = held;
             question.check()?;
             answer(&question, packed, progress)
         },
@@ -117,12 +124,11 @@ pub async fn start(
     headers: HeaderMap,
     body: Body,
 ) -> Result<Response, Refusal> {
-    let command = command(&name)?;
-    let (text, held) = received(&state.config, &state.room, &headers, body).await?;
+    let (question, held) = asked(&state, &name, &headers, body).await?;
     let place = state.jobs.enter()?;
     // What can be refused at once is, and not told as a job that failed.
     let check = move |_: &dyn Progress| {
-        let (question, _held) = (Question { command, text }, held);
+        let _held = held;
         question.check().map(|()| question)
     };
     let question =

@@ -14,7 +14,7 @@ pub struct Config {
     pub workers: usize,
     /// Requests that may wait for their turn.
     pub waiting: usize,
-    /// What one request may cost: ten seconds, in which a fast computer makes half a million tangents of `fe`; of `fe3d` so many
+    /// What one request may cost: ten seconds, or half a million tangents of `fe`, whichever comes first; of `fe3d` so many
     /// elements that the end of the time is seen within a second.
     pub limits: Limits,
     /// Connections at once; more wait to be accepted.

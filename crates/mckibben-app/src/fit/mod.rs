@@ -1,7 +1,7 @@
 //! `fit` and `formula show`: from a table of points to a formula, and a formula shown.
 
 mod report;
-mod table;
+pub(crate) mod table;
 
 pub use report::{FitReportAnswer, FitReportRequest, fit_report};
 

@@ -32,7 +32,8 @@ pub(super) struct Origin {
     pub(super) seed: Option<u64>,
 }
 
-const COLUMNS: [&str; 7] =
+/// What every row says of its muscle and its point, in this order.
+pub(crate) const COLUMNS: [&str; 7] =
     ["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "pressure_mpa", "contraction", "force_n"];
 
 /// The rows of a campaign's file, or of its folder of parts.

@@ -8,7 +8,7 @@ use crate::quantities::{contraction, quantity};
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::{ProblemKind, ReportRequest, report};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, Stdio};
 
 pub const EXAMPLES: &str = "Examples:
@@ -40,13 +40,9 @@ pub struct ReportArgs {
 
 /// Runs the command.
 pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
-    let target = |path: Option<&'_ Path>| -> (Option<PathBuf>, bool) {
-        (path.map(Path::to_owned), args.replace.overwrite)
-    };
-    let (page, pdf) = (target(args.output.as_deref()), target(args.pdf.as_deref()));
-    for (path, overwrite) in [&page, &pdf] {
-        check(Target { path: path.as_deref(), overwrite: *overwrite }, Content::Other)?;
-    }
+    let target = |path| Target { path, overwrite: args.replace.overwrite };
+    check(target(args.output.as_deref()), Content::Other)?;
+    check(target(args.pdf.as_deref()), Content::Other)?;
     let browser = args.pdf.as_ref().map(|_| browser()).transpose()?;
     let request = ReportRequest {
         muscle: args.muscle.fields()?,
@@ -59,18 +55,11 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
         Format::Json => format!("{:#}\n", json(&answer)?).into_bytes(),
         _ => answer.document.to_html(&mckibben_web::viewer())?.into_bytes(),
     };
-    if let (Some(browser), Some(path)) = (browser, &args.pdf) {
-        let html = answer.document.to_html("")?;
-        save(
-            Target { path: Some(path), overwrite: args.replace.overwrite },
-            Content::Other,
-            &printed(browser, &html)?,
-        )?;
+    if let Some(browser) = browser {
+        save(target(args.pdf.as_deref()), Content::Other, &printed(browser, &answer.document.to_html("")?)?)?;
     }
     match &args.output {
-        Some(path) => {
-            save(Target { path: Some(path), overwrite: args.replace.overwrite }, Content::Other, &bytes)?;
-        }
+        Some(_) => save(target(args.output.as_deref()), Content::Other, &bytes)?,
         None if args.pdf.is_some() => {}
         None => emit(&bytes, None)?,
     }

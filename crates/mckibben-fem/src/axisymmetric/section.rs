@@ -86,16 +86,8 @@ impl Section {
 
     /// (R, Z) at rest and (r, z) now of the outer surface in slab `slab` at −1 ≤ `eta` ≤ 1, as its element has it.
     pub(crate) fn outer(&self, slab: usize, eta: f64) -> ([f64; 2], [f64; 2]) {
-        let (n, _) = quadratic(eta);
-        let (mut rest, mut now) = ([0.0; 2], [0.0; 2]);
-        for (a, weight) in n.into_iter().enumerate() {
-            let node = &self.nodes[self.index(2 * self.through, 2 * slab + a)];
-            for c in 0..2 {
-                rest[c] += weight * node.rest_mm[c];
-                now[c] += weight * node.now_mm[c];
-            }
-        }
-        (rest, now)
+        let at = |value: fn(&SectionNode) -> f64| self.between(2 * self.through, slab, eta, value);
+        ([at(|n| n.rest_mm[0]), at(|n| n.rest_mm[1])], [at(|n| n.now_mm[0]), at(|n| n.now_mm[1])])
     }
 
     /// A number of the nodes at place `i` through the wall, in slab `slab` at −1 ≤ `eta` ≤ 1.

@@ -30,6 +30,8 @@ pub(super) struct Along {
     pub(super) eta: f64,
     pub(super) rest_z_mm: f64,
     pub(super) turn: f64,
+    /// r and z of the outer surface now, mm.
+    now: [f64; 2],
 }
 
 /// Both families.
@@ -75,8 +77,8 @@ pub fn braid(section: &Section) -> Grid {
 pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
     let (tan, (_, along)) = (section.braid_angle_rad().tan(), section.elements());
     let place = |slab: usize, eta: f64| {
-        let (rest, _) = section.outer(slab, eta);
-        Along { slab, eta, rest_z_mm: rest[1], turn: rest[1] * tan / rest[0] }
+        let (rest, now) = section.outer(slab, eta);
+        Along { slab, eta, rest_z_mm: rest[1], turn: rest[1] * tan / rest[0], now }
     };
     let mut half = vec![place(0, -1.0)];
     for slab in 0..along {
@@ -89,10 +91,7 @@ pub(super) fn places_of_half(section: &Section) -> Vec<Along> {
 
 /// Places from end to end.
 fn places(section: &Section) -> Vec<Place> {
-    let place = |p: Along| {
-        let (_, now) = section.outer(p.slab, p.eta);
-        Place { turn: p.turn, now, state: state(section.strands(), p.rest_z_mm) }
-    };
+    let place = |p: Along| Place { turn: p.turn, now: p.now, state: state(section.strands(), p.rest_z_mm) };
     let mut half: Vec<Place> = places_of_half(section).into_iter().map(place).collect();
     let mirrored = |p: &Place| Place { turn: -p.turn, now: [p.now[0], -p.now[1]], state: p.state };
     let mut all: Vec<Place> = half.iter().skip(1).rev().map(mirrored).collect();

@@ -13,9 +13,9 @@ pub struct Stations {
     pub across: usize,
     /// Numbers at the nodes: r and z now in mm, then [`FIELDS`].
     pub nodes: Vec<(&'static str, Vec<f64>)>,
-    /// Numbers of the strands at the stations: the turn Z tanθ0/Ro from the middle in radians (+ for one family, − for the other), then
-    /// stretch, angle to the axis in degrees, tension of a family per width at rest in N/mm, and tension of one strand in N where their
-    /// number is known.
+    /// Numbers of the strands at the stations, with `strand_` before their names: the turn Z tanθ0/Ro from the middle in radians (+ for
+    /// one family, − for the other), then stretch, angle to the axis in degrees, tension of a family per width at rest in N/mm, and
+    /// tension of one strand in N where their number is known.
     pub strands: Vec<(&'static str, Vec<f64>)>,
 }
 
@@ -45,9 +45,13 @@ impl Stations {
         };
         let states: Vec<[f64; 4]> = places.iter().map(|p| state(section.strands(), p.rest_z_mm)).collect();
         let column = |name, k: usize| (name, states.iter().map(|s| s[k]).collect());
-        let turns = ("turn_rad", places.iter().map(|p| p.turn).collect());
-        let mut strands =
-            vec![turns, column("stretch", 0), column("angle_deg", 1), column("tension_n_per_mm", 2)];
+        let turns = ("strand_turn_rad", places.iter().map(|p| p.turn).collect());
+        let mut strands = vec![
+            turns,
+            column("strand_stretch", 0),
+            column("strand_angle_deg", 1),
+            column("strand_tension_n_per_mm", 2),
+        ];
         if section.strand_count().is_some() {
             strands.push(column("strand_tension_n", 3));
         }
