@@ -3,8 +3,8 @@ for (const box of document.querySelectorAll(".body")) {
   box.classList.add("live");
   const view = new View(box);
   if (!view.gl) { box.classList.remove("live"); continue; }
-  const sorted = Float64Array.from(shape.arrays.max_stretch).sort();
-  view.set(shape, { field: "max_stretch", low: sorted[Math.floor(0.01 * sorted.length)], high: sorted[Math.ceil(0.985 * sorted.length) - 1], restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
+  const [low, high] = reach(shape.arrays.max_stretch);
+  view.set(shape, { field: "max_stretch", low, high, restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
   const hint = document.createElement("p");
   hint.className = "hint";
   hint.textContent = "Drag to turn. Coloured by the largest stretch of the rubber.";

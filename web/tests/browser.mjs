@@ -51,6 +51,25 @@ export async function tab(browser, options = {}) {
   return { page, errors, context };
 }
 
+/** An engine whose every question ends in a trap, with a panic's words where its answer would stand. @param {string} words */
+export function trapping(words) {
+  const [text, encoder] = [new TextEncoder().encode(words), new TextEncoder()];
+  const list = (/** @type {(number | number[] | Uint8Array)[][]} */ items) => [items.length, ...items.flatMap((item) => item.flatMap((x) => (typeof x === "number" ? [x] : [...x])))];
+  const section = (/** @type {number} */ id, /** @type {number[]} */ bytes) => [id, bytes.length, ...bytes];
+  const named = (/** @type {string} */ name, /** @type {number} */ kind, /** @type {number} */ index) => [name.length, encoder.encode(name), kind, index];
+  const body = (/** @type {number[]} */ code) => [code.length + 2, 0, code, 0x0b];
+  return Buffer.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0,
+    // Types: number to number, nothing to number, nothing to nothing.
+    ...section(1, list([[0x60, 1, 0x7f, 1, 0x7f], [0x60, 0, 1, 0x7f], [0x60, 0, 0]])),
+    ...section(3, list([[0], [0], [1], [1], [2]])),
+    ...section(5, list([[0, 1]])),
+    ...section(7, list([named("memory", 2, 0), named("reserve", 0, 0), named("ask", 0, 1), named("answer", 0, 2), named("answer_length", 0, 3), named("start", 0, 4)])),
+    // reserve: 2048; ask: unreachable; answer: 0; answer_length: that of the words.
+    ...section(10, list([body([0x41, 0x80, 0x10]), body([0x00]), body([0x41, 0]), body([0x41, text.length]), body([])])),
+    ...section(11, list([[0, 0x41, 0, 0x0b, text.length, text]])),
+  ]);
+}
+
 /** Until the muscle page has a state. @param {import("playwright-core").Page} page */
 export const alive = (page) => page.waitForFunction(() => /±|Slack/.test(document.querySelector(".stage .say b")?.textContent ?? ""), undefined, { timeout: 20_000 });
 /** @param {import("playwright-core").Page} page */

@@ -4,7 +4,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync } from "node:fs";
 import { after, before, describe, test } from "node:test";
 import axe from "axe-core";
-import { alive, launch, pull, served, statically, tab } from "./browser.mjs";
+import { alive, launch, pull, served, statically, tab, trapping } from "./browser.mjs";
 
 const root = new URL("../..", import.meta.url).pathname;
 const program = process.env.MCKIBBEN ?? `${root}target/release/mckibben`;
@@ -113,6 +113,21 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       await context.close();
     });
 
+    test("the gauge beside the muscle is turned by hand", async () => {
+      const { page, context } = await open("#muscle");
+      await alive(page);
+      const box = /** @type {any} */ (await page.locator(".gauge").boundingBox());
+      const [x, y, r] = [box.x + box.width / 2, box.y + box.height / 2, 0.4 * box.width];
+      // Straight up is half of the dial, which ends at 6 bar.
+      await page.mouse.move(x - r, y);
+      await page.mouse.down();
+      await page.mouse.move(x, y - r, { steps: 4 });
+      await page.mouse.up();
+      assert.equal(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), "3");
+      assert.match(page.url(), /p=3bar/);
+      await context.close();
+    });
+
     test("units change everywhere by a click", async () => {
       const { page, context } = await open("#muscle");
       await alive(page);
@@ -192,6 +207,20 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       await context.close();
     });
 
+    test("a specification of several pulls with tolerances has the command line's winner and spread", async () => {
+      const { page, errors, context } = await open("#design?at=700N@15%25,1200N@5%25&ts=0.1mm&tp=0.1bar");
+      await page.getByRole("region", { name: "spread of the pull" }).waitFor({ timeout: 60_000 });
+      const said = ask("design", "--at", "700N@15%,1200N@5%", "--max-pressure", "2.5bar", "--tolerance", "wall=0.1mm,pressure=0.1bar");
+      const spread = await page.getByRole("region", { name: "spread of the pull" }).innerText();
+      for (const { low_n, high_n } of said.tolerance) for (const pull of [low_n, high_n]) assert.ok(spread.includes(`${Number(pull.toPrecision(4))} N`), spread);
+      const heading = await page.locator(".middle h2").first().innerText();
+      assert.ok(heading.includes(`${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm`), heading);
+      await page.goto(site.url + "#design?joint=8Nm@45deg&pmax=2.5bar&D=30mm&s=1mm");
+      await page.getByText("Pulley of radius").waitFor({ timeout: 60_000 });
+      assert.deepEqual(errors, []);
+      await context.close();
+    });
+
     test("nothing fits is a sentence with what would", async () => {
       const { page, context } = await open("#design?F=9000N&e=15%25&pmax=2bar&D=10..40mm");
       await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
@@ -211,6 +240,12 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
       const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download the muscle" }).click()]);
       assert.match(readFileSync(/** @type {string} */ (await download.path())).toString(), /# Identified from/);
+      await page.locator("input[type=file]").setInputFiles({ name: "unnamed.csv", mimeType: "text/csv", buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n") });
+      await page.waitForSelector(".problem");
+      await page.getByLabel("Pressure").selectOption("P1");
+      await page.getByLabel("in", { exact: true }).first().selectOption("bar");
+      await page.getByText("unnamed.csv: 2 points.").waitFor({ timeout: 30_000 });
+      assert.match(decodeURIComponent(page.url()), /columns=pressure=P1:bar/);
       assert.deepEqual(errors, []);
       await context.close();
     });
@@ -240,6 +275,13 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.8 * box.height, { steps: 5 });
       await page.mouse.up();
       await page.waitForFunction(() => /rests at\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""));
+      await page.locator("summary").filter({ hasText: "Another muscle 2" }).click();
+      const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
+      await page.locator("input[type=file]").setInputFiles({ name: "thin.toml", mimeType: "application/toml", buffer: Buffer.from(thin) });
+      await page.getByText("Muscle 2 is that of its file.").waitFor();
+      assert.match(page.url(), /file2=/);
+      await page.getByRole("button", { name: "Twice the same muscle" }).click();
+      await page.getByText("Both muscles are those of the page Muscle.").waitFor();
       await context.close();
     });
 
@@ -278,6 +320,18 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       await alive(blocked.page);
       assert.match(blocked.page.url(), /D=25/);
       await blocked.context.close();
+    });
+
+    if (name === "static") test("an engine that panics says its last words, and another one is started", async () => {
+      const { page, context } = await tab(browser);
+      await page.route("**/live.wasm", (route) => route.fulfill({ contentType: "application/wasm", body: trapping("panicked at row 7") }));
+      await page.goto(site.url + "#muscle?D=25");
+      await page.getByText("panicked at row 7").first().waitFor();
+      await page.unroute("**/live.wasm");
+      await page.reload();
+      await alive(page);
+      assert.match(page.url(), /D=25/);
+      await context.close();
     });
 
     test("without WebGL a section, without the chart library a table", async () => {

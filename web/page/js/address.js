@@ -2,12 +2,8 @@
 
 /** @returns {{ page: string, params: URLSearchParams }} */
 export function read() {
-  const [page, query] = decodeHash().split("?", 2);
+  const [page, query] = location.hash.replace(/^#/, "").split("?", 2);
   return { page: page || "muscle", params: new URLSearchParams(query ?? "") };
-}
-
-function decodeHash() {
-  return location.hash.replace(/^#/, "");
 }
 
 /** Readable: blanks as +, and no escapes where an address needs none. @param {URLSearchParams} params */

@@ -5,6 +5,12 @@ import { Engine } from "./kind.js";
 /** The engine; throws where there can be none. */
 export const engine = () => (one ??= new Engine());
 
+/**
+ * What was typed, as numbers: each with `value`, `values` of a list, or `problem`.
+ * @param {import("../../types/commands").Commands["quantities"]["request"]["texts"]} texts @returns {Promise<any[]>}
+ */
+export const understood = async (texts) => (texts?.length ? (await engine().ask("quantities", { texts }, { lane: "state" })).readings : []);
+
 /** A place for questions: one is on its way at most, and of those that wait only the newest is asked. */
 export class Slot {
   /** @param {{ lane?: "state" | "side", busy?: (on: boolean) => void }} [options] */
@@ -20,7 +26,7 @@ export class Slot {
    * Asks, or waits for the question before.
    * @template {keyof import("../../types/commands").Commands} K
    * @param {K} command @param {import("../../types/commands").Commands[K]["request"]} request
-   * @param {(answer: any) => void} take @param {(problem: any) => void} [fail]
+   * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take @param {(problem: any) => void} [fail]
    */
   ask(command, request, take, fail) {
     const go = async () => {

@@ -1,5 +1,5 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
-import { engine } from "./ask.js";
+import { understood } from "./ask.js";
 import { el } from "./dom.js";
 import { changeUnit, expectation, hasChoice, inside, number, onUnits, outside, unitName } from "./units.js";
 
@@ -23,10 +23,11 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
   const bounds = { low, high };
   const toSlider = (/** @type {number} */ v) => String((1000 * (v - bounds.low)) / (bounds.high - bounds.low));
   const fromSlider = () => tidy(bounds.low + (Number(slider.value) / 1000) * (bounds.high - bounds.low));
-  /** To a step that suits the shown unit: a five-hundredth of the reach. @param {number} v */
+  /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
+  const stepOf = () => 10 ** Math.floor(Math.log10(Math.abs(outside(kind, bounds.high) - outside(kind, bounds.low)) / 100));
+  /** @param {number} v */
   function tidy(v) {
-    const reach = Math.abs(outside(kind, bounds.high) - outside(kind, bounds.low));
-    const step = 10 ** Math.floor(Math.log10(reach / 100));
+    const step = stepOf();
     return inside(kind, Number((Math.round(outside(kind, v) / step) * step).toPrecision(12)));
   }
   function paint(fieldToo = true) {
@@ -43,8 +44,7 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
   slider.addEventListener("input", () => { now = fromSlider(); good(); paint(); change(now, false); });
   slider.addEventListener("change", () => change(now, true));
   slider.addEventListener("keydown", (event) => {
-    const reach = Math.abs(outside(kind, bounds.high) - outside(kind, bounds.low));
-    const step = 10 ** Math.floor(Math.log10(reach / 100));
+    const step = stepOf();
     const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
     if (by === undefined) return;
     event.preventDefault();
@@ -58,21 +58,19 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
     const text = field.value.trim();
     // A bare number is in the unit that stands beside it.
     const bare = text !== "" && Number.isFinite(Number(text));
-    const reading = bare
-      ? { value: inside(kind, Number(text)) }
-      : (await engine().ask("quantities", { texts: [{ text, kind }] }, { lane: "state" })).readings[0];
-    if (reading.problem) return set_wrong(reading.problem.message);
+    const [reading] = bare ? [{ value: inside(kind, Number(text)) }] : await understood([{ text, kind }]);
+    if (reading.problem) return wrongly(reading.problem.message);
     now = reading.value;
     good();
     paint();
     change(now, true);
   }
-  function set_wrong(/** @type {string} */ message) {
+  function wrongly(/** @type {string} */ message) {
     field.setAttribute("aria-invalid", "true");
     wrong.textContent = message;
     wrong.hidden = false;
   }
-  field.addEventListener("change", () => { read().catch((problem) => set_wrong(problem.message)); });
+  field.addEventListener("change", () => { read().catch((problem) => wrongly(problem.message)); });
   field.addEventListener("keydown", (event) => { if (event.key === "Enter") { event.preventDefault(); read().catch(() => {}); } });
   onUnits(() => paint());
   paint();
@@ -82,7 +80,7 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
     /** @param {number} v */
     set(v) { if (v !== now) { now = v; good(); paint(document.activeElement !== field); } },
     /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
-    mark(message) { if (message) set_wrong(message); else if (field.getAttribute("aria-invalid")) good(); },
+    mark(message) { if (message) wrongly(message); else if (field.getAttribute("aria-invalid")) good(); },
     /** @param {number} newLow @param {number} newHigh */
     reach(newLow, newHigh) { bounds.low = newLow; bounds.high = newHigh; paint(document.activeElement !== field); },
     /** @param {boolean} on */

@@ -28,7 +28,7 @@ export class Figures {
     this.grid.replaceChildren(...this.charts.slice(0, figure.panels.length).map((c) => c.element));
     figure.panels.forEach((/** @type {any} */ panel, /** @type {number} */ i) => {
       const heading = this.charts[i].element.querySelector("h3");
-      if (heading) heading.textContent = panel.title;
+      if (heading) heading.textContent = panel.title || panel.y.label;
       this.charts[i].show(spec(panel, figure));
     });
     this.caption.textContent = figure.caption;

@@ -1,10 +1,12 @@
 // A form of quantities as people type them, read by the engine in one question; and long work with progress and a way to end it.
-import { engine } from "./ask.js";
+import { engine, understood } from "./ask.js";
 import { capital, el, problemBox } from "./dom.js";
 import { expectation } from "./units.js";
 
 /**
- * @typedef {{ key: string, field: string, label: string, kind?: import("./units.js").Kind, list?: boolean, options?: [string, string][], value?: string, hint?: string }} Field
+ * `pair`: a list of two quantities joined by @, such as 700N@15%, 300N@20%: kinds and fields of both. `words`: a list of words.
+ * @typedef {import("./units.js").Kind} Kind
+ * @typedef {{ key: string, field: string, label: string, kind?: Kind, list?: boolean, pair?: [Kind, string][], words?: boolean, options?: [string, string][], value?: string, hint?: string }} Field
  * @param {Field[]} fields @param {() => void} submit
  */
 export function form(fields, submit) {
@@ -18,7 +20,7 @@ export function form(fields, submit) {
     input.value = f.value ?? "";
     const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
     inputs.set(f.key, { input, wrong });
-    return el("div", { style: "margin-bottom:8px" }, el("div", { class: "choice", style: "margin:0;grid-template-columns:1fr 150px" }, el("label", { for: id }, f.label), input), wrong);
+    return el("div", { style: "margin-bottom:8px" }, el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" }, el("label", { for: id }, f.label), input), wrong);
   });
   const element = el("form", { onsubmit: (/** @type {Event} */ event) => { event.preventDefault(); submit(); } }, ...rows);
   const mark = (/** @type {string} */ key, /** @type {string} */ message) => {
@@ -34,19 +36,29 @@ export function form(fields, submit) {
     /** Fields of a request, or nothing where a text cannot be understood: it is marked. @returns {Promise<Record<string, any> | undefined>} */
     async read() {
       fields.forEach((f) => mark(f.key, ""));
-      const filled = fields.filter((f) => inputs.get(f.key)?.input.value.trim());
-      const asked = filled.filter((f) => f.kind);
-      const texts = asked.flatMap((f) => (f.kind ? [{ text: inputs.get(f.key)?.input.value ?? "", kind: f.kind, list: f.list ?? false }] : []));
-      const readings = texts.length ? (await engine().ask("quantities", { texts })).readings : [];
       /** @type {Record<string, any>} */
       const values = {};
+      /** @type {{ key: string, text: string, kind: Kind, list: boolean, take: (value: any) => void }[]} */
+      const asked = [];
+      for (const f of fields) {
+        const text = inputs.get(f.key)?.input.value.trim();
+        if (!text) continue;
+        if (f.kind) asked.push({ key: f.key, text, kind: f.kind, list: f.list ?? false, take: (v) => { values[f.field] = v; } });
+        else if (f.pair) {
+          values[f.field] = text.split(",").map((one) => {
+            const parts = one.split("@"), item = /** @type {Record<string, number>} */ ({});
+            f.pair?.forEach(([kind, field], i) => asked.push({ key: f.key, text: (parts[i] ?? "").trim(), kind, list: false, take: (v) => { item[field] = v; } }));
+            return item;
+          });
+        } else values[f.field] = f.words ? text.split(",").map((w) => w.trim()).filter(Boolean) : text;
+      }
+      const readings = await understood(asked.map(({ text, kind, list }) => ({ text, kind, list })));
       let good = true;
-      asked.forEach((f, i) => {
+      asked.forEach(({ key, list, take }, i) => {
         const reading = readings[i];
-        if (reading.problem) { mark(f.key, reading.problem.message); good = false; }
-        else values[f.field] = f.list ? reading.values : reading.value;
+        if (reading.problem) { mark(key, reading.problem.message); good = false; }
+        else take(list ? reading.values : reading.value);
       });
-      for (const f of filled) if (!f.kind) values[f.field] = inputs.get(f.key)?.input.value.trim();
       return good ? values : undefined;
     },
     /** The texts, for an address. */
@@ -75,7 +87,7 @@ export function form(fields, submit) {
  * @template {keyof import("../../types/commands").Commands} K
  * @param {string} label @param {K} command
  * @param {() => Promise<import("../../types/commands").Commands[K]["request"] | undefined>} request nothing where there is none to ask
- * @param {(answer: any) => void} take
+ * @param {(answer: import("../../types/commands").Commands[K]["answer"]) => void} take
  * @param {(problem: any) => void} [fail]
  */
 export function job(label, command, request, take, fail) {

@@ -1,9 +1,9 @@
 // The frame around the pages: which one is shown follows from the address.
 import { engine } from "./ask.js";
-import { read } from "./address.js";
+import { address, read } from "./address.js";
+import { isDark } from "./chart.js";
 import { byId, el, problemBox } from "./dom.js";
 import { muscle } from "./muscle.js";
-import { address } from "./address.js";
 import { loadUnits } from "./units.js";
 
 /** @type {[string, string][]} */
@@ -26,15 +26,11 @@ const share = el("button", { type: "button", onclick: async () => {
   setTimeout(() => { share.textContent = "Share"; }, 1500);
 } }, "Share");
 const theme = el("button", { type: "button", onclick: () => {
-  const dark = document.documentElement.dataset.theme ? document.documentElement.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-  document.documentElement.dataset.theme = dark ? "light" : "dark";
+  document.documentElement.dataset.theme = isDark() ? "light" : "dark";
   paintTheme();
   document.dispatchEvent(new Event("theme"));
 } }, "Dark");
-function paintTheme() {
-  const dark = document.documentElement.dataset.theme ? document.documentElement.dataset.theme === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
-  theme.textContent = dark ? "Light" : "Dark";
-}
+const paintTheme = () => { theme.textContent = isDark() ? "Light" : "Dark"; };
 paintTheme();
 byId("tools").append(share, theme);
 

@@ -1,5 +1,5 @@
 // The muscle that all pages share: its measures, pressure and contraction, as fields of requests and as words of the address.
-import { engine } from "./ask.js";
+import { engine, understood } from "./ask.js";
 import { typed, unitsFromAddress, unitsInAddress } from "./units.js";
 
 /** Quantities: key of the address, field of requests, kind, name, symbol, bounds of the slider. */
@@ -84,7 +84,7 @@ export class MuscleState {
     this.wrong = new Map();
     const asked = ALL.filter(({ key }) => params.has(key));
     const texts = asked.map(({ key, kind }) => ({ text: params.get(key) ?? "", kind }));
-    const readings = texts.length ? (await engine().ask("quantities", { texts }, { lane: "state" })).readings : [];
+    const readings = await understood(texts);
     asked.forEach(({ key }, i) => {
       if (readings[i].problem) return this.wrong.set(key, readings[i].problem.message);
       values[key] = readings[i].value;

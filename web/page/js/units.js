@@ -18,6 +18,8 @@ export async function loadUnits() {
 
 /** @param {string} kind */
 export const expectation = (kind) => kinds.get(kind)?.expectation ?? "";
+/** Names of its units. @param {string} kind */
+export const unitsOf = (kind) => (kinds.get(kind)?.units ?? []).map((u) => u.name);
 /** @param {string} kind */
 export const unitName = (kind) => (kind === "angle" ? "°" : chosen[kind] ?? kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "");
 

@@ -89,6 +89,12 @@ function software() {
   return slow;
 }
 
+/** Between which values the colours run: the few nodes at the bonded corner would take the whole map. @param {ArrayLike<number>} list @returns {[number, number]} */
+export function reach(list) {
+  const sorted = Float64Array.from(list).sort();
+  return [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
+}
+
 export class View {
   /** @param {HTMLElement} stage @param {{ contract?: (share: number, settled: boolean) => void }} handlers share: of the rest length, that the dragged end moves */
   constructor(stage, { contract } = {}) {

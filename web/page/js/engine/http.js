@@ -33,16 +33,28 @@ async function reach(path, init) {
 /** @param {any} request @param {AbortSignal} [signal] */
 const post = (request, signal) => ({ method: "POST", signal, body: JSON.stringify(request), headers: { "content-type": "application/json", accept: "application/octet-stream" } });
 
+/** @typedef {import("../../../types/commands").Commands} Commands */
+
 export class Engine {
   get about() { return "mckibben serve"; }
 
-  /** @param {string} command @param {any} request @param {{ signal?: AbortSignal }} [options] @returns {Promise<any>} */
+  /**
+   * @template {keyof Commands} K
+   * @param {K} command @param {Commands[K]["request"]} request
+   * @param {{ lane?: "state" | "side", signal?: AbortSignal }} [options]
+   * @returns {Promise<Commands[K]["answer"]>}
+   */
   async ask(command, request, { signal } = {}) {
     const answer = await reach(command, post(request, signal));
     return unpack(await answer.arrayBuffer()).answer;
   }
 
-  /** @param {string} command @param {any} request @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options] @returns {Promise<any>} */
+  /**
+   * @template {keyof Commands} K
+   * @param {K} command @param {Commands[K]["request"]} request
+   * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
+   * @returns {Promise<Commands[K]["answer"]>}
+   */
   async job(command, request, { signal, progress } = {}) {
     const begun = await (await reach(`jobs/${command}`, { ...post(request, signal), headers: { "content-type": "application/json" } })).json();
     const events = new EventSource(new URL(`jobs/${begun.id}/events`, API));

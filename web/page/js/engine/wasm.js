@@ -97,7 +97,7 @@ export class Engine {
    * @template {keyof Commands} K
    * @param {K} command @param {Commands[K]["request"]} request
    * @param {{ lane?: "state" | "side", signal?: AbortSignal }} [options]
-   * @returns {Promise<any>}
+   * @returns {Promise<Commands[K]["answer"]>}
    */
   ask(command, request, { lane = "side", signal } = {}) {
     const small = LIVE.includes(command) && /** @type {any} */ (request).model !== "fe3d";
@@ -109,7 +109,7 @@ export class Engine {
    * @template {keyof Commands} K
    * @param {K} command @param {Commands[K]["request"]} request
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
-   * @returns {Promise<any>}
+   * @returns {Promise<Commands[K]["answer"]>}
    */
   job(command, request, options) {
     return this.lanes.job.ask(command, request, options);

@@ -2,6 +2,7 @@
 import { unpack } from "./packed.js";
 
 /** @type {any} */ let engine;
+/** @type {Promise<void> | undefined} */ let ready;
 let current = 0;
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
@@ -17,13 +18,17 @@ function ask(command, request) {
   return wrong ? { problem: JSON.parse(decoder.decode(bytes)) } : unpack(bytes.buffer);
 }
 
+/** @param {WebAssembly.Module} module */
+async function begin(module) {
+  const host = { progress: (/** @type {number} */ done, /** @type {number} */ total) => self.postMessage({ id: current, done, total }) };
+  engine = (await WebAssembly.instantiate(module, { host })).exports;
+  engine.start();
+}
+
 self.onmessage = async ({ data }) => {
-  if (data.module) {
-    const host = { progress: (/** @type {number} */ done, /** @type {number} */ total) => self.postMessage({ id: current, done, total }) };
-    engine = (await WebAssembly.instantiate(/** @type {WebAssembly.Module} */ (data.module), { host })).exports;
-    engine.start();
-    return;
-  }
+  if (data.module) { ready = begin(data.module); return; }
+  // A module that cannot begin ends the worker.
+  await ready;
   current = data.id;
   try {
     const { problem, answer, buffers } = ask(data.command, data.request);

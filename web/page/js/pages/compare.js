@@ -6,7 +6,7 @@ import { capital, el, problemBox } from "../dom.js";
 import { form, table } from "../form.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
-import { View } from "../view3d.js";
+import { View, reach } from "../view3d.js";
 
 const MODELS = /** @type {[string, string][]} */ (["fe", "universal", "thick-wall", "ideal", "paper", "chou-hannaford", "force-balance", "tondu-lopez"].map((m) => [m, m]));
 
@@ -35,8 +35,7 @@ export function mount(main) {
       const { contraction, pressure_mpa, model, ...of } = read;
       side.point.ask("force", { ...of, model, contraction, pressure_mpa, extrapolate: true }, (answer) => { side.answer = answer; side.said.replaceChildren(); paint(); }, (problem) => { side.answer = undefined; side.said.replaceChildren(problemBox(problem)); paint(); });
       side.shape.ask("shape", { ...of, contraction, pressure_mpa }, (shape) => {
-        const sorted = Float32Array.from(shape.arrays.max_stretch).sort();
-        side.view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, sorted[Math.floor(0.98 * sorted.length)]), restLength: of.length_mm, restRadius: of.outer_diameter_mm / 2 });
+        side.view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]), restLength: of.length_mm, restRadius: of.outer_diameter_mm / 2 });
       }, () => {});
       side.curve.ask("curve", { ...of, model, test: "isobaric", pressures_mpa: [pressure_mpa], extrapolate: true }, (answer) => { side.family = answer; paint(); }, () => {});
     }

@@ -1,6 +1,7 @@
 // Measured points: seen over the models, and constants identified from them.
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
+import { columnChoice, headings } from "../columns.js";
 import { fileField, onDrop } from "../controls.js";
 import { download, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
@@ -14,18 +15,17 @@ const EXAMPLE = "pressure_bar,contraction,force_n\n";
 export function mount(main) {
   /** @type {{ name: string, text: string } | undefined} */ let data;
   const what = form([
-    { key: "free", field: "free", label: "Free constants", hint: "modulus; or mu, braid.angle" },
-    { key: "columns", field: "columns", label: "Columns, where asked", hint: "pressure=P1:kPa" },
-    { key: "models", field: "models", label: "Models", value: "fe, thick-wall, ideal" },
+    { key: "free", field: "free", label: "Free constants", words: true, hint: "modulus; or mu, braid.angle" },
+    { key: "models", field: "models", label: "Models", words: true, value: "fe, thick-wall, ideal" },
   ], () => look());
+  const columns = columnChoice(() => look());
   const understood = el("div", {}), errors = el("div", {}), found = el("div", {});
   const figures = new Figures("data"), fitted = new Figures("identified");
   const which = el("p", { class: "small soft" });
   const identify = job("Identify", "identify", async () => {
     const read = await what.read();
     if (!data || !read) { found.replaceChildren(el("p", { class: "soft" }, "Open a table first.")); return undefined; }
-    const free = (read.free ?? "").split(",").map((/** @type {string} */ x) => x.trim()).filter(Boolean);
-    return { ...fields(), data: [data], columns: columns(read), free, figure: unitName("pressure") };
+    return { ...fields(), data: [data], columns: columns.value(), free: read.free ?? [], figure: unitName("pressure") };
   }, (answer) => {
     const rows = answer.parameters.map((/** @type {any} */ p) => [p.name, `${number(p.value, 5)} ${p.unit ?? ""}`, p.half_width_95 ? `± ${number(p.half_width_95, 2)}` : "–", p.identifiable ? "" : "not identifiable from these data"]);
     found.replaceChildren(el("h2", {}, "Identified"), table(["constant", "value", "95 %", ""], rows, { text: [0, 3], label: "constants" }), el("p", {}, `Residuals ${number(answer.rms_n, 3)} N rms, ${number(answer.rms_before_n, 3)} N before.`), warnings(answer.warnings),
@@ -33,7 +33,7 @@ export function mount(main) {
     fitted.show(answer.figure);
   });
   main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"), fileField("Open a table (CSV)", ".csv,.txt,.tsv", take), el("p", { class: "small soft" }, "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading. ", el("button", { type: "button", class: "bare", onclick: example }, "Make an example")), which, what.element, el("div", { class: "row" }, el("button", { type: "button", onclick: () => look() }, "Compare")), identify.element),
+    el("section", { class: "controls", "aria-label": "Data" }, el("h2", {}, "Measured points"), fileField("Open a table (CSV)", ".csv,.txt,.tsv", take), el("p", { class: "small soft" }, "Pressures, contractions (or shortenings, or lengths) and pulls, with their units in the heading. ", el("button", { type: "button", class: "bare", onclick: example }, "Make an example")), which, columns.element, what.element, el("div", { class: "row" }, el("button", { type: "button", onclick: () => look() }, "Compare")), identify.element),
     el("div", { class: "middle" }, understood, errors, figures.element, found, fitted.element)));
   onDrop(main, (file) => { if (file) file.text().then((text) => take(file.name, text)); });
   understood.append(el("p", { class: "soft" }, "Drop a table of measured points. It is laid over the models of the muscle of the page Muscle; then its constants can be identified."));
@@ -44,12 +44,10 @@ export function mount(main) {
     return of;
   }
 
-  /** @param {any} read */
-  const columns = (read) => Object.fromEntries((read.columns ?? "").split(",").map((/** @type {string} */ c) => c.split("=").map((x) => x.trim())).filter((/** @type {string[]} */ c) => c.length === 2 && c[0]));
-
   /** @param {string} name @param {string} text */
   function take(name, text) {
     data = { name, text };
+    columns.offer(headings(text));
     found.replaceChildren();
     fitted.show(undefined);
     look();
@@ -58,10 +56,9 @@ export function mount(main) {
   async function look() {
     const read = await what.read();
     if (!data || !read) return;
-    write(address("data", { ...muscle.params(), ...what.texts() }), true);
-    const models = (read.models ?? "").split(",").map((/** @type {string} */ m) => m.trim()).filter(Boolean);
+    write(address("data", { ...muscle.params(), ...what.texts(), columns: columns.text() }), true);
     try {
-      const answer = await engine().ask("compare", { ...fields(), data, columns: columns(read), models, extrapolate: true, figure: unitName("pressure") });
+      const answer = await engine().ask("compare", { ...fields(), data, columns: columns.value(), models: read.models, extrapolate: true, figure: unitName("pressure") });
       const u = answer.understood?.[0] ?? answer.understood;
       const list = u?.columns?.map((/** @type {any} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
       understood.replaceChildren(el("p", {}, `${data.name}: ${answer.points} points. ${list ?? ""}`), warnings(answer.warnings));
@@ -69,6 +66,7 @@ export function mount(main) {
       figures.show(answer.figure);
     } catch (problem) {
       understood.replaceChildren(problemBox(problem));
+      if (/** @type {any} */ (problem).kind === "data") columns.open();
       errors.replaceChildren();
       figures.show(undefined);
     }
@@ -85,8 +83,9 @@ export function mount(main) {
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      await muscle.read(params, what.keys);
+      await muscle.read(params, [...what.keys, "columns"]);
       what.set(params);
+      columns.read(params.get("columns") ?? "");
       fields();
       if (data) await look();
     },

@@ -13,9 +13,12 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([["diameter", "smallest di
 /** @param {HTMLElement} main */
 export function mount(main) {
   /** @type {any} */ let found;
+  /** @type {any} */ let asked;
   const fields = form([
     { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
     { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
+    { key: "at", field: "points", label: "or several pulls", pair: [["force", "force_n"], ["ratio", "contraction"]], hint: "700N@15%, 1200N@5%" },
+    { key: "joint", field: "torques", label: "or torques of a joint", pair: [["torque", "torque_nm"], ["angle", "angle_deg"]], hint: "8Nm@45deg" },
     { key: "load", field: "load", label: "or a load to lift", hint: "mass:20kg" },
     { key: "stroke", field: "stroke_mm", label: "Stroke", kind: "length", hint: "40 mm" },
     { key: "pmax", field: "max_pressure_mpa", label: "Pressure of the supply", kind: "pressure", value: "2.5 bar" },
@@ -27,31 +30,40 @@ export function mount(main) {
     { key: "s", field: "wall_mm", label: "Walls", kind: "length", list: true, hint: "1..4:0.5 mm" },
     { key: "L", field: "length_mm", label: "Length", kind: "length", list: true, hint: "285 mm" },
     { key: "angle", field: "angle_deg", label: "Braid angles", kind: "angle", list: true, hint: "28 deg" },
-    { key: "rubber", field: "rubber", label: "Rubbers", hint: "paper, ecoflex-0030" },
+    { key: "rubber", field: "rubbers", label: "Rubbers", words: true, hint: "paper, ecoflex-0030" },
+    { key: "braid", field: "braids", label: "Sleeves as sold", words: true, hint: "names of the list" },
+    { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
     { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", hint: "1.5" },
   ], () => search.run());
+  const spreads = form([
+    { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
+    { key: "tD", field: "outer_diameter_mm", label: "Outer diameter ±", kind: "length", hint: "0.3 mm" },
+    { key: "tL", field: "length_mm", label: "Length ±", kind: "length", hint: "2 mm" },
+    { key: "ta", field: "angle_deg", label: "Braid angle ±", kind: "angle", hint: "1 deg" },
+    { key: "tp", field: "pressure_mpa", label: "Pressure ±", kind: "pressure", hint: "0.1 bar" },
+    { key: "tm", field: "modulus", label: "Modulus of the rubber ±", kind: "ratio", hint: "10 %" },
+  ], () => search.run());
+  const forms = [fields, choices, spreads];
   const results = el("div", {});
   const figures = new Figures("design");
   const feasible = new Chart("design-map", { tools: el("h3", {}, "What is feasible, over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
   feasible.element.hidden = true;
   const picked = el("p", { class: "small" });
-  const search = job("Design", "design", request, take, (problem) => { fields.at(problem) || choices.at(problem); });
+  const search = job("Design", "design", request, take, (problem) => { forms.some((f) => f.at(problem)); });
   main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, el("details", {}, el("summary", {}, "What may be varied"), choices.element), search.element),
+    el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, el("details", {}, el("summary", {}, "What may be varied"), choices.element), el("details", {}, el("summary", {}, "Tolerances of the workshop"), spreads.element), search.element),
     el("div", { class: "middle" }, results, picked, feasible.element, figures.element)));
   results.append(el("p", { class: "soft" }, "What shall the muscle do? The search ranks every diameter and wall, and finite elements decide."));
 
   async function request() {
-    const [wanted, vary] = [await fields.read(), await choices.read()];
-    if (!wanted || !vary) return undefined;
-    const { rubber, outer_diameter_mm, wall_mm, length_mm, angle_deg, ...rest } = vary;
-    const lists = Object.fromEntries(Object.entries({ outer_diameter_mm, wall_mm, length_mm, angle_deg }).filter(([, v]) => v));
-    if (wanted.load) { delete wanted.force_n; if (wanted.stroke_mm) delete wanted.contraction; }
-    else delete wanted.load;
-    /** @type {any} */
-    const asked = { ...wanted, ...rest, ...lists, figure: unitName("pressure") };
-    if (rubber) asked.rubbers = rubber.split(",").map((/** @type {string} */ r) => r.trim());
-    write(address("design", { ...fields.texts(), ...choices.texts() }));
+    const [wanted, vary, tolerance] = await Promise.all(forms.map((f) => f.read()));
+    if (!wanted || !vary || !tolerance) return undefined;
+    // Several points or torques stand in place of the one pull; a load in place of its force.
+    if (wanted.points || wanted.torques || wanted.load) delete wanted.force_n;
+    if (wanted.points || wanted.torques || (wanted.load && wanted.stroke_mm)) delete wanted.contraction;
+    asked = { ...wanted, ...vary, figure: unitName("pressure") };
+    if (Object.keys(tolerance).length) asked.tolerance = tolerance;
+    write(address("design", Object.assign({}, ...forms.map((f) => f.texts()))));
     return asked;
   }
 
@@ -69,10 +81,13 @@ export function mount(main) {
     const out = [];
     if (best) {
       out.push(el("h2", {}, `Outer diameter ${show("length", best.outer_diameter_mm)}, wall ${show("length", best.wall_mm)}, length ${show("length", best.length_mm)}, braid ${show("angle", best.angle_deg)}`));
-      out.push(el("p", {}, `${capital(best.rubber)}. Needs ${show("pressure", best.pressure_mpa, 3)}; pulls ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, ${show("force", best.blocked_force_n)} when not shortened. ${best.binds ? `What keeps it from being better: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
+      out.push(el("p", {}, `Rubber ${best.rubber}. Needs ${show("pressure", best.pressure_mpa, 3)}; pulls ${withUncertainty("force", best.points[0].force_n, best.points[0].uncertainty_n)} at ${show("ratio", best.points[0].contraction, 3)}, ${show("force", best.blocked_force_n)} when not shortened. ${best.binds ? `What keeps it from being better: ${String(best.binds).replaceAll("_", " ")}.` : ""}`));
       out.push(warnings(found.warnings));
       const rows = found.candidates.map((/** @type {any} */ c) => [show("length", c.outer_diameter_mm), show("length", c.wall_mm), show("length", c.length_mm), show("angle", c.angle_deg), c.rubber, show("pressure", c.pressure_mpa, 3), `${number(100 * c.margin, 2)} %`, show("length", c.bulged_diameter_mm), c.air_normal_litres ? `${number(c.air_normal_litres, 3)} L` : "–"]);
       out.push(table(["D0", "s", "L0", "θ0", "rubber", "needs", "to spare", "bulged", "air per stroke"], rows, { text: [4], pick: (i) => open(found.candidates[i]), label: "Muscles that fit, best first" }));
+      if (best.joint) out.push(el("p", {}, `Pulley of radius ${show("length", best.joint.radius_mm, 3)}, ${show("ratio", best.joint.contraction_at_neutral, 3)} contracted at the neutral angle.`));
+      if (best.points.length > 1) out.push(table(["pull", "at", "needs"], best.points.map((/** @type {any} */ p) => [withUncertainty("force", p.force_n, p.uncertainty_n), show("ratio", p.contraction, 3), show("pressure", p.pressure_mpa, 3)]), { text: [], label: "the operating points" }));
+      if (found.tolerance?.length) out.push(table(["within the tolerances, at", "and", "least pull", "largest pull", "likely"], found.tolerance.map((/** @type {any} */ t) => [show("ratio", t.contraction, 3), show("pressure", t.pressure_mpa, 3), show("force", t.low_n), show("force", t.high_n), `± ${show("force", t.likely_n, 2)}`]), { text: [], label: "spread of the pull" }));
       out.push(el("p", { class: "small soft" }, `${found.fitting} of ${found.looked_at} muscles fit; searched with ${found.searched_with}, decided by ${found.model}. Click one to see it.`));
     } else if (found.closest) {
       const c = found.closest;
@@ -98,14 +113,15 @@ export function mount(main) {
 
   /** Feasible muscles over diameter and wall, by `universal`: the pressure that each needs, and the limit that others miss. */
   async function map() {
-    const asked = await request();
     const best = found.candidates[0] ?? found.closest;
-    if (!asked || !best) return;
-    delete asked.figure;
+    // A joint is searched over its pulley too: there is no one map.
+    feasible.element.hidden = !best || Boolean(asked.torques);
+    if (feasible.element.hidden) return;
+    const { figure, tolerance, ...rest } = asked;
     const span = (/** @type {number} */ mid, /** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
     const D = span(best.outer_diameter_mm, 0.5, 1.9, 29), S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, 25);
     const fixed = { length_mm: asked.stroke_mm ? undefined : best.length_mm, angle_deg: best.angle_deg };
-    const answer = await engine().ask("design", { ...asked, ...fixed, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none", extrapolate: true, top: D.length * S.length });
+    const answer = await engine().ask("design", { ...rest, ...fixed, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none", extrapolate: true, top: D.length * S.length });
     const at = new Map(answer.candidates.map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
     const not = new Map((answer.rejected ?? []).map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
     const limits = [...new Set([...not.values()].map((c) => c.limit ?? "no answer"))];
@@ -160,8 +176,7 @@ export function mount(main) {
     async load(params) {
       // The muscle's own words mean other things here: a link to a specification has none of its pressure.
       if (params.has("p")) params = new URLSearchParams();
-      fields.set(params);
-      choices.set(params);
+      forms.forEach((f) => f.set(params));
       await search.run();
     },
     unmount() { off(); search.end(); },

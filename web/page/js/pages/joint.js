@@ -1,12 +1,16 @@
 // A joint with two of this muscle against each other: pressures by dragging the arm, torques, and what it reaches.
-import { Slot, engine } from "../ask.js";
+import { Slot, understood } from "../ask.js";
 import { address, write } from "../address.js";
 import { Chart, KINDS, isDark, viridis } from "../chart.js";
-import { quantity } from "../controls.js";
+import { fileField, quantity } from "../controls.js";
 import { el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
-import { number, onUnits, outside, show, unitName } from "../units.js";
+import { number, onUnits, outside, show, typed, unitName } from "../units.js";
+
+/** Words of the address, and what kind of quantity each is. */
+const KINDS_OF = /** @type {const} */ ({ r: "length", range: "angle", e0: "ratio", phi: "angle", k: "angular-stiffness", pmax: "pressure" });
+const SECOND = "file2";
 
 /** @param {HTMLElement} main */
 export function mount(main) {
@@ -19,10 +23,14 @@ export function mount(main) {
     return controls[key].element;
   };
   const which = el("p", { class: "small soft" });
+  /** The file of muscle 2, where it is another one. */
+  let second = "";
+  const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("", "") }, "Twice the same muscle");
   const controlsBox = el("section", { class: "controls", "aria-label": "Joint" },
     el("fieldset", { class: "state" }, el("legend", {}, "Wanted"), make("phi", "Angle", "angle", -60, 60, "φ"), make("k", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 takes the lowest pressures.")),
     el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", "length", 5, 80, "r"), make("range", "Range to either side", "angle", 10, 120), make("e0", "Contraction at the neutral angle", "ratio", 0, 0.25), make("pmax", "Pressure of the supply", "pressure", 0.05, 1)),
-    which);
+    which,
+    el("details", {}, el("summary", {}, "Another muscle 2"), el("p", { class: "small soft" }, "Both muscles are the one of the page Muscle unless a file says otherwise."), fileField("Open muscle 2 (TOML)", ".toml", takeSecond), back));
   const arm = el("div", { class: "stage", role: "img", "aria-label": "The joint" });
   const numbers = el("section", { class: "numbers", "aria-label": "Numbers" });
   const said = el("div", {});
@@ -36,8 +44,9 @@ export function mount(main) {
   const clamp = (/** @type {number} */ phi) => Math.max(-v.range, Math.min(v.range, Math.round(phi)));
 
   function request() {
-    const text = `[joint]\nradius = "${v.r} mm"\nrange = "-${v.range}..${v.range} deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n[muscle_2]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n`;
-    return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: muscle.toml() }], model: "universal", extrapolate: true };
+    const other = second ? "muscle-2.toml" : "muscle.toml";
+    const text = `[joint]\nradius = "${v.r} mm"\nrange = "-${v.range}..${v.range} deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${v.e0}"\n`;
+    return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: muscle.toml() }, ...(second ? [{ name: other, text: second }] : [])], model: "universal", extrapolate: true };
   }
 
   /** @param {boolean} settled */
@@ -60,7 +69,14 @@ export function mount(main) {
     if (settled) write(address("joint", { ...muscle.params(), p: undefined, e: undefined, ...own() }));
   }
 
-  const own = () => ({ r: `${v.r}mm`, range: `${v.range}`, e0: `${number(100 * v.e0)}%`, phi: `${v.phi}`, k: v.k ? String(v.k) : "", pmax: `${number(outside("pressure", v.pmax))}${unitName("pressure")}` });
+  /** @param {string} _name @param {string} text */
+  function takeSecond(_name, text) {
+    second = text;
+    back.hidden = !text;
+    ask(true);
+  }
+
+  const own = () => Object.fromEntries([...Object.entries(KINDS_OF).map(([key, kind]) => [key, typed(kind, /** @type {any} */ (v)[key])]), [SECOND, second]]);
 
   function paint() {
     drawArm();
@@ -72,7 +88,7 @@ export function mount(main) {
       ["contractions", `${show("ratio", point.contraction_1, 3)}, ${show("ratio", point.contraction_2, 3)}`],
     ];
     numbers.replaceChildren(el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
-      el("p", { class: "small soft" }, `Both muscles are those of the page Muscle. Pressures by ${point.model}; curves and map by universal.`));
+      el("p", { class: "small soft" }, `${second ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle."} Pressures by ${point.model}; curves and map by universal.`));
     which.textContent = `Muscles: D0 ${show("length", muscle.values.D)}, s ${show("length", muscle.values.s)}, L0 ${show("length", muscle.values.L)}; change them on the page Muscle.`;
   }
 
@@ -129,12 +145,12 @@ export function mount(main) {
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
-      await muscle.read(params, ["r", "range", "e0", "phi", "k", "pmax"]);
-      const read = (/** @type {string} */ key, by = 1) => { const x = parseFloat(params.get(key) ?? ""); if (Number.isFinite(x)) /** @type {any} */ (v)[key] = x * by; };
-      read("r"); read("range"); read("e0", 0.01); read("phi");
-      read("k");
-      const pmax = params.get("pmax");
-      if (pmax) v.pmax = (await engine().ask("quantities", { texts: [{ text: pmax, kind: "pressure" }] })).readings[0].value ?? v.pmax;
+      await muscle.read(params, [...Object.keys(KINDS_OF), SECOND]);
+      second = params.get(SECOND) ?? "";
+      back.hidden = !second;
+      const asked = Object.keys(KINDS_OF).filter((key) => params.has(key));
+      const readings = await understood(asked.map((key) => ({ text: params.get(key) ?? "", kind: /** @type {any} */ (KINDS_OF)[key] })));
+      asked.forEach((key, i) => { if (!readings[i].problem) /** @type {any} */ (v)[key] = readings[i].value; });
       for (const key of Object.keys(controls)) controls[key].set(/** @type {any} */ (v)[key]);
       ask(true);
       map.run();

@@ -6,7 +6,7 @@ import { el } from "../dom.js";
 import { form, job, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
 import { number, onUnits, outside, show, unitName } from "../units.js";
-import { View } from "../view3d.js";
+import { View, reach } from "../view3d.js";
 
 /** @param {HTMLElement} main */
 export function mount(main) {
@@ -31,7 +31,7 @@ export function mount(main) {
   const pressure = new Chart("motion-pressure", { tools: el("h3", {}, "Pressure") });
   const way = new Chart("motion-contraction", { tools: el("h3", {}, "Contraction") });
   const numbers = el("div", {});
-  const go = job("Run", "motion", request, (answer) => { run = answer; paint(); start(); }, (problem) => fields.at({ ...problem, field: problem.field }));
+  const go = job("Run", "motion", request, (answer) => { run = answer; paint(); start(); }, (problem) => fields.at(problem));
   const which = el("p", { class: "small soft" });
   main.replaceChildren(el("div", { class: "bench two" },
     el("section", { class: "controls", "aria-label": "Step" }, el("h2", {}, "A step on a valve"), fields.element, go.element, which, numbers),
@@ -68,8 +68,7 @@ export function mount(main) {
     slider.value = String(1000 * share);
     clock.replaceChildren(el("b", {}, `${s.time_s[i].toFixed(2)} s`), el("br"), `${show("pressure", s.pressure_mpa[i], 3)}, ${number(100 * s.contraction[i], 3)} %`);
     slot.ask("shape", { ...muscle.fields(), pressure_mpa: Math.max(0, s.pressure_mpa[i]), contraction: s.contraction[i] }, (shape) => {
-      const list = Float32Array.from(shape.arrays.max_stretch).sort();
-      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, list[Math.floor(0.98 * list.length)]), restLength: muscle.values.L, restRadius: muscle.values.D / 2 });
+      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]), restLength: muscle.values.L, restRadius: muscle.values.D / 2 });
     }, () => {});
   }
 

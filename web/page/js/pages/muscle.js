@@ -4,9 +4,10 @@ import { address, write } from "../address.js";
 import { Chart, KINDS, isDark, pressureColour, viridis } from "../chart.js";
 import { choice, fileField, onDrop, quantity } from "../controls.js";
 import { capital, download, el, problemBox, say, tabs } from "../dom.js";
+import { gauge } from "../gauge.js";
 import { CONTRACTION, LOAD, PRESSURE, QUANTITIES, muscle } from "../muscle.js";
 import { inside, number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
-import { View } from "../view3d.js";
+import { View, reach } from "../view3d.js";
 
 const TESTS = /** @type {[string, string][]} */ ([["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
 /** What colours the muscle: field, name, kind of its unit. */
@@ -56,6 +57,7 @@ export function mount(main) {
     muscle.values.F = undefined;
     changed("e", to, settled);
   } });
+  const dial = gauge(stage, (pressure, settled) => changed("p", pressure, settled));
   const colour = choice("Colour", SHOWN.map(([name, text]) => [name, text]), wanted.show, (name) => { wanted.show = name; paint(); settle(); });
   const cut = el("button", { type: "button", "aria-pressed": false, onclick: () => { wanted.cut = wanted.cut ? "" : "1"; paint(); settle(); } }, "Cut open");
   const pump = el("button", { type: "button", onclick: startPump }, "Pump");
@@ -237,9 +239,7 @@ export function mount(main) {
     colour.set(name);
     cut.setAttribute("aria-pressed", String(Boolean(wanted.cut)));
     view.cut = Boolean(wanted.cut);
-    // The few nodes at the bonded corner would take the whole map.
-    const sorted = Float32Array.from(shape.arrays[name]).sort();
-    const [low, high] = [sorted[Math.floor(0.01 * sorted.length)], sorted[Math.ceil(0.985 * sorted.length) - 1]];
+    const [low, high] = reach(shape.arrays[name]);
     view.set(shape, { field: name, low, high, restLength: muscle.values.L, restRadius: muscle.values.D / 2 });
     const end = (/** @type {number} */ x) => (kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3));
     const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(",");
@@ -249,6 +249,7 @@ export function mount(main) {
     const sayIt = point.slack ? [el("b", {}, "Slack"), el("br"), `It hangs ${show("ratio", shape.shape_contraction, 3)} shortened and does not pull.`]
       : [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`];
     stageSay.replaceChildren(...sayIt);
+    dial.set(point.pressure_mpa, Math.max(PRESSURE.high, point.pressure_mpa));
     const perPixel = view.millimetresPerPixel;
     if (perPixel !== scaled) {
       scaled = perPixel;
@@ -370,7 +371,6 @@ export function mount(main) {
       follow();
     },
     unmount() { offUnits(); stopPump(); },
-    changed: showHeld,
   };
 }
 

@@ -1,0 +1,39 @@
+// A pressure gauge beside the muscle: dragged about its centre. The slider says the same to keyboards and screen readers.
+import { outside, number } from "./units.js";
+
+/** From straight down, clockwise: where the dial begins, and how far it goes, in degrees. */
+const FROM = 45, REACH = 270;
+const point = (/** @type {number} */ share, /** @type {number} */ r) => {
+  const a = ((FROM + REACH * share + 90) * Math.PI) / 180;
+  return [r * Math.cos(a), r * Math.sin(a)].map((x) => x.toFixed(2));
+};
+
+/** @param {HTMLElement} stage @param {(pressure: number, settled: boolean) => void} turn */
+export function gauge(stage, turn) {
+  const [[x0, y0], [x1, y1]] = [point(0, 40), point(1, 40)];
+  stage.insertAdjacentHTML("beforeend", `<svg class="gauge" viewBox="-50 -50 100 100" aria-hidden="true"><circle r="48" class="face"/><path d="M${x0} ${y0}A40 40 0 1 1 ${x1} ${y1}" class="dial"/>${Array.from({ length: 11 }, (_, i) => `<path d="M${point(i / 10, i % 5 ? 36 : 33).join(" ")}L${point(i / 10, 40).join(" ")}" class="dial"/>`).join("")}<text x="-24" y="46">0</text><text x="24" y="46" class="top"></text><path d="M0 8L-2.5 0L0 -36L2.5 0z" class="needle"/><circle r="4" class="hub"/></svg>`);
+  const svg = /** @type {SVGSVGElement} */ (stage.lastElementChild);
+  const needle = /** @type {SVGElement} */ (svg.querySelector(".needle")), label = /** @type {SVGElement} */ (svg.querySelector(".top"));
+  let top = 1, on = false;
+  const at = (/** @type {PointerEvent} */ event, /** @type {boolean} */ settled) => {
+    const box = svg.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left - box.width / 2, event.clientY - box.top - box.height / 2];
+    // Clockwise from straight down.
+    const angle = ((Math.atan2(y, x) * 180) / Math.PI + 270) % 360;
+    const share = Math.min(1, Math.max(0, (angle - FROM) / REACH));
+    turn(Math.round(share * top * 1000) / 1000, settled);
+  };
+  svg.addEventListener("pointerdown", (event) => { on = true; svg.setPointerCapture(event.pointerId); at(event, false); });
+  svg.addEventListener("pointermove", (event) => { if (on) at(event, false); });
+  svg.addEventListener("pointerup", (event) => { if (on) at(event, true); on = false; });
+  svg.addEventListener("pointercancel", () => { on = false; });
+  return {
+    /** @param {number} pressure @param {number} highest what the end of the dial stands for */
+    set(pressure, highest) {
+      top = highest;
+      const text = number(outside("pressure", top), 2);
+      if (label.textContent !== text) label.textContent = text;
+      needle.style.transform = `rotate(${FROM + REACH * Math.min(1, pressure / top) - 180}deg)`;
+    },
+  };
+}
