@@ -33,7 +33,17 @@ if [ -n "$site" ]; then
     if ! command -v mdbook >/dev/null; then
         cargo install mdbook --version 0.5.1 --locked --quiet
     fi
-    mdbook build docs --dest-dir "$made/docs"
+    # The book has the benchmarks' page too, which stands elsewhere, and is linked with its neighbours.
+    book=$(mktemp -d)
+    trap 'rm -rf "$made" "$book"' EXIT
+    cp -r docs/. "$book"
+    cp benches/README.md "$book/benches.md"
+    sed -i 's#\.\./benches/README\.md#benches.md#g' "$book"/*.md
+    mkdir "$book/theme"
+    echo '<p style="margin:0;padding:4px 16px;text-align:right"><a href="{{ path_to_root }}../index.html">Workbench</a> · <a href="{{ path_to_root }}../api/mckibben/index.html">API of the crates</a></p>' >"$book/theme/header.hbs"
+    mdbook build "$book" --dest-dir "$made/docs"
+    (cd "$book/schema" && ls *.json | sed 's#.*#<li><a href="&">&</a></li>#' | sed '1i <!DOCTYPE html><html lang="en"><title>JSON Schemas</title><h1>JSON Schemas of the commands</h1><ul>' && echo '</ul></html>') >"$made/docs/schema/index.html"
+    cp -r literature.bib examples "$made"
     cargo doc --workspace --no-deps --locked --quiet
     cp -r "$CARGO_TARGET_DIR/doc" "$made/api"
     # Outside of the book there is only the repository.

@@ -194,6 +194,10 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       const heading = await page.locator(".middle h2").first().innerText();
       assert.ok(heading.includes(`${Number(best.outer_diameter_mm.toPrecision(4))} mm`), heading);
       const map = page.getByRole("region", { name: "design map" });
+      const [cells] = await Promise.all([page.waitForEvent("download"), map.getByRole("button", { name: "CSV" }).click()]);
+      const lines = readFileSync(/** @type {string} */ (await cells.path())).toString().trim().split("\n");
+      assert.match(lines[0], /^curve,outer diameter D0 \[mm\],wall s \[mm\],"needs \[bar\], or misses"$/);
+      assert.equal(lines.length, 1 + 29 * 25);
       await map.locator(".heatmaplayer, .contourlayer").first().waitFor({ state: "attached", timeout: 30_000 });
       const box = /** @type {any} */ (await map.locator(".plot").first().boundingBox());
       await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height);

@@ -4,7 +4,7 @@ import { number } from "./units.js";
 
 /**
  * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string }} Series
- * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[], data?: any[], xaxis?: any, yaxis?: any, layout?: any }} Spec
+ * @typedef {{ x: string, y: string, series: Series[], marks?: { x: number, y: number, text: string }[], data?: any[], z?: string, xaxis?: any, yaxis?: any, layout?: any }} Spec
  */
 
 /** @type {Promise<any> | undefined} */ let library;
@@ -167,15 +167,23 @@ export class Chart {
     this.plot.style.cursor = "crosshair";
   }
 
-  /** Rows of all series: name, x, y. */
+  /** What the columns of the table are. */
+  head() {
+    const spec = /** @type {Spec} */ (this.spec);
+    return ["curve", spec.x, spec.y, ...(spec.z ? [spec.z] : [])];
+  }
+
+  /** Rows of all series: name, x, y; of maps and surfaces also what they show there. @returns {(string | number | null)[][]} */
   rows() {
-    return (this.spec?.series ?? []).flatMap((s) => s.x.map((x, i) => /** @type {[string, number, number | null]} */ ([s.name, x, s.y[i]])));
+    const lines = (this.spec?.series ?? []).flatMap((s) => s.x.map((x, i) => [s.name, x, s.y[i]]));
+    const maps = (this.spec?.data ?? []).flatMap((d) => (d.type === "scatter" ? d.x.map((/** @type {number} */ x, /** @type {number} */ i) => [d.name, x, d.y[i], d.marker.color[i]])
+      : d.y.flatMap((/** @type {number} */ y, /** @type {number} */ j) => d.x.flatMap((/** @type {number} */ x, /** @type {number} */ i) => (d.z[j][i] === null ? [] : [[d.name, x, y, d.text ? d.text[j][i] : d.z[j][i]]])))));
+    return [...lines, ...maps];
   }
 
   tabulate() {
-    const spec = /** @type {Spec} */ (this.spec);
-    const head = el("tr", {}, el("th", { class: "text", scope: "col" }, "curve"), el("th", { scope: "col" }, spec.x), el("th", { scope: "col" }, spec.y));
-    const body = this.rows().map(([name, x, y]) => el("tr", {}, el("td", { class: "text" }, name), el("td", {}, number(x)), el("td", {}, number(y))));
+    const head = el("tr", {}, ...this.head().map((text, i) => el("th", { class: i ? undefined : "text", scope: "col" }, text)));
+    const body = this.rows().map((row) => el("tr", {}, ...row.map((v, i) => el("td", { class: i ? undefined : "text" }, typeof v === "string" ? v : number(v)))));
     this.table.replaceChildren(el("table", {}, el("thead", {}, head), el("tbody", {}, ...body)));
   }
 
@@ -184,7 +192,7 @@ export class Chart {
     if (!this.spec) return;
     if (kind === "csv") {
       const quoted = (/** @type {any} */ v) => (typeof v === "string" && /[",\n]/.test(v) ? `"${v.replaceAll('"', '""')}"` : v ?? "");
-      const lines = [["curve", this.spec.x, this.spec.y], ...this.rows()].map((row) => row.map(quoted).join(","));
+      const lines = [this.head(), ...this.rows()].map((row) => row.map(quoted).join(","));
       return download(`${this.name}.csv`, lines.join("\n") + "\n", "text/csv");
     }
     const Plotly = await plotly();

@@ -133,10 +133,10 @@ export function mount(main) {
     const ramp = [[0, "rgb(33,144,141)"], [0.5, "rgb(92,200,99)"], [1, "rgb(253,231,37)"]];
     feasible.element.hidden = false;
     feasible.show({
-      x: `outer diameter D0 [${unitName("length")}]`, y: `wall s [${unitName("length")}]`, yaxis: {}, series: [],
+      x: `outer diameter D0 [${unitName("length")}]`, y: `wall s [${unitName("length")}]`, z: `needs [${unitName("pressure")}], or misses`, yaxis: {}, series: [],
       data: [
-        { type: "heatmap", x, y, z: missed, text: names, hovertemplate: "%{x}, %{y}: misses %{text}<extra></extra>", colorscale: tints.length > 1 ? tints : [[0, KINDS[1]], [1, KINDS[1]]], zmin: 0, zmax: Math.max(1, limits.length - 1), showscale: false, opacity: 0.35 },
-        { type: "contour", x, y, z: pressures, colorscale: ramp, contours: { showlabels: true, labelfont: { color: "#000" } }, line: { width: 1, color: "#333" }, colorbar: { title: { text: `needs [${unitName("pressure")}]` }, tickfont: { color: token("--ink") } }, hovertemplate: `%{x}, %{y}: needs %{z:.3g} ${unitName("pressure")}<extra></extra>`, connectgaps: false },
+        { type: "heatmap", name: "misses", x, y, z: missed, text: names, hovertemplate: "%{x}, %{y}: misses %{text}<extra></extra>", colorscale: tints.length > 1 ? tints : [[0, KINDS[1]], [1, KINDS[1]]], zmin: 0, zmax: Math.max(1, limits.length - 1), showscale: false, opacity: 0.35 },
+        { type: "contour", name: "needs", x, y, z: pressures, colorscale: ramp, contours: { showlabels: true, labelfont: { color: "#000" } }, line: { width: 1, color: "#333" }, colorbar: { title: { text: `needs [${unitName("pressure")}]` }, tickfont: { color: token("--ink") } }, hovertemplate: `%{x}, %{y}: needs %{z:.3g} ${unitName("pressure")}<extra></extra>`, connectgaps: false },
       ],
       marks: [{ x: outside("length", best.outer_diameter_mm), y: outside("length", best.wall_mm), text: "best" }],
       layout: { annotations: limits.map((limit, i) => place(limit, missed, i, x, y)).filter(Boolean) },

@@ -96,7 +96,7 @@ export function mount(main) {
       const z = [];
       for (const value of list) z.push(await line({ [field]: value }));
       const axis = (/** @type {string} */ text) => ({ title: { text } });
-      chart.show({ x: "contraction ε", y: label, series: [], data: [{ type: "surface", x: E.map((e) => 100 * e), y: list.map((v) => outside("length", v)), z, colorscale: "Viridis", showscale: false }],
+      chart.show({ x: "contraction ε [%]", y: label, z: `pull F [${unitName("force")}]`, series: [], data: [{ type: "surface", name: "surface", x: E.map((e) => 100 * e), y: list.map((v) => outside("length", v)), z, colorscale: "Viridis", showscale: false }],
         layout: { scene: { xaxis: axis("ε [%]"), yaxis: axis(label), zaxis: axis(`F [${unitName("force")}]`), camera: { eye: { x: 1.5, y: 1.5, z: 1.1 }, center: { x: 0, y: 0, z: -0.15 } } }, margin: { l: 0, r: 0, t: 0, b: 0 }, dragmode: "orbit" } });
     };
     await draw(overWall, `s [${unitName("length")}]`, S, "wall_mm");

@@ -136,8 +136,8 @@ export function mount(main) {
     found.points = found.points.filter(Boolean);
     const colour = (/** @type {any} */ q) => q.pressures_mpa.reduce((/** @type {number} */ a, /** @type {number} */ b) => a + b, 0) / 2;
     reach.show({
-      x: "rest angle φ [°]", y: "stiffness [N m/rad]", series: [],
-      data: [{ type: "scatter", mode: "markers", showlegend: false, x: found.points.map((/** @type {any} */ q) => q.angle_deg), y: found.points.map((/** @type {any} */ q) => q.stiffness_nm_per_rad), marker: { size: 5, color: found.points.map((/** @type {any} */ q) => outside("pressure", colour(q))), colorscale: "Viridis", colorbar: { title: { text: `mean pressure [${unitName("pressure")}]` } } }, hovertemplate: "%{x:.3g}°, %{y:.3g} N m/rad<extra></extra>" }],
+      x: "rest angle φ [°]", y: "stiffness [N m/rad]", z: `mean pressure [${unitName("pressure")}]`, series: [],
+      data: [{ type: "scatter", name: "reached", mode: "markers", showlegend: false, x: found.points.map((/** @type {any} */ q) => q.angle_deg), y: found.points.map((/** @type {any} */ q) => q.stiffness_nm_per_rad), marker: { size: 5, color: found.points.map((/** @type {any} */ q) => outside("pressure", colour(q))), colorscale: "Viridis", colorbar: { title: { text: `mean pressure [${unitName("pressure")}]` } } }, hovertemplate: "%{x:.3g}°, %{y:.3g} N m/rad<extra></extra>" }],
     });
   }
 
