@@ -11,7 +11,7 @@ use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
 use mckibben::rubber::fit::{
     FitSettings, FittedLaw, Form, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
-    TensionFitError, fit_tension, read_tests,
+    TensionFitError, fit_tension_with, read_tests,
 };
 use mckibben::rubber::{RubberLaw, Stability};
 use mckibben_report::Figure;
@@ -217,7 +217,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let (points, table) = read_tests(file.text.as_bytes(), options, &request.columns)
         .map_err(|error| Problem::of_table(&file.name, &error))?;
     progress.budget().admit(Resource::Points, points.len() as f64)?;
-    let fit = fit_tension(&points, &settings)?;
+    let fit = fit_tension_with(&points, &settings, progress)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
     let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(RubberFitAnswer {
@@ -325,6 +325,7 @@ impl RubberFitRequest {
 impl From<TensionFitError> for Problem {
     fn from(error: TensionFitError) -> Self {
         let (kind, hint) = match error {
+            TensionFitError::Ended(exceeded) => return exceeded.into(),
             TensionFitError::NotConverged { .. } => (ProblemKind::NotConverged, ""),
             TensionFitError::NoBetter { .. } => (ProblemKind::NoAnswer, "take `terms` with a smaller number"),
             TensionFitError::TooFew { .. } => {

@@ -25,6 +25,8 @@ pub struct Config {
     pub bodies_bytes: usize,
     /// A connection on which nothing comes for so long, where something should, is closed.
     pub silence: Duration,
+    /// A client that takes nothing of its answer for so long is left.
+    pub unread: Duration,
     /// A body has to be there after so long.
     pub body_time: Duration,
     /// Long work.
@@ -62,6 +64,7 @@ impl Default for Config {
             body_bytes: 8 << 20,
             bodies_bytes: 64 << 20,
             silence: Duration::from_secs(10),
+            unread: Duration::from_secs(30),
             body_time: Duration::from_secs(60),
             jobs: JobConfig::default(),
         }

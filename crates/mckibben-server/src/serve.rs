@@ -32,8 +32,6 @@ use tower_http::compression::{CompressionLayer, CompressionLevel};
 pub const GRACE: Duration = Duration::from_millis(1200);
 /// The wish is looked for this often.
 const TICK: Duration = Duration::from_millis(50);
-/// A client that reads nothing for so long is left.
-const UNREAD: Duration = Duration::from_secs(30);
 /// Work starts with the stack that a process starts with.
 const STACK: usize = 8 << 20;
 /// Headers of a request, in bytes.
@@ -104,7 +102,7 @@ pub async fn serve(
 ) -> Result<(), ServeError> {
     let (stopper, stopping) = watch::channel(false);
     let seats = Arc::new(Semaphore::new(config.connections.clamp(1, Semaphore::MAX_PERMITS)));
-    let silence = config.silence;
+    let (silence, unread) = (config.silence, config.unread);
     let router = routes(config, stopping.clone());
     let mut connections = JoinSet::new();
     let mut stop = pin!(stop);
@@ -119,7 +117,7 @@ pub async fn serve(
         };
         match stream {
             Ok((stream, _)) => {
-                let work = connection(stream, router.clone(), silence, stopping.clone());
+                let work = connection(stream, router.clone(), silence, unread, stopping.clone());
                 connections.spawn(async move {
                     let _seat = seat;
                     work.await;
@@ -141,12 +139,13 @@ async fn connection(
     stream: TcpStream,
     router: Router,
     silence: Duration,
+    unread: Duration,
     mut stopping: watch::Receiver<bool>,
 ) {
     // Small answers go at once; where that cannot be had they go a little later.
     let _ = stream.set_nodelay(true);
     let mut stream = TimeoutStream::new(stream);
-    stream.set_write_timeout(Some(UNREAD));
+    stream.set_write_timeout(Some(unread));
     let connection = http1::Builder::new()
         .timer(TokioTimer::new())
         .header_read_timeout(silence)

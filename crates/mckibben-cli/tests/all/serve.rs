@@ -69,6 +69,34 @@ fn it_prints_an_address_that_answers_and_a_signal_ends_it() {
     assert!(cfg!(not(unix)) || code == Some(0), "{code:?}");
 }
 
+/// The desktop's opener gets the address; a stand-in for it writes down what it got.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_browser_is_opened_at_the_address() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().unwrap();
+    let (opener, told) = (folder.path().join("xdg-open"), folder.path().join("told"));
+    std::fs::write(&opener, format!("#!/bin/sh\necho \"$1\" > {0}.new\nmv {0}.new {0}\n", told.display()))
+        .unwrap();
+    std::fs::set_permissions(&opener, std::fs::Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", folder.path().display(), std::env::var("PATH").unwrap());
+    let mut child = command(&root())
+        .args(["serve", "--port", "0", "--open"])
+        .env("PATH", path)
+        .env("DISPLAY", ":0")
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut line = String::new();
+    BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+    let from = Instant::now();
+    while !told.exists() && from.elapsed() < Duration::from_secs(20) {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    ended(child);
+    assert_eq!(std::fs::read_to_string(told).unwrap().trim(), line.trim());
+}
+
 #[test]
 fn the_limits_of_the_command_line_are_those_of_its_requests() {
     let (child, line) = started(&root(), &["--port", "0", "--format", "json", "--limit", "factorisations=2"]);

@@ -7,7 +7,7 @@ use std::time::Duration;
 
 fn impatient() -> Config {
     let silence = Duration::from_millis(300);
-    Config { silence, body_time: 3 * silence, ..Config::default() }
+    Config { silence, unread: silence, body_time: 3 * silence, ..Config::default() }
 }
 
 #[test]
@@ -51,6 +51,16 @@ fn who_sends_nothing_is_left() {
     }
     assert!(rest(slow).contains(" 408 "));
     assert_eq!(server.ask("GET", "/api/v1/health", "").0, 200);
+}
+
+/// A hundred answers of some megabytes fill any buffer between server and client; the only seat is free again all the same.
+#[test]
+fn who_reads_nothing_is_left() {
+    let server = Server::new(Config { connections: 1, ..impatient() });
+    let request = "GET /js/plotly.js HTTP/1.1\r\nHost: localhost\r\n\r\n";
+    let silent = server.sent(&request.repeat(100));
+    assert_eq!(server.ask("GET", "/api/v1/health", "").0, 200);
+    drop(silent);
 }
 
 #[test]

@@ -36,6 +36,8 @@ pub use standing::DECIDED_AICC;
 pub use warning::TensionWarning;
 
 use super::stability::MUSCLE_HOOP_STRETCH;
+use crate::budget::Exceeded;
+use crate::progress::{Progress, Silent};
 use problem::Problem;
 use serde::{Deserialize, Serialize, Serializer};
 use thiserror::Error;
@@ -111,6 +113,9 @@ pub enum TensionFitError {
         /// Which law.
         law: String,
     },
+    /// The work was ended.
+    #[error(transparent)]
+    Ended(#[from] Exceeded),
     /// No minimum was found.
     #[error("{law}: no fit was found: {why}")]
     NotConverged {
@@ -164,12 +169,25 @@ pub(super) struct Raw {
 /// [`TensionFitError`]: bad settings, too few points, no stiffness; or, where none of the laws has a fit, why the first one
 /// has none.
 pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<TensionFit, TensionFitError> {
+    fit_tension_with(points, settings, &Silent)
+}
+
+/// The same with progress over the laws, an end when the caller wants one, and within a budget.
+///
+/// # Errors
+/// Those of [`fit_tension`], and [`TensionFitError::Ended`].
+pub fn fit_tension_with(
+    points: &[TensionPoint],
+    settings: &FitSettings,
+    progress: &dyn Progress,
+) -> Result<TensionFit, TensionFitError> {
     check(settings)?;
     let sorted = runs::sort(points);
     let mut warnings = warning::of_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
     let used: Vec<TensionPoint> = sorted.kept.into_iter().filter(|p| p.stretch <= limit).collect();
-    let problem = Problem::new(used, settings.measure, settings.balance, &settings.mode_weights);
+    let problem =
+        Problem::new(used, settings.measure, settings.balance, &settings.mode_weights, progress.budget());
     let count = problem.counting();
     let forms = chosen(settings, count)?;
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
@@ -178,11 +196,16 @@ pub fn fit_tension(points: &[TensionPoint], settings: &FitSettings) -> Result<Te
     let stretch = |p: &TensionPoint| p.mode.largest_stretch(p.stretch);
     let fitted_to_stretch = problem.points.iter().map(stretch).fold(1.0, f64::max);
     let (mut laws, mut failed) = (vec![], vec![]);
-    for form in forms {
-        match fitted::laws(form, &problem, settings) {
+    for (done, form) in forms.iter().enumerate() {
+        progress.report(done, forms.len());
+        if progress.cancelled() {
+            problem.budget.cancel();
+        }
+        match fitted::laws(*form, &problem, settings) {
             Ok(found) => laws.push(found),
             Err(error) => failed.push(error),
         }
+        problem.budget.ended()?;
     }
     // Free and stable of one law stay together.
     laws.sort_by(|a, b| a[0].aicc.total_cmp(&b[0].aicc));

@@ -67,10 +67,14 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
     };
     let columns: Vec<(f64, Vec<f64>)> =
         EXPONENTS.into_iter().filter_map(|alpha| Some((alpha, column(alpha)?))).collect();
+    let (exponents, columns): (Vec<f64>, Vec<Vec<f64>>) = columns.into_iter().unzip();
+    let (all, right) = normal(&columns, &measured, &problem.weights);
     let mut out = vec![];
     for places in sets(columns.len(), count) {
-        let chosen: Vec<Vec<f64>> = places.iter().map(|&k| columns[k].1.clone()).collect();
-        let (n, d) = normal(&chosen, &measured, &problem.weights);
+        if problem.budget.check().is_err() {
+            break;
+        }
+        let (n, d) = (all.select_rows(&places).select_columns(&places), right.select_rows(&places));
         let positive =
             |i: usize| Inequality { g: (0..count).map(|k| if k == i { 1.0 } else { 0.0 }).collect(), h: 0.0 };
         let cuts: Vec<Inequality> = (0..count).map(positive).collect();
@@ -78,9 +82,12 @@ fn starts(count: usize, problem: &Problem) -> Vec<Start> {
         if found.x.iter().any(|x| *x <= 0.0) {
             continue;
         }
-        let terms: Vec<(f64, f64)> = places.iter().zip(&found.x).map(|(&k, x)| (*x, columns[k].0)).collect();
-        let law = Law::Ogden(Ogden { terms: terms.iter().map(|t| (t.0 * t.1.signum(), t.1)).collect() });
-        out.extend(problem.squares(&law).map(|squares| Start { squares, terms }));
+        let terms = places.iter().zip(&found.x).map(|(&k, x)| (*x, exponents[k])).collect();
+        let left = |i: usize| {
+            places.iter().zip(&found.x).map(|(&k, x)| x * columns[k][i]).sum::<f64>() - measured[i]
+        };
+        let squares = problem.weights.iter().enumerate().map(|(i, w)| w * left(i).powi(2)).sum();
+        out.push(Start { squares, terms });
     }
     out.sort_by(|a, b| a.squares.total_cmp(&b.squares));
     out.truncate(FOLLOWED);

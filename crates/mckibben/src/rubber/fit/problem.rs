@@ -2,6 +2,7 @@
 
 use super::data::TensionPoint;
 use super::mode::Mode;
+use crate::budget::Budget;
 use crate::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +19,7 @@ pub enum Measure {
 }
 
 /// Points that are fitted, and how each counts.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Problem {
     pub points: Vec<TensionPoint>,
     /// What residuals are divided by: 1 MPa or the measured stress.
@@ -27,10 +28,18 @@ pub(super) struct Problem {
     pub weights: Vec<f64>,
     /// Shear modulus of the neo-Hookean law that fits best: the size of all constants.
     pub modulus_mpa: f64,
+    /// What the fit may cost: no residuals are found beyond it, so that solvers come to their end.
+    pub budget: Budget,
 }
 
 impl Problem {
-    pub fn new(points: Vec<TensionPoint>, measure: Measure, balance: bool, modes: &[(Mode, f64)]) -> Self {
+    pub fn new(
+        points: Vec<TensionPoint>,
+        measure: Measure,
+        balance: bool,
+        modes: &[(Mode, f64)],
+        budget: Budget,
+    ) -> Self {
         // A relative error needs a stress that pulls where the specimen is stretched.
         let counts =
             |p: &TensionPoint| measure == Measure::Absolute || p.nominal_stress_mpa * (p.stretch - 1.0) > 0.0;
@@ -49,7 +58,7 @@ impl Problem {
             if counts(p) { own * even } else { 0.0 }
         };
         let weights: Vec<f64> = points.iter().map(weight).collect();
-        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0 };
+        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, budget };
         out.modulus_mpa = out.neo_hookean_modulus();
         out
     }
@@ -79,6 +88,7 @@ impl Problem {
     }
 
     pub fn residuals(&self, law: &Law) -> Option<Vec<f64>> {
+        self.budget.check().ok()?;
         let model = self.scaled_stresses(law)?;
         Some(model.iter().zip(self.measured()).map(|(a, b)| a - b).collect())
     }

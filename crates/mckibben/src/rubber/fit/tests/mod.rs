@@ -291,3 +291,35 @@ fn a_modulus_that_no_rubber_has_is_asked_about() {
     let found = fit_tension(&data, &FitSettings::default()).unwrap();
     assert!(found.warnings[0].to_string().contains("in kPa or psi"), "{:?}", found.warnings);
 }
+
+/// Neither a cancelled fit nor one whose time is over is an answer, and neither goes on.
+#[test]
+fn a_fit_ends_when_its_caller_or_its_budget_does() {
+    use crate::budget::{Budget, Limits, Resource};
+    struct Ending(Budget);
+    impl Progress for Ending {
+        fn budget(&self) -> Budget {
+            self.0.clone()
+        }
+    }
+    let data = points(
+        &Law::Yeoh(Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.001 }),
+        &[Mode::Uniaxial],
+        (1.0, 3.0),
+        2000,
+        |_| 0.0,
+    );
+    let late = Budget::new(Limits::default().with(Resource::Seconds, 0.0));
+    let cancelled = Budget::default();
+    cancelled.cancel();
+    for (budget, resource) in [(late, Some(Resource::Seconds)), (cancelled, None)] {
+        let error = fit_tension_with(&data, &FitSettings::default(), &Ending(budget)).unwrap_err();
+        match (error, resource) {
+            (TensionFitError::Ended(Exceeded::Spent { resource: r, .. }), Some(wanted)) => {
+                assert_eq!(r, wanted)
+            }
+            (TensionFitError::Ended(Exceeded::Cancelled), None) => {}
+            (other, _) => panic!("{other}"),
+        }
+    }
+}
