@@ -246,8 +246,8 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       assert.match(readFileSync(/** @type {string} */ (await download.path())).toString(), /# Identified from/);
       await page.locator("input[type=file]").setInputFiles({ name: "unnamed.csv", mimeType: "text/csv", buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n") });
       await page.waitForSelector(".problem");
-      await page.getByLabel("Pressure").selectOption("P1");
-      await page.getByLabel("in", { exact: true }).first().selectOption("bar");
+      await page.getByRole("combobox", { name: "Pressure" }).selectOption("P1");
+      await page.getByRole("combobox", { name: "in", exact: true }).first().selectOption("bar");
       await page.getByText("unnamed.csv: 2 points.").waitFor({ timeout: 30_000 });
       assert.match(decodeURIComponent(page.url()), /columns=pressure=P1:bar/);
       assert.deepEqual(errors, []);

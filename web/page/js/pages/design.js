@@ -48,7 +48,7 @@ export function mount(main) {
   const figures = new Figures("design");
   const feasible = new Chart("design-map", { tools: el("h3", {}, "What is feasible, over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
   feasible.element.hidden = true;
-  const picked = el("p", { class: "small" });
+  const picked = el("p", { class: "small", style: "min-height:1.5em" });
   const search = job("Design", "design", request, take, (problem) => { forms.some((f) => f.at(problem)); });
   main.replaceChildren(el("div", { class: "bench two" },
     el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, el("details", {}, el("summary", {}, "What may be varied"), choices.element), el("details", {}, el("summary", {}, "Tolerances of the workshop"), spreads.element), search.element),

@@ -92,6 +92,8 @@ export function mount(main) {
   function changed(key, value, settled) {
     stopPump();
     muscle.set(/** @type {any} */ (key), value);
+    // Also where the hand is on the muscle, its gauge or a curve.
+    if (value !== undefined) controls[key]?.set(value);
     if (key === "e") muscle.values.F = undefined;
     ask();
     if (settled) { settle(); follow(); }
