@@ -174,6 +174,14 @@ pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<Stri
     guarded(|| Ok(answered(command, request, progress)?.to_string()))
 }
 
+/// The same for front ends whose language has lists and maps of its own: no text on the way.
+///
+/// # Errors
+/// [`Problem`].
+pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
+    guarded(|| of_value(command, request, progress))
+}
+
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
 ///
 /// First the length of the JSON in bytes (32 bits), then the JSON with blanks behind it up to a multiple of four bytes, in which each of
@@ -204,7 +212,10 @@ pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Resu
 }
 
 fn answered(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
-    let value = serde_json::from_str(request).map_err(|e| not_understood(&e))?;
+    of_value(command, serde_json::from_str(request).map_err(|e| not_understood(&e))?, progress)
+}
+
+fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Value, Problem> {
     let command = find(command)?;
     #[cfg(feature = "schema")]
     command.check_fields(&value)?;

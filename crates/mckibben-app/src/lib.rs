@@ -38,6 +38,7 @@ mod fit;
 mod identify;
 mod joint;
 mod load;
+mod many;
 mod model;
 mod models;
 mod motion;
@@ -66,7 +67,7 @@ pub use braid::*;
 pub use campaign::*;
 #[cfg(feature = "schema")]
 pub use commands::schema;
-pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, find};
+pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
@@ -75,6 +76,10 @@ pub use fit::*;
 pub use identify::*;
 pub use joint::*;
 pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
+pub use many::{
+    BoundModel, Column, CurveColumns, Many, NoList, Pairs, Unanswered, Wanted as WantedOfPoint,
+    curve_columns, with_parameters,
+};
 pub use mckibben_motion::{Event, Subject};
 pub use model::{Model, ModelEntry, Purpose};
 pub use models::*;

@@ -80,7 +80,13 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     step(2)?;
     let units = &request.units;
     let mut parts = state(&shown, &point, units);
-    parts.push(body(request, pressure_mpa, contraction, progress)?);
+    let of = ShapeRequest {
+        muscle: request.muscle.clone(),
+        pressure_mpa: Some(pressure_mpa),
+        contraction: Some(contraction),
+        ..ShapeRequest::default()
+    };
+    parts.push(body_of(&of, units, progress)?);
     step(3)?;
     parts.push(Part::Heading("Curves".into()));
     for test in [Test::Isobaric, Test::Isometric] {
@@ -148,25 +154,22 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
     vec![Part::Heading("What it does".into()), pairs(rows)]
 }
 
-/// The deformed muscle.
-fn body(
-    request: &ReportRequest,
-    pressure_mpa: f64,
-    contraction: f64,
-    progress: &dyn Progress,
-) -> Result<Part, Problem> {
-    let asked = ShapeRequest {
-        muscle: request.muscle.clone(),
-        pressure_mpa: Some(pressure_mpa),
-        contraction: Some(contraction),
-        ..ShapeRequest::default()
-    };
-    let (mut answer, section) = shaped(&asked, progress)?;
+/// The deformed muscle by itself, for front ends that show a page.
+///
+/// # Errors
+/// [`Problem`], as [`shape`](crate::shape).
+pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document, Problem> {
+    let part = body_of(request, &Units::default(), progress)?;
+    Ok(Document { title: "The deformed muscle".into(), parts: vec![part], ..Document::default() })
+}
+
+fn body_of(request: &ShapeRequest, units: &Units, progress: &dyn Progress) -> Result<Part, Problem> {
+    let (mut answer, section) = shaped(request, progress)?;
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
-    let wanted = PictureFields { units: request.units.clone(), ..PictureFields::default() };
+    let wanted = PictureFields { units: units.clone(), ..PictureFields::default() };
     let picture =
         figure::picture(&wanted, "fe", &answer.muscle, &Shape::of_section(&section), &answer.point.response)?;
     let data = serde_json::to_string(&answer).unwrap_or_default();

@@ -64,6 +64,21 @@ impl Threads {
         }
     }
 
+    /// Works on the parts of a list, so many places each (the last one may have fewer): `work` gets the place where a part begins and the part.
+    pub fn fill<T: Send>(&self, out: &mut [T], places: usize, work: impl Fn(usize, &mut [T]) + Sync) {
+        let places = places.max(1);
+        let one = |(index, part): (usize, &mut [T])| work(index * places, part);
+        if out.len() <= places {
+            return out.chunks_mut(places).enumerate().for_each(one);
+        }
+        let side_by_side = |out: &mut [T]| out.par_chunks_mut(places).enumerate().for_each(one);
+        match &self.0 {
+            _ if rayon::current_thread_index().is_some() => side_by_side(out),
+            Some(pool) => pool.install(|| side_by_side(out)),
+            None => out.chunks_mut(places).enumerate().for_each(one),
+        }
+    }
+
     /// Works on every item and hands each result to `take` on the calling thread as it comes, in no order; `None` where
     /// nothing came for a while.
     pub fn for_each<T: Sync, R: Send>(
@@ -143,6 +158,11 @@ mod tests {
             threads.for_each(&items, |i| i * i, |square| taken.extend(square));
             taken.sort_unstable();
             assert_eq!(taken, squares, "{count}");
+            let mut filled = vec![0; 100];
+            threads.fill(&mut filled, 7, |from, part| {
+                part.iter_mut().zip(from as u64..).for_each(|(place, i)| *place = i * i);
+            });
+            assert_eq!(filled, squares, "{count}");
         }
     }
 

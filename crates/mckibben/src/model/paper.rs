@@ -8,8 +8,8 @@
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, Interval, ModelError, ModelRange, Quantity, Reference, Response,
-    Workspace,
+    Accuracy, BlockedAt, ForceModel, ForcesError, Interval, ModelError, ModelRange, Quantity, Reference,
+    Response, Workspace, check_finite,
 };
 use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
@@ -110,6 +110,17 @@ impl ForceModel for Paper {
         } else {
             Err(ModelError::NotFinite { model: "paper".into(), pressure_mpa, contraction })
         }
+    }
+
+    fn forces_n(
+        &self,
+        _: &mut Workspace,
+        pressures_mpa: &[f64],
+        contractions: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), ForcesError> {
+        self.section.force_batch(pressures_mpa, contractions, out)?;
+        check_finite("paper", pressures_mpa, contractions, out)
     }
 
     fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {

@@ -2,28 +2,10 @@
 
 use super::Universal;
 use super::coupled::{Root, Start};
-use crate::model::paper_batch::same;
-use crate::model::{LengthMismatch, ModelError, Workspace};
-use thiserror::Error;
+use crate::model::{ForcesError, Workspace, same_length};
 
 /// Farthest in ε from which a point starts from the one before it.
 const NEIGHBOUR: f64 = 0.02;
-
-/// Why a list of pulls is not complete.
-#[derive(Debug, Clone, PartialEq, Error)]
-pub enum ForcesError {
-    /// Lists of different length.
-    #[error(transparent)]
-    Length(#[from] LengthMismatch),
-    /// A point without an answer.
-    #[error("point {index}: {error}")]
-    Point {
-        /// Its place in the lists, from 0.
-        index: usize,
-        /// Why.
-        error: ModelError,
-    },
-}
 
 impl Universal {
     /// Pulls in N at pressures in MPa and contractions, each into its place of `out`; neighbours in the list that are
@@ -39,7 +21,7 @@ impl Universal {
         contractions: &[f64],
         out: &mut [f64],
     ) -> Result<(), ForcesError> {
-        same(out.len(), &[("pressures_mpa", pressures_mpa.len()), ("contractions", contractions.len())])?;
+        same_length(pressures_mpa, contractions, out)?;
         let mut workspace = Workspace::new();
         let mut last: Option<(f64, f64, Root)> = None;
         for (index, ((&p, &e), place)) in pressures_mpa.iter().zip(contractions).zip(out).enumerate() {

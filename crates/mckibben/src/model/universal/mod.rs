@@ -21,11 +21,9 @@ mod search;
 #[cfg(test)]
 mod tests;
 
-pub use forces::ForcesError;
-
 use super::{
-    Accuracy, BlockedAt, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, ThickWall,
-    Workspace,
+    Accuracy, BlockedAt, ForceModel, ForcesError, ModelError, ModelId, ModelRange, Reference, Response,
+    ThickWall, Workspace,
 };
 use crate::formula::UniversalFormula;
 use crate::muscle::{Bulk, Muscle};
@@ -224,6 +222,16 @@ impl ForceModel for Universal {
         };
         let strands = self.muscle.braid().strands.map(|s| s.count);
         response.with_braid_tension(s.tension, strands).finite(self.name())
+    }
+
+    fn forces_n(
+        &self,
+        _: &mut Workspace,
+        pressures_mpa: &[f64],
+        contractions: &[f64],
+        out: &mut [f64],
+    ) -> Result<(), ForcesError> {
+        self.forces(pressures_mpa, contractions, out)
     }
 
     fn force_n(

@@ -1,0 +1,220 @@
+//! A model bound to its muscle and asked for many points, for front ends that hold arrays of numbers.
+//!
+//! A request in JSON is one question; here the same question is put to lists of numbers, without text on the way: F(P, ε), or its
+//! inverses P(F, ε) and ε(F, P), with the derivatives that the model has ([`slopes`]). What a point answers is what
+//! [`force`](crate::force), [`pressure`](crate::pressure) and [`contraction`](crate::contraction) answer for it: the range is
+//! checked, a muscle that would have to push is slack.
+
+mod columns;
+mod pairs;
+mod point;
+mod slopes;
+
+pub use columns::{Column, CurveColumns, curve_columns};
+pub use pairs::Pairs;
+pub use slopes::with_parameters;
+
+use crate::fields::{AskFields, ModelFields};
+use crate::model::{Model, Purpose};
+use crate::problem::{Problem, ProblemKind};
+use mckibben::answer::Options;
+use mckibben::identify::Target;
+use mckibben::model::{ForceModel, ModelRange, Workspace};
+use mckibben::muscle::Muscle;
+use mckibben::progress::Progress;
+use mckibben::threads::Threads;
+use pairs::Block;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Points of a closed form that are worked on together: their lists lie in the first cache.
+const BLOCK: usize = 1024;
+/// Points of finite elements that are worked on together: neighbours share their equilibria.
+const BLOCK_OF_ELEMENTS: usize = 32;
+
+/// What is asked of each pair of numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wanted {
+    /// F in N, of P in MPa and ε.
+    Force,
+    /// P in MPa, of F in N and ε.
+    Pressure,
+    /// ε, of F in N and P in MPa.
+    Contraction,
+}
+
+/// What becomes of a point without an answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unanswered {
+    /// The first one ends the work with its reason.
+    Refused,
+    /// Its numbers are NaN.
+    NotANumber,
+}
+
+/// How many points are asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Many {
+    /// What.
+    pub wanted: Wanted,
+    /// Also the derivatives by both numbers of a pair.
+    pub slopes: bool,
+    /// Also the derivatives by these constants and measures of the muscle, all others held.
+    pub parameters: Vec<Target>,
+    /// Points without an answer.
+    pub unanswered: Unanswered,
+}
+
+impl Many {
+    /// Numbers of a point in the output: the answer, then the derivatives.
+    pub fn width(&self) -> usize {
+        1 + if self.slopes { 2 } else { 0 } + self.parameters.len()
+    }
+}
+
+/// Why a list has no answer: the point that has none, and its reason.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NoList {
+    /// The point's place in the list, from 0; none where the list itself is at fault.
+    pub index: Option<usize>,
+    /// The reason.
+    pub problem: Problem,
+}
+
+impl From<Problem> for NoList {
+    fn from(problem: Problem) -> Self {
+        Self { index: None, problem }
+    }
+}
+
+/// A model bound to its muscle.
+pub struct BoundModel {
+    model: Box<dyn ForceModel>,
+    range: ModelRange,
+    options: Options,
+    choice: Model,
+}
+
+impl std::fmt::Debug for BoundModel {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("BoundModel").field("choice", &self.choice).field("options", &self.options).finish()
+    }
+}
+
+impl BoundModel {
+    /// The model that a request names, of this muscle.
+    ///
+    /// # Errors
+    /// [`Problem`], as the commands have it.
+    pub fn new(
+        muscle: &Muscle,
+        model: &ModelFields,
+        asking: AskFields,
+        progress: &dyn Progress,
+    ) -> Result<Self, Problem> {
+        let options = asking.options(muscle)?;
+        let choice = Model::choose(model, Purpose::Answer)?;
+        choice.admit(muscle, &progress.budget())?;
+        let model = choice.build(muscle)?;
+        Ok(Self { range: model.range(), model, options, choice })
+    }
+
+    /// The muscle.
+    pub fn muscle(&self) -> &Muscle {
+        self.model.muscle()
+    }
+
+    /// The model's name.
+    pub fn name(&self) -> &str {
+        self.model.name()
+    }
+
+    /// How it is asked.
+    pub fn options(&self) -> Options {
+        self.options
+    }
+
+    /// The model itself.
+    pub fn model(&self) -> &dyn ForceModel {
+        &*self.model
+    }
+
+    /// Whether a point takes finite elements, and so about a million times as long as a formula.
+    pub fn is_elements(&self) -> bool {
+        matches!(self.choice, Model::Elements(_))
+    }
+
+    /// The constant or measure of a name, as the muscle file has it.
+    ///
+    /// # Errors
+    /// [`Problem`] with the names there are.
+    pub fn parameter(&self, name: &str) -> Result<Target, Problem> {
+        parameter(self.muscle(), name)
+    }
+
+    /// Answers every pair, each into its [`Many::width`] places of `out`, on the threads of the process; returns how many have no
+    /// answer. What is found does not depend on the number of threads.
+    ///
+    /// # Errors
+    /// [`NoList`]: the first point without an answer, unless such are to be NaN; work that was cancelled; lengths that differ.
+    pub fn fill(
+        &self,
+        pairs: &Pairs<'_>,
+        many: &Many,
+        out: &mut [f64],
+        progress: &dyn Progress,
+    ) -> Result<usize, NoList> {
+        let (width, count) = (many.width(), pairs.count()?);
+        if count.checked_mul(width) != Some(out.len()) {
+            let message = format!("{} places for {count} points of {width} numbers", out.len());
+            return Err(Problem::new(ProblemKind::Usage, message, "").into());
+        }
+        let block = if self.is_elements() { BLOCK_OF_ELEMENTS } else { BLOCK };
+        let budget = progress.budget();
+        let (done, failed, first) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
+        let reason: Mutex<Option<NoList>> = Mutex::new(None);
+        let refuse = |index: usize, problem: Problem| {
+            if first.fetch_min(index, Ordering::Relaxed) > index
+                && let Ok(mut reason) = reason.lock()
+                && reason.as_ref().and_then(|r| r.index).is_none_or(|i| i > index)
+            {
+                *reason = Some(NoList { index: Some(index), problem });
+            }
+        };
+        Threads::shared().fill(out, block * width, |place, part| {
+            let from = place / width;
+            // What stands behind a point without an answer is not asked for.
+            if from > first.load(Ordering::Relaxed) || progress.cancelled() || budget.check().is_err() {
+                return;
+            }
+            let mut block = Block::new(pairs, from, part.len() / width);
+            let mut workspace = Workspace::within(budget.clone());
+            match self.block(block.lists(), many, &mut workspace, part) {
+                Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
+                Err((index, problem)) => refuse(from + index, problem),
+            }
+            let now = done.fetch_add(part.len() / width, Ordering::Relaxed) + part.len() / width;
+            progress.report(now, count);
+        });
+        if progress.cancelled() {
+            return Err(Problem::cancelled().into());
+        }
+        budget.ended().map_err(Problem::from)?;
+        match reason.into_inner() {
+            Ok(Some(reason)) => Err(reason),
+            _ => Ok(failed.into_inner()),
+        }
+    }
+}
+
+/// The constant or measure of a muscle by its name in the muscle file.
+fn parameter(muscle: &Muscle, name: &str) -> Result<Target, Problem> {
+    let wrong = |e: String| Problem::new(ProblemKind::Parameter, e, "");
+    let target = Target::parse(name, muscle).map_err(|e| wrong(e.to_string()))?;
+    match target {
+        Target::ContractionOffset | Target::StiffnessExponent => {
+            Err(wrong(format!("`{name}` belongs to data and not to a muscle: there is no derivative by it")))
+        }
+        target => Ok(target),
+    }
+}

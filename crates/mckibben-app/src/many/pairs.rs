@@ -1,0 +1,64 @@
+//! Pairs of numbers, wherever they lie.
+
+use crate::problem::{Problem, ProblemKind};
+
+/// Writes out pairs from a place on, so many as the two lists are long.
+type Read<'a> = dyn Fn(usize, &mut [f64], &mut [f64]) + Sync + 'a;
+
+/// Pairs of numbers that a model is asked for.
+pub enum Pairs<'a> {
+    /// Two lists of one length.
+    Lists([&'a [f64]; 2]),
+    /// So many pairs that a function writes out, from a place on, so many as the two lists that it gets are long: of arrays that
+    /// are spread over a grid, so that the grid never stands in memory.
+    Read(usize, &'a Read<'a>),
+}
+
+impl std::fmt::Debug for Pairs<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Pairs({:?})", self.count())
+    }
+}
+
+impl Pairs<'_> {
+    /// How many they are.
+    ///
+    /// # Errors
+    /// [`Problem`] for two lists of different length.
+    pub fn count(&self) -> Result<usize, Problem> {
+        match self {
+            Self::Lists([a, b]) if a.len() != b.len() => {
+                let message = format!("lists of {} and {} numbers are no pairs", a.len(), b.len());
+                Err(Problem::new(ProblemKind::Usage, message, ""))
+            }
+            Self::Lists([a, _]) => Ok(a.len()),
+            Self::Read(count, _) => Ok(*count),
+        }
+    }
+}
+
+/// Some of the pairs, as two lists.
+pub(super) enum Block<'a> {
+    There([&'a [f64]; 2]),
+    Copied([Vec<f64>; 2]),
+}
+
+impl<'a> Block<'a> {
+    pub(super) fn new(pairs: &Pairs<'a>, from: usize, count: usize) -> Self {
+        match pairs {
+            Pairs::Lists(lists) => Self::There(lists.map(|l| l.get(from..from + count).unwrap_or_default())),
+            Pairs::Read(_, read) => {
+                let (mut a, mut b) = (vec![0.0; count], vec![0.0; count]);
+                read(from, &mut a, &mut b);
+                Self::Copied([a, b])
+            }
+        }
+    }
+
+    pub(super) fn lists(&mut self) -> [&[f64]; 2] {
+        match self {
+            Self::There(lists) => *lists,
+            Self::Copied([a, b]) => [a, b],
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! A block of points, and one point.
+
+use super::{BoundModel, Many, Unanswered, Wanted};
+use crate::point::{finite, ratio};
+use crate::problem::{Problem, ProblemKind};
+use mckibben::analysis::{contraction_at, force_on, free_contraction, pressure_at};
+use mckibben::answer;
+use mckibben::model::{ModelError, Workspace};
+use std::f64::consts::PI;
+
+/// What rounding leaves of no pull, as a share of the pressure on the outer section.
+const ROUNDING: f64 = 1e-9;
+
+impl BoundModel {
+    /// Answers a block; how many points have no answer, or the first of them with its reason.
+    pub(super) fn block(
+        &self,
+        [first, second]: [&[f64]; 2],
+        many: &Many,
+        workspace: &mut Workspace,
+        out: &mut [f64],
+    ) -> Result<usize, (usize, Problem)> {
+        if many.wanted == Wanted::Force && many.width() == 1 && self.at_once(first, second, workspace, out) {
+            return Ok(0);
+        }
+        let (mut failed, mut free) = (0, None);
+        let points = first.iter().zip(second).zip(out.chunks_mut(many.width()));
+        for (index, ((&a, &b), places)) in points.enumerate() {
+            match self.one((a, b), many, workspace, &mut free, places) {
+                Ok(()) => {}
+                // Work that is to end says so of every point.
+                Err(problem)
+                    if many.unanswered == Unanswered::Refused || workspace.budget().check().is_err() =>
+                {
+                    return Err((index, problem));
+                }
+                Err(_) => {
+                    places.fill(f64::NAN);
+                    failed += 1;
+                }
+            }
+        }
+        Ok(failed)
+    }
+
+    /// All pulls of a block by the model's way for lists; false where a point needs to be looked at by itself.
+    fn at_once(&self, p: &[f64], e: &[f64], workspace: &mut Workspace, out: &mut [f64]) -> bool {
+        if self.is_elements() || !self.options.direction.is_mean() {
+            return false;
+        }
+        // No muscle shortens by its whole length: the same bounds as those of a single question.
+        let inside = |list: &[f64], (low, high): (f64, f64)| {
+            list.iter().fold(true, |all, &v| all & (v >= low - 1e-12) & (v <= high + 1e-12) & v.is_finite())
+        };
+        let (pressures, contractions) = if self.options.extrapolate {
+            ((f64::NEG_INFINITY, f64::INFINITY), (-1.0 + 1e-9, 1.0 - 1e-9))
+        } else {
+            (self.range.pressure_mpa, (self.range.contraction.0, self.range.contraction.1.min(1.0 - 1e-9)))
+        };
+        let own = self.options.extrapolate || self.range.muscle.is_empty() && self.range.make.is_empty();
+        if !own || !inside(p, pressures) || !inside(e, contractions) {
+            return false;
+        }
+        if self.model.forces_n(workspace, p, e, out).is_err() {
+            return false;
+        }
+        let (area, pushes) = (self.outer_area_mm2(), self.options.two_sided);
+        for (force, &p) in out.iter_mut().zip(p) {
+            let none = force.abs() <= ROUNDING * p * area || *force < 0.0 && !pushes;
+            *force = if none { 0.0 } else { *force };
+        }
+        true
+    }
+
+    fn outer_area_mm2(&self) -> f64 {
+        PI * self.muscle().tube().outer_radius_mm().powi(2)
+    }
+
+    /// One point with its derivatives. `free` holds the free contraction at the pressure at which the muscle was slack last.
+    fn one(
+        &self,
+        (a, b): (f64, f64),
+        many: &Many,
+        workspace: &mut Workspace,
+        free: &mut Option<(f64, f64)>,
+        places: &mut [f64],
+    ) -> Result<(), Problem> {
+        let (value, p, e) = match many.wanted {
+            Wanted::Force => {
+                let (p, e) = (finite("pressure_mpa", a)?, ratio(b)?);
+                (self.force(workspace, p, e, free)?, p, e)
+            }
+            Wanted::Pressure => {
+                let (f, e) = (self.pull(a)?, ratio(b)?);
+                answer::check_range(&*self.model, self.range.pressure_mpa.0, e, self.options)?;
+                let p = pressure_at(&*self.model, workspace, f, e, self.options)?;
+                (p, p, e)
+            }
+            Wanted::Contraction => {
+                let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
+                let lowest = self.range.contraction.0.max(0.0);
+                answer::check_range(&*self.model, p, lowest, self.options)?;
+                let e = contraction_at(&*self.model, workspace, f, p, self.options)?;
+                (e, p, e)
+            }
+        };
+        let Some((first, rest)) = places.split_first_mut() else { return Ok(()) };
+        *first = value;
+        if rest.is_empty() {
+            return Ok(());
+        }
+        // A slack muscle hangs: its pull is 0, and stays so.
+        if many.wanted == Wanted::Force && value == 0.0 && !self.options.two_sided {
+            rest.fill(0.0);
+            return Ok(());
+        }
+        self.slopes(workspace, (p, e), many, rest)
+    }
+
+    fn pull(&self, force_n: f64) -> Result<f64, Problem> {
+        let force_n = finite("force_n", force_n)?;
+        let asking = crate::AskFields { two_sided: self.options.two_sided, ..Default::default() };
+        crate::point::pull(force_n, asking)?;
+        Ok(force_n)
+    }
+
+    /// F, or 0 where the muscle is slack.
+    fn force(
+        &self,
+        workspace: &mut Workspace,
+        p: f64,
+        e: f64,
+        free: &mut Option<(f64, f64)>,
+    ) -> Result<f64, Problem> {
+        answer::check_range(&*self.model, p, e, self.options)?;
+        let hangs = free.is_some_and(|(at, free)| at == p && e > free);
+        if hangs && !self.options.two_sided {
+            return Ok(0.0);
+        }
+        let direction = self.options.direction;
+        let force = match force_on(&*self.model, workspace, p, e, direction) {
+            Ok(force) if !force.is_finite() => {
+                let model = self.name().to_owned();
+                return Err(ModelError::NotFinite { model, pressure_mpa: p, contraction: e }.into());
+            }
+            Ok(force) if force.abs() <= ROUNDING * p * self.outer_area_mm2() => 0.0,
+            Ok(force) if force < 0.0 && !self.options.two_sided => {
+                if self.is_elements() {
+                    *free = free_contraction(&*self.model, workspace, p, self.options).ok().map(|e| (p, e));
+                }
+                0.0
+            }
+            Ok(force) => force,
+            // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
+            Err(error) => {
+                let point = answer::point(&*self.model, workspace, p, e, self.options).map_err(|_| error)?;
+                *free = point.free_contraction.map(|e| (p, e));
+                point.response.force_n
+            }
+        };
+        workspace.budget().ended()?;
+        Ok(force)
+    }
+
+    /// A derivative that is no number.
+    pub(super) fn no_slope(&self, by: &str, p: f64, e: f64) -> Problem {
+        let message = format!("{} has no derivative by {by} at P = {p} MPa, ε = {e}", self.name());
+        Problem::new(ProblemKind::NoAnswer, message, "ask without `jac`")
+    }
+}

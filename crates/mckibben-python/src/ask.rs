@@ -1,0 +1,77 @@
+//! Every command by name, and quantities as users write them.
+
+use crate::error::Wrong;
+use crate::{run, value};
+use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
+use mckibben_app::{Problem, ProblemKind, ask_value, find};
+use pyo3::prelude::*;
+use serde_json::{Value, json};
+
+/// Parts of an interval without a step.
+const DIVISIONS: usize = 20;
+
+/// The answer to a request.
+///
+/// `progress(done, total)` is called now and then.
+#[pyfunction]
+#[pyo3(signature = (command: "str", request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]")]
+pub fn ask<'py>(
+    py: Python<'py>,
+    command: &str,
+    request: &Bound<'py, PyAny>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let entry = find(command).map_err(Wrong::from)?;
+    let request = value::request(request)?;
+    let work = |progress: &dyn mckibben::progress::Progress| Ok(ask_value(entry.name, request, progress)?);
+    value::answer(py, &run::long(py, progress, work)?)
+}
+
+fn kind(word: &str) -> Result<Dimension, Wrong> {
+    serde_json::from_value(Value::String(word.into()))
+        .map_err(|e| Problem::new(ProblemKind::Usage, e.to_string(), "").in_field("kind").into())
+}
+
+/// A text such as `2.5 bar` as a number in mm, MPa, N, degrees, or the unit inside of its kind.
+#[pyfunction]
+#[pyo3(signature = (text, kind, field = None))]
+pub fn quantity(text: &str, kind: &str, field: Option<&str>) -> PyResult<f64> {
+    let wrong = |e: String| Wrong::from(in_field(Problem::new(ProblemKind::Quantity, e, ""), field));
+    Ok(parse_quantity(text, self::kind(kind)?).map_err(|e| wrong(e.to_string()))?)
+}
+
+/// A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
+#[pyfunction]
+#[pyo3(signature = (text, kind, field = None))]
+pub fn values(text: &str, kind: &str, field: Option<&str>) -> PyResult<Vec<f64>> {
+    let wrong = |e: String| Wrong::from(in_field(Problem::new(ProblemKind::Range, e, ""), field));
+    let values = parse_values(text, self::kind(kind)?).map_err(|e| wrong(e.to_string()))?;
+    Ok(values.sampled(DIVISIONS))
+}
+
+/// A text such as `30..50 mm` as the values that a design searches through: one, several, or all between two.
+#[pyfunction]
+#[pyo3(signature = (text: "str", kind: "str", field: "str | None" = None) -> "typing.Any")]
+pub fn choice<'py>(
+    py: Python<'py>,
+    text: &str,
+    kind: &str,
+    field: Option<&str>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let wrong = |e: String| Wrong::from(in_field(Problem::new(ProblemKind::Range, e, ""), field));
+    let value = match parse_values(text, self::kind(kind)?).map_err(|e| wrong(e.to_string()))? {
+        Values::Interval(low, high) => json!({ "low": low, "high": high }),
+        values => match values.sampled(DIVISIONS).as_slice() {
+            [one] => json!(one),
+            several => json!(several),
+        },
+    };
+    value::answer(py, &value)
+}
+
+fn in_field(problem: Problem, field: Option<&str>) -> Problem {
+    match field {
+        Some(field) => problem.in_field(field),
+        None => problem,
+    }
+}

@@ -1,0 +1,66 @@
+//! What is wrong, as the exceptions of the package.
+
+use mckibben_app::{NoList, Problem};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// Why a call has no answer: a problem of the application layer, of a point of a list where it is one; or an exception of Python itself.
+pub enum Wrong {
+    /// With the place in the list.
+    Problem(Problem, Option<usize>),
+    /// Raised by Python: Ctrl-C, an exception in the caller's progress function.
+    Raised(PyErr),
+}
+
+impl From<Problem> for Wrong {
+    fn from(problem: Problem) -> Self {
+        Self::Problem(problem, None)
+    }
+}
+
+impl From<NoList> for Wrong {
+    fn from(no: NoList) -> Self {
+        Self::Problem(no.problem, no.index)
+    }
+}
+
+impl From<PyErr> for Wrong {
+    fn from(error: PyErr) -> Self {
+        Self::Raised(error)
+    }
+}
+
+impl From<Wrong> for PyErr {
+    fn from(wrong: Wrong) -> Self {
+        match wrong {
+            Wrong::Raised(error) => error,
+            Wrong::Problem(problem, index) => {
+                let text = problem.to_string();
+                Python::attach(|py| {
+                    raised(py, &problem, index).unwrap_or_else(|_| PyRuntimeError::new_err(text))
+                })
+            }
+        }
+    }
+}
+
+/// The exception that `mckibben._errors.of` makes of it.
+fn raised(py: Python<'_>, problem: &Problem, index: Option<usize>) -> PyResult<PyErr> {
+    let values = PyDict::new(py);
+    values.set_item("kind", problem.kind.to_string())?;
+    values.set_item("exit_code", problem.kind.ending() as i32)?;
+    values.set_item("message", &problem.message)?;
+    values.set_item("hint", &problem.hint)?;
+    values.set_item("field", &problem.field)?;
+    values.set_item("index", index)?;
+    if let Some(nearest) = &problem.nearest {
+        let at = PyDict::new(py);
+        at.set_item("force_n", nearest.force_n)?;
+        at.set_item("pressure_mpa", nearest.pressure_mpa)?;
+        at.set_item("contraction", nearest.contraction)?;
+        values.set_item("nearest", at)?;
+    }
+    let made = py.import("mckibben._errors")?.getattr("of")?.call1((values,))?;
+    Ok(PyErr::from_value(made))
+}

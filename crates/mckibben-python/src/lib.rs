@@ -1,0 +1,48 @@
+//! mckibben for Python: `mckibben._native`, on which the Python package is built.
+//!
+//! A thin border. Requests and answers are maps and lists of Python, turned into those of the application layer without text on the
+//! way ([`ask`]); lists of numbers are NumPy arrays, read where they lie ([`model`]). The interpreter is released around all work, and
+//! hears of it now and then ([`run`]): a progress bar moves, Ctrl-C ends the work. What is wrong is raised as one of the package's own
+//! exceptions ([`error`]); a panic is one of them.
+
+mod arrow;
+mod ask;
+mod curve;
+mod error;
+mod files;
+mod model;
+mod muscle;
+mod pairs;
+mod run;
+mod value;
+mod view;
+
+use pyo3::pymodule;
+
+/// The compiled half of mckibben; what users call stands in the package `mckibben`.
+#[pymodule(gil_used = false)]
+mod _native {
+    #[pymodule_export]
+    use crate::arrow::arrow_stream;
+    #[pymodule_export]
+    use crate::ask::{ask, choice, quantity, values};
+    #[pymodule_export]
+    use crate::curve::curve;
+    #[pymodule_export]
+    use crate::files::{drive_files, joint_files, read_formula, read_table, read_text};
+    #[pymodule_export]
+    use crate::model::Model;
+    #[pymodule_export]
+    use crate::muscle::{design, muscle_text, muscle_with, parameters};
+    #[pymodule_export]
+    use crate::view::{body_html, report_html};
+
+    /// The version of the crates, and of the package.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+    #[pymodule_init]
+    fn init() {
+        mckibben_app::panics_are_problems();
+    }
+}

@@ -1,0 +1,108 @@
+//! A model bound to its muscle, asked for arrays.
+
+use crate::error::Wrong;
+use crate::pairs::Spread;
+use crate::{run, value};
+use mckibben_app::{
+    AskFields, BoundModel, Many, ModelFields, Pairs, Problem, ProblemKind, TextFile, Unanswered,
+    WantedOfPoint, muscle_of,
+};
+use numpy::{PyReadonlyArrayDyn, PyReadwriteArrayDyn};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+
+/// Points of a closed form up to which a call is one of a moment: some milliseconds.
+const MOMENT: usize = 20_000;
+
+/// A model bound to its muscle.
+#[pyclass(frozen, module = "mckibben._native")]
+pub struct Model {
+    bound: BoundModel,
+}
+
+/// A group of fields of a request.
+pub fn fields<T: DeserializeOwned>(value: Value) -> Result<T, Wrong> {
+    serde_json::from_value(value).map_err(|e| {
+        Problem::new(ProblemKind::Usage, format!("the request is not understood: {e}"), "").into()
+    })
+}
+
+#[pymethods]
+impl Model {
+    /// The model that `request` names, of a muscle as the text of its file.
+    #[new]
+    #[pyo3(signature = (muscle: "str", request: "dict[str, typing.Any]"))]
+    fn new(py: Python<'_>, muscle: String, request: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let request = value::request(request)?;
+        Ok(run::quick(py, |progress| {
+            let muscle = muscle_of(&TextFile { name: "muscle".into(), text: muscle })?;
+            let (model, asking): (ModelFields, AskFields) = (fields(request.clone())?, fields(request)?);
+            Ok(Self { bound: BoundModel::new(&muscle, &model, asking, progress)? })
+        })?)
+    }
+
+    /// The model's name.
+    #[getter]
+    fn name(&self) -> &str {
+        self.bound.name()
+    }
+
+    /// Where its formula comes from: author, year, equation.
+    #[getter]
+    fn source(&self) -> &str {
+        self.bound.model().source()
+    }
+
+    /// Lowest and highest pressure in MPa and contraction for which it was made.
+    #[getter]
+    fn range(&self) -> ((f64, f64), (f64, f64)) {
+        let range = self.bound.model().range();
+        (range.pressure_mpa, range.contraction)
+    }
+
+    /// Answers every pair of two arrays of one shape into `out`, which has one axis more at its end, of the numbers of a point; returns
+    /// how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+    #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+    #[expect(clippy::too_many_arguments, reason = "called by the package alone")]
+    fn fill(
+        &self,
+        py: Python<'_>,
+        wanted: &str,
+        first: PyReadonlyArrayDyn<'_, f64>,
+        second: PyReadonlyArrayDyn<'_, f64>,
+        mut out: PyReadwriteArrayDyn<'_, f64>,
+        slopes: bool,
+        parameters: Vec<String>,
+        nan: bool,
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<usize> {
+        let wanted = match wanted {
+            "force" => WantedOfPoint::Force,
+            "pressure" => WantedOfPoint::Pressure,
+            "contraction" => WantedOfPoint::Contraction,
+            _ => return Err(PyValueError::new_err("force, pressure or contraction")),
+        };
+        let parameters = parameters.iter().map(|name| self.bound.parameter(name));
+        let many = Many {
+            wanted,
+            slopes,
+            parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
+            unanswered: if nan { Unanswered::NotANumber } else { Unanswered::Refused },
+        };
+        let spread = Spread::new(first.as_array(), second.as_array())
+            .ok_or_else(|| PyValueError::new_err("two arrays of different shape"))?;
+        let places = out.as_slice_mut().map_err(|e| PyValueError::new_err(e.to_string()))?;
+        let work = |progress: &dyn mckibben::progress::Progress| {
+            let read = |from: usize, a: &mut [f64], b: &mut [f64]| spread.read(from, a, b);
+            let pairs = match spread.lists() {
+                Some(lists) => Pairs::Lists(lists),
+                None => Pairs::Read(spread.count(), &read),
+            };
+            Ok(self.bound.fill(&pairs, &many, places, progress)?)
+        };
+        let moment = !self.bound.is_elements() && spread.count() * many.width() <= MOMENT;
+        Ok(if moment { run::quick(py, work) } else { run::long(py, progress, work) }?)
+    }
+}

@@ -1,0 +1,87 @@
+//! Muscles as the text of their file: what a muscle of Python holds, and by which it is compared, hashed and pickled.
+
+use crate::error::Wrong;
+use crate::model::fields;
+use crate::{run, value};
+use mckibben::identify::{Target, own_value};
+use mckibben::muscle::Muscle;
+use mckibben::muscle::file::to_toml;
+use mckibben_app::{
+    DesignRequest, MuscleFields, Problem, ProblemKind, TextFile, design as designed, muscle_of,
+    with_parameters,
+};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// The muscle that a muscle file, a rubber, a braid and fields describe, as the text of a muscle file. Rubber and braid are the tables
+/// `[tube.material]` and `[braid]` of one.
+#[pyfunction]
+#[pyo3(signature = (request: "dict[str, typing.Any]", rubber = None, braid = None))]
+pub fn muscle_text(
+    py: Python<'_>,
+    request: &Bound<'_, PyAny>,
+    rubber: Option<String>,
+    braid: Option<String>,
+) -> PyResult<String> {
+    let request = value::request(request)?;
+    Ok(run::quick(py, |_| {
+        let request: MuscleFields = fields(request)?;
+        let base = match &request.muscle {
+            Some(file) => muscle_of(file)?,
+            None => Muscle::prototype(),
+        };
+        let other = |name: &str, text: String| muscle_of(&TextFile { name: name.into(), text });
+        let mut tube = base.tube().clone();
+        if let Some(text) = rubber {
+            tube.rubber = other("rubber", text)?.tube().rubber.clone();
+        }
+        let braid = match braid {
+            Some(text) => other("braid", text)?.braid().clone(),
+            None => base.braid().clone(),
+        };
+        let base = Muscle::new(tube, braid, base.terminals().clone(), base.friction().copied())
+            .map_err(Problem::from)?;
+        Ok(to_toml(&request.over(&base)?))
+    })?)
+}
+
+/// Constants and measures of a muscle by which a model has derivatives, with their values and units.
+#[pyfunction]
+pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
+    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
+    let known = |target: &Target| {
+        !matches!(target, Target::ContractionOffset | Target::StiffnessExponent | Target::Modulus)
+    };
+    let all = Target::all(&muscle).into_iter().filter(known);
+    let row = |t: Target| Some((t.name(&muscle), own_value(&muscle, t)?, t.unit(&muscle)));
+    Ok(all.filter_map(row).collect())
+}
+
+/// The muscle with other values of constants and measures, all others held.
+#[pyfunction]
+#[pyo3(signature = (text: "str", values: "dict[str, float]"))]
+pub fn muscle_with(text: String, values: &Bound<'_, PyDict>) -> PyResult<String> {
+    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
+    let values = values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?)));
+    let values: Vec<(String, f64)> = values.collect::<PyResult<_>>()?;
+    Ok(to_toml(&with_parameters(&muscle, &values).map_err(Wrong::from)?))
+}
+
+/// The answer to a specification, and its candidates as texts of muscle files.
+#[pyfunction]
+#[pyo3(signature = (request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], list[str]]")]
+pub fn design<'py>(
+    py: Python<'py>,
+    request: &Bound<'py, PyAny>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
+    let request = value::request(request)?;
+    let (answer, muscles) = run::long(py, progress, |progress| {
+        let request: DesignRequest = fields(request)?;
+        let answer = designed(&request, progress)?;
+        let muscles = answer.outcome.candidates.iter().map(|c| to_toml(&c.muscle)).collect();
+        let wrong = |e: serde_json::Error| Problem::new(ProblemKind::Internal, e.to_string(), "");
+        Ok::<(_, Vec<String>), Wrong>((serde_json::to_value(&answer).map_err(wrong)?, muscles))
+    })?;
+    Ok((value::answer(py, &answer)?, muscles))
+}

@@ -1,0 +1,119 @@
+//! Work with the interpreter released.
+//!
+//! Work that may take long runs on a thread of its own, while the calling thread waits: it sees signals (Ctrl-C) and calls the caller's
+//! progress function, which only the calling thread may do. Either may raise, and then the work is told to end, is waited for, and what
+//! was raised is what the call ends with.
+
+use crate::error::Wrong;
+use mckibben::budget::Budget;
+use mckibben::progress::Progress;
+use mckibben_app::{Problem, ProblemKind, guarded};
+use pyo3::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::thread;
+use std::time::Duration;
+
+/// How often the calling thread looks at signals and progress.
+const TICK: Duration = Duration::from_millis(50);
+/// Stack of the thread that works: as much as a program's own usually has.
+const STACK_BYTES: usize = 8 << 20;
+
+/// What the work tells, and the wish to end it.
+#[derive(Default)]
+struct Watched {
+    budget: Budget,
+    done: AtomicUsize,
+    total: AtomicUsize,
+}
+
+impl Progress for Watched {
+    fn report(&self, done: usize, total: usize) {
+        self.done.store(done, Ordering::Relaxed);
+        self.total.store(total, Ordering::Relaxed);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.budget.check().is_err()
+    }
+
+    fn budget(&self) -> Budget {
+        self.budget.clone()
+    }
+}
+
+/// Work of a moment.
+pub fn quick<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
+) -> Result<T, Wrong> {
+    py.detach(|| guarded(|| work(&Watched::default())))
+}
+
+/// Work that may take long. `progress(done, total)` is called now and then, and once at the end.
+pub fn long<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
+) -> Result<T, Wrong> {
+    let watched = Watched::default();
+    let progress: Option<Py<PyAny>> = progress.filter(|p| !p.is_none()).map(|p| p.clone().unbind());
+    py.detach(|| {
+        thread::scope(|scope| {
+            let (sender, receiver) = sync_channel(1);
+            let at_work = || guarded(|| work(&watched));
+            let body = move || drop(sender.send(at_work()));
+            let started = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, body);
+            if let Err(error) = started {
+                let message = format!("cannot start a thread: {error}");
+                return Err(Problem::new(ProblemKind::Internal, message, "end other programs").into());
+            }
+            let mut raised = None;
+            let mut told = (0, 0);
+            let done = loop {
+                match receiver.recv_timeout(TICK) {
+                    Ok(done) => break done,
+                    Err(RecvTimeoutError::Timeout) => {
+                        let heard = Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut told));
+                        if let Err(error) = heard {
+                            watched.budget.cancel();
+                            raised.get_or_insert(error);
+                        }
+                    }
+                    Err(RecvTimeoutError::Disconnected) => {
+                        break Err(Problem::new(
+                            ProblemKind::Internal,
+                            "the work ended without an answer",
+                            "",
+                        )
+                        .into());
+                    }
+                }
+            };
+            match raised {
+                Some(error) => Err(error.into()),
+                None => {
+                    Python::attach(|py| listen(py, &watched, progress.as_ref(), &mut told))?;
+                    done
+                }
+            }
+        })
+    })
+}
+
+/// Signals, then the caller's function where there is news.
+fn listen(
+    py: Python<'_>,
+    watched: &Watched,
+    progress: Option<&Py<PyAny>>,
+    told: &mut (usize, usize),
+) -> PyResult<()> {
+    py.check_signals()?;
+    let Some(progress) = progress else { return Ok(()) };
+    let now = (watched.done.load(Ordering::Relaxed), watched.total.load(Ordering::Relaxed));
+    if now != *told {
+        *told = now;
+        progress.call1(py, now)?;
+    }
+    Ok(())
+}

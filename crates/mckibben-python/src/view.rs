@@ -1,0 +1,40 @@
+//! The muscle in space, and reports, as pages in one piece.
+
+use crate::error::Wrong;
+use crate::model::fields;
+use crate::{run, value};
+use mckibben_app::{Problem, ProblemKind, ReportRequest, ShapeRequest, body, report};
+use mckibben_report::Document;
+use pyo3::prelude::*;
+
+/// The page of a document.
+fn page(document: &Document) -> Result<String, Wrong> {
+    let html = document.to_html(&mckibben_web::viewer());
+    html.map_err(|e| Problem::new(ProblemKind::Plot, e.to_string(), "").into())
+}
+
+/// A page with the deformed muscle, which turns under the mouse.
+#[pyfunction]
+#[pyo3(signature = (request: "dict[str, typing.Any]"))]
+pub fn body_html(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<String> {
+    let request = value::request(request)?;
+    Ok(run::long(py, None, |progress| {
+        let request: ShapeRequest = fields(request)?;
+        page(&body(&request, progress)?)
+    })?)
+}
+
+/// A page with all that is known of a muscle.
+#[pyfunction]
+#[pyo3(signature = (request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None))]
+pub fn report_html(
+    py: Python<'_>,
+    request: &Bound<'_, PyAny>,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<String> {
+    let request = value::request(request)?;
+    Ok(run::long(py, progress, |progress| {
+        let request: ReportRequest = fields(request)?;
+        page(&report(&request, progress)?.document)
+    })?)
+}

@@ -1,0 +1,71 @@
+"""McKibben pneumatic muscles: finite elements, formulas, design.
+
+Lengths are in mm, pressures in MPa (gauge), forces in N, angles in degrees; a quantity may also be a text with its unit
+(``"2.5 bar"``) or a quantity of pint. Every name carries its unit, and is the same as on the command line and in JSON.
+
+>>> import mckibben as mk
+>>> muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1)
+>>> round(muscle.force("2.5 bar", 0.1).force_n, 1)
+1545.3
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from . import jax as jax
+    from . import torch as torch
+    from ._ask import ask as ask
+    from ._campaign import Campaign as Campaign
+    from ._commands import *
+    from ._errors import *
+    from ._formula import Formula as Formula
+    from ._model import Model as Model
+    from ._muscle import Braid as Braid
+    from ._muscle import Muscle as Muscle
+    from ._muscle import Rubber as Rubber
+    from ._record import Record as Record
+    from ._table import Table as Table
+
+    __version__: str
+
+# Nothing is loaded before it is asked for: the import takes some milliseconds.
+_PLACES = {
+    "ask": "_ask",
+    "Campaign": "_campaign",
+    "Formula": "_formula",
+    "Model": "_model",
+    "Braid": "_muscle",
+    "Muscle": "_muscle",
+    "Rubber": "_muscle",
+    "Record": "_record",
+    "Table": "_table",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name == "__version__":
+        return import_module("._native", __name__).VERSION
+    if name.startswith("__"):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if name in ("jax", "torch"):
+        return import_module(f".{name}", __name__)
+    places = [_PLACES[name]] if name in _PLACES else ["_commands", "_errors"]
+    for place in places:
+        module = import_module(f".{place}", __name__)
+        if place in _PLACES.values() or name in module.__all__:
+            value = getattr(module, name)
+            globals()[name] = value
+            return value
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, __dir__(), 1)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}" + (f"; did you mean {near[0]!r}?" if near else ""))
+
+
+def __dir__() -> list[str]:
+    from . import _commands, _errors
+
+    return sorted({*_PLACES, *_commands.__all__, *_errors.__all__, "__version__", "jax", "torch"})

@@ -1,0 +1,102 @@
+"""Questions to the compiled half: one function for every command."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, Union
+
+Progress = Union[bool, Callable[[int, int], object], None]
+
+# Commands whose answer carries a figure where it is asked for; those that take long are asked for it at once.
+FIGURES = {"compare", "design", "identify", "joint", "motion", "rubber-fit", "simulate", "study"}
+
+
+def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progress = None) -> dict[str, Any]:
+    """The answer to a request in the words of JSON: dicts in, dicts out.
+
+    Parameters
+    ----------
+    command
+        Its name: the words of the command line, joined by a hyphen, such as ``force`` or ``muscle-show``.
+    request
+        What ``docs/schema`` says, numbers in mm, MPa, N and degrees.
+    progress
+        True for a progress bar, or a function that is called with (done, total).
+
+    Returns
+    -------
+    dict
+        The answer, as JSON has it.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    from . import _native
+
+    with listening(progress, command) as heard:
+        return _native.ask(command, {} if request is None else request, heard)
+
+
+def answered(command: str, values: dict[str, Any], answer: str, progress: Progress = None) -> Any:
+    """The answer to a request of keywords, as an object."""
+    from . import _answers, _native, _plain, _results
+
+    request = _plain.request(command, values)
+    if command in FIGURES:
+        request.setdefault("figure", "MPa")
+    own = getattr(_results, answer, None)
+    with listening(progress, command) as heard:
+        if own is not None:
+            return own._asked_for(command, request, heard)
+        return getattr(_answers, answer)(_native.ask(command, request, heard), (command, request))
+
+
+@contextmanager
+def listening(progress: Progress, what: str) -> Iterator[Callable[[int, int], object] | None]:
+    """The function that hears of progress: the caller's own, or that of a bar which is closed at the end."""
+    if progress is None or progress is False:
+        yield None
+    elif callable(progress):
+        yield progress
+    else:
+        bar = Bar(what)
+        try:
+            yield bar.moved
+        finally:
+            bar.close()
+
+
+class Bar:
+    """A progress bar: that of tqdm, or a line on standard error where it is not installed."""
+
+    def __init__(self, what: str) -> None:
+        self.what = what
+        self.bar: Any = None
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            self.tqdm: Any = None
+        else:
+            self.tqdm = tqdm
+
+    def moved(self, done: int, total: int) -> None:
+        """So many of so many."""
+        if self.tqdm is None:
+            print(f"\r{self.what}: {done} of {total}", end="", file=sys.stderr, flush=True)
+            return
+        if self.bar is None:
+            self.bar = self.tqdm(total=total or None, desc=self.what)
+        if self.bar.total != total and total:
+            self.bar.total = total
+        self.bar.update(max(0, done - self.bar.n))
+
+    def close(self) -> None:
+        """The end."""
+        if self.bar is not None:
+            self.bar.close()
+        elif self.tqdm is None:
+            print(file=sys.stderr)

@@ -1,0 +1,258 @@
+"""A model bound to its muscle, asked for arrays of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Literal, overload
+
+import numpy as np
+
+from . import _native, _plain
+from ._ask import Progress, listening
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ._formula import Formula
+    from ._inputs import FormulaLike, MuscleLike, Number, Numbers
+    from ._muscle import Muscle
+    from ._results import Curve
+
+    Floats = NDArray[np.float64]
+
+# A list of pairs has so many places at most: what a machine could address.
+_MOST = 2**47
+
+
+def _array(name: str, value: Any) -> Floats:
+    """Numbers in the unit of a name, without a copy where they are such already."""
+    if isinstance(value, str):
+        try:
+            return np.asarray(_plain.number(name, value))
+        except ValueError:
+            return np.asarray(_plain.numbers(name, value))
+    value = _plain.unpinted(name, value)
+    if isinstance(value, (list, tuple)) and any(isinstance(v, str) or hasattr(v, "magnitude") for v in value):
+        value = _plain.numbers(name, value)
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: numbers, a text with its unit or quantities of pint, not {array.dtype}")
+    return np.asarray(array, dtype=np.float64)
+
+
+class Model:
+    """A model of one muscle: F(P, ε) and its inverses over arrays of any shape, with derivatives.
+
+    Arrays are broadcast as NumPy does it, are read where they lie, and the interpreter is free while the model works.
+
+    Parameters
+    ----------
+    muscle
+        A muscle, or the path of a muscle file; the paper's prototype where it is left out.
+    model
+        Its name: ``fe`` (where it is left out), ``universal``, ``thick-wall``, ``ideal``, ``paper``, …; the path of a fitted formula, or a
+        :class:`Formula`.
+    formulas
+        More fitted formulas, which are models by their names.
+    mesh
+        Mesh of the finite elements, as in :func:`force`.
+    match, terminal
+        Of ``fe3d``, as in :func:`force`.
+    extrapolate
+        Answer outside of the model's range.
+    two_sided
+        Negative force instead of slack where the muscle would have to push.
+    direction
+        Branch of the friction hysteresis: ``mean``, ``contraction``, ``elongation``.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> paper = Model(Muscle(outer_diameter_mm=50, wall_mm=1), "paper")
+    >>> paper.force(0.25, np.array([0.0, 0.1])).round(1)
+    array([2728.6, 1555.6])
+    """
+
+    __slots__ = ("_muscle", "_native", "_request")
+    _muscle: Muscle
+    _request: dict[str, Any]
+    _native: _native.Model
+
+    def __init__(
+        self,
+        muscle: MuscleLike | None = None,
+        model: str | Formula | None = None,
+        *,
+        formulas: Sequence[FormulaLike] | None = None,
+        mesh: str | None = None,
+        match: Literal["length", "angle"] | None = None,
+        terminal: dict[str, Any] | None = None,
+        extrapolate: bool = False,
+        two_sided: bool = False,
+        direction: Literal["mean", "contraction", "elongation"] | None = None,
+    ) -> None:
+        from ._muscle import Muscle
+
+        held = muscle if isinstance(muscle, Muscle) else Muscle(muscle)
+        values = {
+            "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal,
+            "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction,
+        }
+        self._hold(held, _plain.request("force", values))
+
+    def _hold(self, muscle: Muscle, request: dict[str, Any]) -> None:
+        object.__setattr__(self, "_muscle", muscle)
+        object.__setattr__(self, "_request", request)
+        object.__setattr__(self, "_native", _native.Model(muscle.to_toml(), request))
+
+    @property
+    def muscle(self) -> Muscle:
+        """Its muscle."""
+        return self._muscle
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._native.name
+
+    @property
+    def source(self) -> str:
+        """Where its formula comes from: author, year, equation."""
+        return self._native.source
+
+    @property
+    def pressure_range_mpa(self) -> tuple[float, float]:
+        """Lowest and highest pressure for which it was made, MPa."""
+        return self._native.range[0]
+
+    @property
+    def contraction_range(self) -> tuple[float, float]:
+        """Lowest and highest contraction ratio for which it was made."""
+        return self._native.range[1]
+
+    def of(self, muscle: Muscle) -> Model:
+        """The same model of another muscle."""
+        other = object.__new__(Model)
+        other._hold(muscle, self._request)
+        return other
+
+    @overload
+    def force(self, pressure_mpa: Number | Numbers | Floats, contraction: Number | Numbers | Floats = ..., *, jac: Literal[False] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+    @overload
+    def force(self, pressure_mpa: Number | Numbers | Floats, contraction: Number | Numbers | Floats = ..., *, jac: Literal[True] | Sequence[str], errors: str = ..., progress: Progress = ...) -> tuple[Any, Floats]: ...
+    @overload
+    def force(self, pressure_mpa: Number | Numbers | Floats, contraction: Number | Numbers | Floats = ..., *, jac: bool | Sequence[str] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+
+    def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+        """F(P, ε): the pull, in N; 0 where the muscle is slack.
+
+        Parameters
+        ----------
+        pressure_mpa : MPa
+            Gauge pressures P: numbers, a text such as ``"2.5 bar"`` or ``"0..2.5:0.5 bar"``, or quantities of pint.
+        contraction : ratio
+            Contraction ratios ε = ΔL/L0, broadcast against the pressures.
+        jac
+            True for the derivatives as well; or names of constants and measures of the muscle (see :attr:`Muscle.parameters`) for the
+            derivatives by these too. Those of finite elements come from the factorised tangent of the equilibrium itself.
+        errors
+            ``raise`` for the first point without an answer, or ``nan`` for NaN there.
+        progress
+            True for a progress bar, or a function that is called with (done, total).
+
+        Returns
+        -------
+        float or numpy.ndarray
+            The pull, of the broadcast shape. With ``jac`` a pair: the pull, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
+            N, then ∂F/∂θ of each name, in N per its unit, all other constants held.
+        """
+        return self._fill("force", ("pressure_mpa", pressure_mpa), ("contraction", contraction), jac, errors, progress)
+
+    def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+        """P(F, ε): the pressure that gives a pull, in MPa.
+
+        Parameters
+        ----------
+        force_n : N
+            Pulls F.
+        contraction : ratio
+            Contraction ratios ε, broadcast against them.
+        jac
+            As in :meth:`force`: ∂P/∂F, ∂P/∂ε, then ∂P/∂θ, by implicit differentiation.
+        errors, progress
+            As in :meth:`force`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            The pressure; with ``jac`` a pair.
+        """
+        return self._fill("pressure", ("force_n", force_n), ("contraction", contraction), jac, errors, progress)
+
+    def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
+        """ε(F, P): the contraction at which a pressure gives a pull.
+
+        Parameters
+        ----------
+        force_n : N
+            Pulls F.
+        pressure_mpa : MPa
+            Gauge pressures P, broadcast against them.
+        jac
+            As in :meth:`force`: ∂ε/∂F, ∂ε/∂P, then ∂ε/∂θ, by implicit differentiation.
+        errors, progress
+            As in :meth:`force`.
+
+        Returns
+        -------
+        float or numpy.ndarray
+            The contraction ratio; with ``jac`` a pair.
+        """
+        return self._fill("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, progress)
+
+    def _fill(self, wanted: str, first: tuple[str, Any], second: tuple[str, Any], jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
+        if errors not in ("raise", "nan"):
+            raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+        names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
+        slopes = jac is not False and bool(jac) or bool(names)
+        a, b = _array(*first), _array(*second)
+        if a.shape != b.shape:
+            a, b = np.broadcast_arrays(a, b)
+        width = 1 + (2 if slopes else 0) + len(names)
+        if a.size > _MOST // width:
+            raise MemoryError(f"{a.size} points are more than memory holds")
+        out = np.empty((*a.shape, width))
+        with listening(progress, wanted) as heard:
+            self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", heard)
+        value = out[..., 0] if a.shape else float(out[0])
+        return (value, out[..., 1:]) if slopes else value
+
+    def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Any) -> Curve:
+        """A family of curves by this model; the arguments are those of :func:`curve`."""
+        from ._commands import curve
+
+        own = {name: value for name, value in self._request.items() if name in ("model", "formulas", "mesh", "match", "terminal", "extrapolate", "two_sided", "direction")}
+        return curve(self._muscle, test, **{**own, **options})
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a model does not change: {name}")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Model) and self._muscle == other._muscle and self._request == other._request
+
+    def __hash__(self) -> int:
+        import json
+
+        return hash(("Model", self._muscle, json.dumps(self._request, sort_keys=True)))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._muscle, self._request)
+
+    def __repr__(self) -> str:
+        return f"Model({self.name!r}, {self._muscle!r})"
+
+
+def _restored(muscle: Muscle, request: dict[str, Any]) -> Model:
+    model = object.__new__(Model)
+    model._hold(muscle, request)
+    return model

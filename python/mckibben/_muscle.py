@@ -1,0 +1,367 @@
+"""Muscles, and the rubbers and braids that they are made of."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from ._commands import MuscleCommands
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+    from ._inputs import MuscleLike, Number, TableLike
+    from ._model import Model
+
+
+def _toml(value: Any, unit: str = "") -> str:
+    """A value of a muscle file: texts of TOML are written as those of JSON."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value, ensure_ascii=False)
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_toml(v) for v in value) + "]"
+    return repr(float(value)) if not isinstance(value, int) else repr(value)
+
+
+class _Part:
+    """A table of a muscle file."""
+
+    __slots__ = ("_values",)
+    _table = ""
+    _values: dict[str, Any]
+
+    def to_toml(self) -> str:
+        """The table as it stands in a muscle file."""
+        return "\n".join([f"[{self._table}]", *(f"{name} = {_toml(value)}" for name, value in self._values.items()), ""])
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a {type(self).__name__} does not change: {name}")
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name not in self._values:
+            raise AttributeError(f"{type(self).__name__} has no {name!r}")
+        return self._values[name]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{n}={v!r}' for n, v in self._values.items())})"
+
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and isinstance(other, _Part) and self._values == other._values
+
+    def __hash__(self) -> int:
+        return hash((type(self).__name__, self.to_toml()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _part, (type(self), dict(self._values))
+
+    def _set(self, values: dict[str, Any]) -> None:
+        # A muscle of nothing else tells what is wrong with it.
+        object.__setattr__(self, "_values", {n: v for n, v in values.items() if v is not None})
+        from . import _native
+
+        text = self.to_toml()
+        _native.muscle_text({}, text if self._table != "braid" else None, text if self._table == "braid" else None)
+
+
+def _part(kind: type[_Part], values: dict[str, Any]) -> _Part:
+    part = object.__new__(kind)
+    object.__setattr__(part, "_values", values)
+    return part
+
+
+def _quantity(name: str, value: Any) -> Any:
+    from . import _plain
+
+    return None if value is None else _plain.number(name, value)
+
+
+class Rubber(_Part):
+    """A rubber by its law and constants. A rubber of the library is named by its name alone, as in ``Muscle(rubber="dragon-skin-30")``.
+
+    Parameters
+    ----------
+    law
+        ``neo-hookean`` (mu), ``mooney-rivlin`` (c10, c01), ``yeoh`` (c10, c20, c30), ``gent`` (mu, jm), ``ogden`` (mu = […], alpha = […]), …
+    bulk_modulus_mpa : MPa
+        ``incompressible``, or the bulk modulus; only the finite elements use it.
+    constants
+        Those of the law: moduli in MPa or with their unit (``"120 kPa"``), the others plain numbers.
+
+    Examples
+    --------
+    >>> Rubber("mooney-rivlin", c10=0.12, c01=0)
+    Rubber(law='mooney-rivlin', c10=0.12, c01=0)
+    """
+
+    __slots__ = ()
+    _table = "tube.material"
+
+    def __init__(self, law: str, *, bulk_modulus_mpa: Number | None = None, **constants: Any) -> None:
+        bulk = bulk_modulus_mpa
+        if bulk is not None and not (isinstance(bulk, str) and bulk.strip().lower() == "incompressible"):
+            bulk = f"{_quantity('bulk_modulus_mpa', bulk)!r} MPa"
+        self._set({"law": law, **constants, "bulk_modulus": bulk})
+
+    @staticmethod
+    def fit(data: TableLike, **options: Any) -> Rubber:
+        """The law that :func:`rubber_fit` recommends for tests of a rubber, with its constants.
+
+        Parameters
+        ----------
+        data
+            Table of a tension test (and others): a path, a data frame, or columns by name.
+        options
+            Those of :func:`rubber_fit`.
+        """
+        from . import _commands
+
+        return _commands.rubber_fit(data, **options).rubber()
+
+
+class Braid(_Part):
+    """A braid by its strands. A sleeve of the library is named by its name alone, as in ``Muscle(braid="…")``.
+
+    Parameters
+    ----------
+    angle_deg : degrees
+        Angle θ0 of the strands to the axis at rest.
+    stiffness : N/mm
+        k of one strand family: a number, ``inextensible`` or ``paper``; or else the strands below.
+    strands
+        Their number, of both families together.
+    strand_area_mm2, strand_modulus_mpa, strand_strength_n : mm2, MPa, N
+        Cross-section, Young's modulus and strength of one strand.
+    thickness_mm, diameter_mm, strand_diameter_mm : mm
+        Of the braid; of a sleeve wider than the tube; of a strand.
+    name
+        A sleeve of the library that the other values complete.
+    compression
+        Whether strands carry compression.
+    """
+
+    __slots__ = ()
+    _table = "braid"
+
+    def __init__(
+        self,
+        angle_deg: Number | None = None,
+        *,
+        stiffness: Number | None = None,
+        strands: int | None = None,
+        strand_area_mm2: Number | None = None,
+        strand_modulus_mpa: Number | None = None,
+        strand_strength_n: Number | None = None,
+        thickness_mm: Number | None = None,
+        diameter_mm: Number | None = None,
+        strand_diameter_mm: Number | None = None,
+        name: str | None = None,
+        compression: bool | None = None,
+    ) -> None:
+        from . import _plain
+
+        units = {"angle_deg": "deg", "strand_area_mm2": "mm2", "strand_modulus_mpa": "MPa", "strand_strength_n": "N", "thickness_mm": "mm", "diameter_mm": "mm", "strand_diameter_mm": "mm"}
+        given = {
+            "angle_deg": angle_deg, "strand_area_mm2": strand_area_mm2, "strand_modulus_mpa": strand_modulus_mpa, "strand_strength_n": strand_strength_n,
+            "thickness_mm": thickness_mm, "diameter_mm": diameter_mm, "strand_diameter_mm": strand_diameter_mm,
+        }
+        values: dict[str, Any] = {"name": name}
+        for key, value in given.items():
+            end = "_" + key.rsplit("_", 1)[1]
+            values[key.removesuffix(end)] = None if value is None else f"{_quantity(key, value)!r} {units[key]}"
+        if stiffness is not None:
+            k = _plain.field("stiffness", stiffness)
+            values["stiffness"] = k if isinstance(k, str) else f"{k!r} N/mm"
+        self._set({**values, "strands": strands, "compression": compression})
+
+
+class Muscle(MuscleCommands):
+    """A McKibben muscle: a rubber tube in a braid between two terminals. What is not said is that of the paper's prototype:
+    D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``.
+
+    A muscle does not change; :meth:`replace` gives another one. Two are equal where their muscle files are.
+
+    Parameters
+    ----------
+    base
+        A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.
+    outer_diameter_mm : mm
+        Outer diameter D0 of the tube at rest.
+    wall_mm : mm
+        Wall thickness s of the tube at rest.
+    length_mm : mm
+        Length L0 between the terminals at rest.
+    angle_deg : degrees
+        Angle θ0 of the strands to the axis at rest.
+    rubber
+        A rubber of the library, as NAME or NAME:LAW, or a :class:`Rubber`.
+    braid
+        A sleeve of the library, or a :class:`Braid`.
+    strand_diameter_mm, strand_modulus_mpa : mm, MPa
+        Of the strands of a named sleeve, where its source does not state them.
+    stiffness : N/mm
+        Stiffness k of one strand family: a number, ``inextensible`` or ``paper``.
+    end_factor, cone_factor
+        Empirical factors of the models ``tondu-lopez`` and ``conical-ends``.
+    strand_length_mm, turns : mm
+        Length of one strand measured on the muscle, and its turns, for the model ``belforte``.
+
+    Examples
+    --------
+    >>> Muscle(outer_diameter_mm="50 mm", wall_mm=1).outer_diameter_mm
+    50.0
+    """
+
+    __slots__ = ("_summary", "_text")
+    _text: str
+    _summary: dict[str, Any] | None
+
+    def __init__(
+        self,
+        base: MuscleLike | None = None,
+        *,
+        outer_diameter_mm: Number | None = None,
+        wall_mm: Number | None = None,
+        length_mm: Number | None = None,
+        angle_deg: Number | None = None,
+        rubber: str | Rubber | None = None,
+        braid: str | Braid | None = None,
+        strand_diameter_mm: Number | None = None,
+        strand_modulus_mpa: Number | None = None,
+        stiffness: Number | None = None,
+        end_factor: Number | None = None,
+        cone_factor: Number | None = None,
+        strand_length_mm: Number | None = None,
+        turns: Number | None = None,
+    ) -> None:
+        from . import _plain
+
+        values = {name: value for name, value in locals().items() if name not in ("self", "base", "_plain")}
+        self._hold(_plain.muscle_text({"muscle": base, **values}))
+
+    def _hold(self, text: str) -> None:
+        object.__setattr__(self, "_text", text)
+        object.__setattr__(self, "_summary", None)
+
+    @classmethod
+    def from_file(cls, path: str | PathLike[str]) -> Muscle:
+        """The muscle of a muscle file (TOML)."""
+        return cls(path)
+
+    @classmethod
+    def from_toml(cls, text: str) -> Muscle:
+        """The muscle of a muscle file's text."""
+        return cls({"name": "muscle", "text": text})
+
+    def to_toml(self) -> str:
+        """The text of its muscle file; reading it gives the same muscle to the last bit."""
+        return self._text
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes its muscle file."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self._text)
+
+    def replace(self, **values: Any) -> Muscle:
+        """The same with other values; the arguments are those of :class:`Muscle`."""
+        return Muscle(self, **values)
+
+    def model(self, model: Any = None, **options: Any) -> Model:
+        """A model of this muscle, to be asked for arrays; the arguments are those of :class:`Model`."""
+        from ._model import Model
+
+        return Model(self, model, **options)
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Constants and measures by which models have derivatives, named as in the muscle file: moduli in MPa, k in N/mm, mm, degrees."""
+        from . import _native
+
+        return {name: value for name, value, _ in _native.parameters(self._text)}
+
+    def with_parameters(self, values: Mapping[str, float]) -> Muscle:
+        """The same with other constants and measures, named as in :attr:`parameters`; all others are held, k of the strands in N/mm
+        among them, also where the braid's k follows the diameter.
+        """
+        from . import _native
+
+        muscle = object.__new__(Muscle)
+        muscle._hold(_native.muscle_with(self._text, {str(n): float(v) for n, v in values.items()}))
+        return muscle
+
+    def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", progress: Any = None) -> str:
+        """All that is known of the muscle as one HTML page that needs no network; written to ``path`` where one is given."""
+        from . import _native, _plain
+        from ._ask import listening
+
+        request = _plain.request("report", {"muscle": self, "pressure_mpa": pressure_mpa, "contraction": contraction, "units": units})
+        with listening(progress, "report") as heard:
+            page = _native.report_html(request, heard)
+        if path is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(page)
+        return page
+
+    def _measures(self) -> dict[str, Any]:
+        if self._summary is None:
+            from . import _native
+
+            object.__setattr__(self, "_summary", _native.ask("muscle-show", {"muscle": {"name": "muscle", "text": self._text}, "model": "ideal"}))
+        return self._summary or {}
+
+    @property
+    def outer_diameter_mm(self) -> float:
+        """Outer diameter D0 at rest, mm."""
+        return float(self._measures()["outer_diameter_mm"])
+
+    @property
+    def wall_mm(self) -> float:
+        """Wall s at rest, mm."""
+        return float(self._measures()["wall_mm"])
+
+    @property
+    def length_mm(self) -> float:
+        """Length L0 between the terminals at rest, mm."""
+        return float(self._measures()["length_mm"])
+
+    @property
+    def angle_deg(self) -> float:
+        """Braid angle θ0 at rest, degrees."""
+        return float(self._measures()["angle_deg"])
+
+    @property
+    def rubber(self) -> str:
+        """The rubber, by name or law."""
+        return str(self._measures()["rubber"])
+
+    @property
+    def braid(self) -> str:
+        """The braid: ``paper``, ``inextensible``, its stiffness, or its strands."""
+        return str(self._measures()["braid"])
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a muscle does not change: {name}; replace({name}=…) gives another one")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Muscle) and self._text == other._text
+
+    def __hash__(self) -> int:
+        return hash(("Muscle", self._text))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Muscle.from_toml, (self._text,)
+
+    def __repr__(self) -> str:
+        m = self._measures()
+        measures = ", ".join(f"{name}={m[name]:.6g}" for name in ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg"))
+        return f"Muscle({measures}, rubber={m['rubber']!r}, braid={m['braid']!r})"
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        m = self._measures()
+        names = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid")
+        rows = "".join(f"<tr><th style='text-align:left'>{n}</th><td>{escape(f'{m[n]:.6g}' if isinstance(m[n], float) else str(m[n]))}</td></tr>" for n in names)
+        return f"<table><caption>Muscle</caption>{rows}</table>" + self.shape(0.0, 0.0)._frame()

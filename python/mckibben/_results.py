@@ -1,0 +1,206 @@
+"""Answers that can do more than hold their fields."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from html import escape
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _answers, _native
+from ._table import Table
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from ._formula import Formula
+    from ._muscle import Muscle, Rubber
+
+Heard = Callable[[int, int], object] | None
+
+
+class Curve(_answers.CurveAnswer):
+    """A family of curves, its points as columns of numbers.
+
+    Every column of its points is an attribute: ``curve.pressure_mpa``, ``curve.contraction``, ``curve.force_n``, ``curve.volume_mm3``, …
+    are NumPy arrays over all points, curve after curve; a point without an answer is NaN, and ``curve.status`` and ``curve.cause``
+    say why. ``curve.grid("force_n")`` has one row for each curve.
+    """
+
+    __slots__ = ("_points",)
+    _points: Table
+
+    @classmethod
+    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Curve:
+        head, columns = _native.curve(request, heard)
+        curve = cls(head, (command, request))
+        object.__setattr__(curve, "_points", Table(columns))
+        return curve
+
+    @property
+    def table(self) -> Table:
+        """The points as a table."""
+        return self._points
+
+    @property
+    def points(self) -> list[_answers.PointRow]:  # type: ignore[override]
+        """The points as records, which are made anew each time; the columns are faster."""
+        return [_answers.PointRow(row) for row in self._points.rows()]
+
+    def grid(self, column: str) -> NDArray[np.float64]:
+        """A column with one row for each curve."""
+        values: NDArray[np.float64] = np.asarray(self._points[column])
+        return values.reshape(-1, len(self._points) // max(1, len(np.unique(self._points["fixed"])) if not self.fixed else len(self.fixed)))
+
+    def __getattr__(self, name: str) -> Any:
+        if not name.startswith("_") and name not in self._data and name in self._points:
+            return self._points[name]
+        return super().__getattr__(name)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._points.columns})
+
+    def _key(self) -> Any:
+        return super()._key(), self._points.to_csv()
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain dicts and lists, the points as rows."""
+        return {**super().to_dict(), "points": self._points.rows()}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _curve, (self._data, self._asked, self._points)
+
+    def __repr__(self) -> str:
+        return f"Curve({self.test}, model={self.model!r}, {len(self.fixed or [])} curves, {len(self._points)} points)"
+
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(repr(self))}</p>{self._points._repr_html_()}"
+
+
+def _curve(data: dict[str, Any], asked: Any, points: Table) -> Curve:
+    curve = Curve(data, asked)
+    object.__setattr__(curve, "_points", points)
+    return curve
+
+
+class Design(_answers.DesignAnswer):
+    """Ranked muscles, and why others fail. Its table has one row for each candidate, best first."""
+
+    __slots__ = ("_muscles",)
+    _muscles: list[str]
+
+    @classmethod
+    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Design:
+        data, muscles = _native.design(request, heard)
+        return _design(data, (command, request), muscles)
+
+    @property
+    def muscles(self) -> list[Muscle]:
+        """The candidates as muscles, best first."""
+        from ._muscle import Muscle
+
+        return [Muscle.from_toml(text) for text in self._muscles]
+
+    @property
+    def best(self) -> Muscle:
+        """The first of them."""
+        from ._errors import NoAnswerError
+
+        if not self._muscles:
+            raise NoAnswerError("no muscle fits", kind="no_answer", hint="`closest` and `rejected` say why", exit_code=1)
+        return self.muscles[0]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _design, (self._data, self._asked, self._muscles)
+
+
+def _design(data: dict[str, Any], asked: Any, muscles: list[str]) -> Design:
+    design = Design(data, asked)
+    object.__setattr__(design, "_muscles", muscles)
+    return design
+
+
+class _Plain(_answers.Record):
+    """How an answer comes about that has nothing to itself but methods."""
+
+    __slots__ = ()
+
+    @classmethod
+    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Any:
+        return cls(_native.ask(command, request, heard), (command, request))
+
+
+class Fitted(_Plain, _answers.FitAnswer):
+    """A fitted formula with all that is known of it."""
+
+    __slots__ = ()
+
+    @property
+    def formula(self) -> Formula:
+        """The formula, which is a model and a file."""
+        import json
+
+        from ._formula import Formula
+
+        text = json.dumps({n: v for n, v in self._data.items() if n not in ("tables", "figures")}, ensure_ascii=False, indent=2)
+        return Formula(text + "\n", str(self._data["name"]))
+
+
+class Identification(_Plain, _answers.IdentifyAnswer):
+    """Constants found in measured points, with their errors. Its table has one row for each constant."""
+
+    __slots__ = ()
+
+    @property
+    def identified(self) -> Muscle:
+        """The muscle with the values found."""
+        from ._muscle import Muscle
+
+        return Muscle.from_toml(str(self.muscle_file))
+
+
+class RubberFit(_Plain, _answers.RubberFitAnswer):
+    """Laws fitted to tests of a rubber. Its table has one row for each law."""
+
+    __slots__ = ()
+
+    def rubber(self, law: str | None = None) -> Rubber:
+        """A law with its constants; the recommended one where none is named."""
+        from ._errors import NoAnswerError
+        from ._muscle import Rubber
+
+        name = law or self.recommended
+        if name is None:
+            raise NoAnswerError("no law is stable in a muscle", kind="no_answer", hint="name one", exit_code=1)
+        for found in self.laws:
+            if name in (found.name, found.law):
+                constants: dict[str, Any] = {}
+                for p in found.parameters:
+                    constants[p.name.rsplit(".", 1)[-1]] = p.value
+                return Rubber(found.law, **constants)
+        raise KeyError(name)
+
+
+class Shape(_Plain, _answers.ShapeAnswer):
+    """The deformed muscle. In a notebook it is shown in space."""
+
+    __slots__ = ()
+
+    def array(self, name: str) -> NDArray[np.float64]:
+        """What there is at the nodes, as an array of stations and nodes through the wall; of the strands, one number for each station."""
+        values = np.asarray(self._data["arrays"][name], dtype=np.float64)
+        return values.reshape(self.stations, -1) if values.size == self.stations * self.across else values
+
+    def to_html(self) -> str:
+        """A page with the muscle in space, which turns under the mouse and needs no network."""
+        if self._asked is None:
+            raise AttributeError("a shape that was not asked for has no page")
+        return _native.body_html(self._asked[1])
+
+    def _frame(self) -> str:
+        page = escape(self.to_html(), quote=True)
+        return f'<iframe srcdoc="{page}" style="width:100%;max-width:760px;height:520px;border:0" sandbox="allow-scripts" title="muscle"></iframe>'
+
+    def _repr_html_(self) -> str:
+        return self._frame() + super()._repr_html_()

@@ -1,0 +1,162 @@
+"""Columns with names."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator, Mapping, Sequence
+from html import escape
+from typing import Any
+
+import numpy as np
+
+# Rows that a notebook shows.
+_SHOWN = 20
+
+
+def _column(values: Any) -> Any:
+    """A column: an array of float64, int64 or bool, or a list of texts. Missing numbers are NaN."""
+    if isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype.kind in "fiub":
+        kind = {"f": np.float64, "b": np.bool_}.get(values.dtype.kind, np.int64)
+        return np.ascontiguousarray(values, dtype=kind)
+    values = list(values)
+    known = [v for v in values if v is not None]
+    if known and all(isinstance(v, (bool, np.bool_)) for v in known) and len(known) == len(values):
+        return np.array(values, dtype=np.bool_)
+    if known and all(isinstance(v, (int, np.integer)) and not isinstance(v, bool) for v in known) and len(known) == len(values):
+        return np.array(values, dtype=np.int64)
+    if all(isinstance(v, (int, float, np.integer, np.floating)) and not isinstance(v, bool) for v in known):
+        return np.array([np.nan if v is None else v for v in values], dtype=np.float64)
+    return [None if v is None else str(v) for v in values]
+
+
+class Table:
+    """Columns with names, all of one length: NumPy arrays of numbers, lists of texts.
+
+    pandas, Polars and Arrow take it over by the Arrow interface of Python (``__arrow_c_stream__``): numbers are not copied, NaN is null.
+    """
+
+    __slots__ = ("_columns",)
+    _columns: dict[str, Any]
+
+    def __init__(self, columns: Mapping[str, Any]) -> None:
+        held = {str(name): _column(values) for name, values in columns.items()}
+        lengths = {len(values) for values in held.values()}
+        if len(lengths) > 1:
+            raise ValueError(f"columns of different length: {sorted(lengths)}")
+        for values in held.values():
+            if isinstance(values, np.ndarray):
+                values.flags.writeable = False
+        object.__setattr__(self, "_columns", held)
+
+    @classmethod
+    def from_columns(cls, columns: Mapping[str, Any]) -> Table:
+        """The table of lists by name; what is no list is left out."""
+        return cls({name: values for name, values in columns.items() if isinstance(values, (list, tuple, np.ndarray)) or hasattr(values, "__array__")})
+
+    @classmethod
+    def from_rows(cls, rows: Sequence[Mapping[str, Any]]) -> Table:
+        """The table of rows; values that are lists or maps themselves are left out."""
+        names = dict.fromkeys(name for row in rows for name, value in row.items() if not isinstance(value, (list, dict)))
+        return cls({name: [row.get(name) for row in rows] for name in names})
+
+    @classmethod
+    def from_csv(cls, text: str) -> Table:
+        """The table of a text in CSV with a head."""
+        lines = list(csv.reader(io.StringIO(text)))
+        head, rows = (lines[0], lines[1:]) if lines else ([], [])
+
+        def column(i: int) -> list[Any]:
+            texts = [row[i] if i < len(row) else "" for row in rows]
+            try:
+                return [float(t) if t else None for t in texts]
+            except ValueError:
+                return [t or None for t in texts]
+
+        return cls({name: column(i) for i, name in enumerate(head)})
+
+    @property
+    def columns(self) -> list[str]:
+        """The names of the columns."""
+        return list(self._columns)
+
+    def __len__(self) -> int:
+        return len(next(iter(self._columns.values()), ()))
+
+    def __getitem__(self, name: str) -> Any:
+        return self._columns[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._columns)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._columns
+
+    def keys(self) -> list[str]:
+        """The names of the columns."""
+        return list(self._columns)
+
+    def rows(self) -> list[dict[str, Any]]:
+        """The rows; what is missing is left out."""
+        lists = {name: values.tolist() if isinstance(values, np.ndarray) else values for name, values in self._columns.items()}
+        return [{n: v[i] for n, v in lists.items() if v[i] is not None and v[i] == v[i]} for i in range(len(self))]
+
+    def to_pandas(self) -> Any:
+        """The same as a ``pandas.DataFrame``."""
+        import pandas as pd
+
+        return pd.DataFrame({name: values.copy() if isinstance(values, np.ndarray) else values for name, values in self._columns.items()})
+
+    def to_polars(self) -> Any:
+        """The same as a ``polars.DataFrame``."""
+        import polars as pl
+
+        return pl.DataFrame(self)
+
+    def to_arrow(self) -> Any:
+        """The same as a ``pyarrow.Table``."""
+        import pyarrow as pa
+
+        return pa.table(self)
+
+    def to_csv(self) -> str:
+        """The same as CSV."""
+        out = io.StringIO()
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(self._columns)
+        lists = [values.tolist() if isinstance(values, np.ndarray) else values for values in self._columns.values()]
+        for row in zip(*lists):
+            writer.writerow(["" if v is None or v != v else repr(v) if isinstance(v, float) else str(v).lower() if isinstance(v, bool) else v for v in row])
+        return out.getvalue()
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
+        from . import _native
+
+        return _native.arrow_stream(self._columns)
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError(f"a table does not change: {name}")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Table) and self.to_csv() == other.to_csv()
+
+    def __hash__(self) -> int:
+        return hash(("Table", self.to_csv()))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Table, (self._columns,)
+
+    def __repr__(self) -> str:
+        return f"Table({len(self)} rows: {', '.join(self._columns)})"
+
+    def _repr_html_(self) -> str:
+        def cell(value: Any) -> str:
+            if value is None or value != value:
+                return ""
+            return f"{value:.6g}" if isinstance(value, float) else escape(str(value))
+
+        head = "".join(f"<th>{escape(name)}</th>" for name in self._columns)
+        lists = [list(values[:_SHOWN]) for values in self._columns.values()]
+        rows = "".join("<tr>" + "".join(f"<td>{cell(v)}</td>" for v in row) + "</tr>" for row in zip(*lists))
+        more = f"<p>{len(self) - _SHOWN} rows more</p>" if len(self) > _SHOWN else ""
+        return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>{more}"
