@@ -53,6 +53,8 @@ ROWS = {
 }
 # Texts of a user's own kind; everything else is told by the suffix of its name.
 FILES = {"TextFile"}
+# What every answer can do; no field may be called so.
+METHODS = {"keys", "plot", "to_arrow", "to_dict", "to_pandas", "to_polars", "to_table"}
 NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
 
 
@@ -186,7 +188,7 @@ def field_type(types: Types, name: str, schema: dict[str, Any]) -> str:
         return "str | Formula | None"
     if name == "models" and kind.startswith("list[str]"):
         return "Sequence[str | Formula] | None"
-    if name == "figure":
+    if name == "figure" and kind != "bool":
         return "str | None"
     if kind.startswith("list[list["):
         return "Sequence[Numbers] | None"
@@ -280,6 +282,8 @@ def unit_of(name: str) -> str:
 
 def record(types: Types, name: str, schema: dict[str, Any], rows: str | None) -> list[str]:
     fields = types.properties(schema)
+    if taken := METHODS & set(fields):
+        raise SystemExit(f"{name}: {taken} are methods of every answer")
     required = types.required(schema)
     out = [f"class {name}(Record):", '    """' + wrapped(doc(schema) or name, "    ").strip()]
     if fields:
@@ -382,7 +386,7 @@ SPECIAL = {"no_answer": "NoAnswerError", "not_converged": "NotConvergedError", "
 def errors(all_schemas: dict[str, Any]) -> str:
     kinds = next(iter(all_schemas.values()))["error"]["$defs"]["ProblemKind"]["oneOf"]
     out = [HEAD.format("An exception class for every kind of problem."), "from __future__ import annotations\n"]
-    out += ["from ._problem import InternalError, MckibbenError, NoAnswerError, NotConvergedError, WrongInputError\n\n"]
+    out += ["from typing import Any\n", "from ._problem import InternalError, MckibbenError, NoAnswerError, NotConvergedError, WrongInputError\n\n"]
     table, names = [], []
     for kind in kinds:
         word, about = kind["const"], kind["description"]
@@ -394,7 +398,7 @@ def errors(all_schemas: dict[str, Any]) -> str:
             out += [f"class {name}({base}):", f'    """{about}"""', "", ""]
     out += ["KINDS: dict[str, type[MckibbenError]] = {", *table, "}", "", ""]
     listed = ", ".join(f'"{n}"' for n in sorted({*names, "MckibbenError", "WrongInputError"}))
-    out += ["def of(values: dict[str, object]) -> MckibbenError:", '    """The exception of a problem, as the compiled half hands it over."""',
+    out += ["def of(values: dict[str, Any]) -> MckibbenError:", '    """The exception of a problem, as the compiled half hands it over."""',
             '    return KINDS.get(str(values["kind"]), MckibbenError)(**values)', "", "", f"__all__ = [{listed}]"]
     return "\n".join(out) + "\n"
 

@@ -9,8 +9,13 @@ from typing import Any, Union
 
 Progress = Union[bool, Callable[[int, int], object], None]
 
-# Commands whose answer carries a figure where it is asked for; those that take long are asked for it at once.
-FIGURES = {"compare", "design", "identify", "joint", "motion", "rubber-fit", "simulate", "study"}
+# Commands whose answer carries a figure where it is asked for. All but `curve` are asked for it at once: they take longer than to draw.
+FIGURES = {"compare", "curve", "design", "identify", "joint", "motion", "rubber-fit", "simulate", "study"}
+
+
+def figure_in(command: str, units: str) -> str | bool:
+    """What asks for a figure in these units; that of `rubber-fit` is in MPa."""
+    return True if command == "rubber-fit" else units
 
 
 def ask(command: str, request: dict[str, Any] | None = None, *, progress: Progress = None) -> dict[str, Any]:
@@ -46,8 +51,8 @@ def answered(command: str, values: dict[str, Any], answer: str, progress: Progre
     from . import _answers, _native, _plain, _results
 
     request = _plain.request(command, values)
-    if command in FIGURES:
-        request.setdefault("figure", "MPa")
+    if command in FIGURES and command != "curve":
+        request.setdefault("figure", figure_in(command, "MPa"))
     own = getattr(_results, answer, None)
     with listening(progress, command) as heard:
         if own is not None:

@@ -1286,7 +1286,7 @@ def rubber_fit(
     hoop_stretch: Number | None = None,
     name: str | None = None,
     muscle: MuscleLike | None = None,
-    figure: str | None = None,
+    figure: bool = False,
     progress: Progress = None,
 ) -> _results.RubberFit:
     """Tension tests, and what is wanted of the laws.

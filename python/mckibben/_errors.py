@@ -5,6 +5,8 @@ Written by python/generate.py from docs/schema; do not edit.
 
 from __future__ import annotations
 
+from typing import Any
+
 from ._problem import InternalError, MckibbenError, NoAnswerError, NotConvergedError, WrongInputError
 
 
@@ -155,7 +157,7 @@ KINDS: dict[str, type[MckibbenError]] = {
 }
 
 
-def of(values: dict[str, object]) -> MckibbenError:
+def of(values: dict[str, Any]) -> MckibbenError:
     """The exception of a problem, as the compiled half hands it over."""
     return KINDS.get(str(values["kind"]), MckibbenError)(**values)
 

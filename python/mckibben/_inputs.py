@@ -30,6 +30,8 @@ Number = Union[float, int, str, Measured]
 Numbers = Union[Sequence[Number], "NDArray[np.floating[Any]]", str, Measured]
 # Values to search through: one, several, or all between two as {"low": …, "high": …} or "30..50 mm".
 Choice = Union[Number, Numbers, Mapping[str, Number]]
+# What a model is asked for: anything that NumPy reads as numbers, texts with a unit, quantities of pint.
+Floats = Union["ArrayLike", Number, Numbers]
 # A path, or what stands in the file as {"name": …, "text": …}.
 FileLike = Union[str, "PathLike[str]", Mapping[str, str]]
 # The same, or a data frame, or columns by name.

@@ -14,23 +14,21 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ._formula import Formula
-    from ._inputs import FormulaLike, MuscleLike, Number, Numbers
+    from ._inputs import Floats, FormulaLike, MuscleLike
     from ._muscle import Muscle
     from ._results import Curve
 
-    Floats = NDArray[np.float64]
+    Array = NDArray[np.float64]
 
 # A list of pairs has so many places at most: what a machine could address.
 _MOST = 2**47
 
 
-def _array(name: str, value: Any) -> Floats:
+def _array(name: str, value: Any) -> Array:
     """Numbers in the unit of a name, without a copy where they are such already."""
     if isinstance(value, str):
-        try:
-            return np.asarray(_plain.number(name, value))
-        except ValueError:
-            return np.asarray(_plain.numbers(name, value))
+        several = ".." in value or "," in value
+        return np.asarray(_plain.numbers(name, value) if several else _plain.number(name, value))
     value = _plain.unpinted(name, value)
     if isinstance(value, (list, tuple)) and any(isinstance(v, str) or hasattr(v, "magnitude") for v in value):
         value = _plain.numbers(name, value)
@@ -70,7 +68,7 @@ class Model:
     >>> import numpy as np
     >>> paper = Model(Muscle(outer_diameter_mm=50, wall_mm=1), "paper")
     >>> paper.force(0.25, np.array([0.0, 0.1])).round(1)
-    array([2728.6, 1555.6])
+    array([2684.7, 1511.2])
     """
 
     __slots__ = ("_muscle", "_native", "_request")
@@ -137,11 +135,11 @@ class Model:
         return other
 
     @overload
-    def force(self, pressure_mpa: Number | Numbers | Floats, contraction: Number | Numbers | Floats = ..., *, jac: Literal[False] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[False] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
     @overload
-    def force(self, pressure_mpa: Number | Numbers | Floats, contraction: Number | Numbers | Floats = ..., *, jac: Literal[True] | Sequence[str], errors: str = ..., progress: Progress = ...) -> tuple[Any, Floats]: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: Literal[True] | Sequence[str], errors: str = ..., progress: Progress = ...) -> tuple[Any, Array]: ...
     @overload
-    def force(self, pressure_mpa: Number | Numbers | Floats, contraction: Number | Numbers | Floats = ..., *, jac: bool | Sequence[str] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
+    def force(self, pressure_mpa: Floats, contraction: Floats = ..., *, jac: bool | Sequence[str] = ..., errors: str = ..., progress: Progress = ...) -> Any: ...
 
     def force(self, pressure_mpa: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
         """F(P, ε): the pull, in N; 0 where the muscle is slack.

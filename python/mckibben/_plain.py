@@ -95,6 +95,8 @@ def numbers(name: str, value: Any) -> list[Any]:
 
 def field(name: str, value: Any, *, within: str = "") -> Any:
     """A field of a request."""
+    if isinstance(value, bool) and kind_of(name) is None or isinstance(value, int) and name == "muscles":
+        return value
     if name in TEXTS:
         return [text(v) for v in value] if name == "muscles" else text(value)
     if name in TABLES:

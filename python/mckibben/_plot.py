@@ -44,6 +44,11 @@ def _ramp(share: float) -> str:
     return "#" + "".join(f"{round(a + (b - a) * (place - i)):02x}" for a, b in zip(low, high))
 
 
+def _label(series: dict[str, Any]) -> str:
+    """What the legend calls it: a text that the program writes at the end of a line stands in the legend here."""
+    return str(series.get("label") or series.get("end_label") or "")
+
+
 def _points(series: dict[str, Any]) -> tuple[list[float], list[float]]:
     nan = float("nan")
     points = series["points"]
@@ -70,7 +75,7 @@ def _matplotlib(figure: dict[str, Any], ax: Any) -> Any:
     for panel, axis in zip(panels, axes):
         for series, (colour, line, marker) in zip(panel["series"], _looks(panel, figure.get("palette", "categorical"))):
             x, y = _points(series)
-            axis.plot(x, y, color=colour, linestyle=line or "none", marker=marker, markersize=4, label=series["label"] or None)
+            axis.plot(x, y, color=colour, linestyle=line or "none", marker=marker, markersize=4, label=_label(series) or None)
         for mark in panel.get("marks", []):
             axis.plot([mark["x"]], [mark["y"]], "o", color="black", markerfacecolor="white", zorder=5)
             axis.annotate(mark["label"], (mark["x"], mark["y"]), textcoords="offset points", xytext=(6, 6))
@@ -84,7 +89,7 @@ def _matplotlib(figure: dict[str, Any], ax: Any) -> Any:
                 low, high = getattr(axis, f"get_{name}lim")()
                 fit(min(0.0, low), max(0.0, high))
         axis.grid(visible=True, alpha=0.3)
-        if any(series["label"] for series in panel["series"]):
+        if any(_label(series) for series in panel["series"]):
             axis.legend(fontsize="small")
     return axes[0] if len(panels) == 1 else axes[: len(panels)]
 
@@ -102,7 +107,7 @@ def _plotly(figure: dict[str, Any]) -> Any:
         for series, (colour, line, marker) in zip(panel["series"], _looks(panel, figure.get("palette", "categorical"))):
             x, y = _points(series)
             mode = "+".join(part for part in ("lines" if line else "", "markers" if marker else "") if part)
-            out.add_trace(Scatter(x=x, y=y, mode=mode, name=series["label"], showlegend=bool(series["label"]), line={"color": colour, "dash": _PLOTLY.get(line, "solid")}), **place)
+            out.add_trace(Scatter(x=x, y=y, mode=mode, name=_label(series), showlegend=bool(_label(series)), line={"color": colour, "dash": _PLOTLY.get(line, "solid")}), **place)
         for mark in panel.get("marks", []):
             out.add_trace(Scatter(x=[mark["x"]], y=[mark["y"]], mode="markers+text", text=[mark["label"]], textposition="top right", showlegend=False, marker={"color": "black"}), **place)
         out.update_xaxes(title_text=panel["x"]["label"], range=panel["x"].get("range"), **place)

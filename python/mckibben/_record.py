@@ -21,7 +21,7 @@ class Record:
     """An answer: its fields are attributes; what an answer does not have is None.
 
     Two records are equal where their fields are. ``to_dict()`` gives plain dicts and lists, the same as the JSON of the command line.
-    Where an answer holds a table, ``table``, ``to_pandas()``, ``to_polars()``, ``to_arrow()`` and the Arrow interface of Python give it.
+    Where an answer holds a table, ``to_table()``, ``to_pandas()``, ``to_polars()``, ``to_arrow()`` and the Arrow interface of Python give it.
     """
 
     __slots__ = ("_asked", "_data")
@@ -108,12 +108,11 @@ class Record:
         rows = [(name, _short(value)) for name, value in self._data.items() if not isinstance(value, (list, dict)) or name == "warnings"]
         out = "".join(f"<tr><th style='text-align:left'>{escape(name)}</th><td>{escape(text)}</td></tr>" for name, text in rows)
         own = f"<table><caption>{type(self).__name__}</caption>{out}</table>"
-        return own + (self.table._repr_html_() if self._rows_ and self._data.get(self._rows_) else "")
+        return own + (self.to_table()._repr_html_() if self._rows_ and self._data.get(self._rows_) else "")
 
     # The table of an answer.
 
-    @property
-    def table(self) -> Table:
+    def to_table(self) -> Table:
         """The answer's table, its columns named as the fields of its rows."""
         from ._table import Table
 
@@ -126,18 +125,18 @@ class Record:
 
     def to_pandas(self) -> Any:
         """The table as a ``pandas.DataFrame``."""
-        return self.table.to_pandas()
+        return self.to_table().to_pandas()
 
     def to_polars(self) -> Any:
         """The table as a ``polars.DataFrame``."""
-        return self.table.to_polars()
+        return self.to_table().to_polars()
 
     def to_arrow(self) -> Any:
         """The table as a ``pyarrow.Table``."""
-        return self.table.to_arrow()
+        return self.to_table().to_arrow()
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> Any:
-        return self.table.__arrow_c_stream__(requested_schema)
+        return self.to_table().__arrow_c_stream__(requested_schema)
 
     def plot(self, *, units: str | None = None, ax: Any = None, engine: str = "matplotlib") -> Any:
         """Draws the figure of this answer, the same as ``--plot`` of the command line.
@@ -163,12 +162,13 @@ class Record:
         figure = self._data.get("figure")
         if figure is not None and units is None:
             return dict(figure)
-        if self._asked is None:
-            raise AttributeError(f"{type(self).__name__} has no figure")
         from . import _native
+        from ._ask import FIGURES, figure_in
 
+        if self._asked is None or self._asked[0] not in FIGURES:
+            raise AttributeError(f"{type(self).__name__} has no figure")
         command, request = self._asked
-        figure = _native.ask(command, {**request, "figure": units or "MPa"}).get("figure")
+        figure = _native.ask(command, {**request, "figure": figure_in(command, units or "MPa")}).get("figure")
         if figure is None:
             raise AttributeError(f"there is no figure of this {type(self).__name__}")
         return dict(figure)

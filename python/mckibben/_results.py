@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _answers, _native
+from ._record import Record
 from ._table import Table
 
 if TYPE_CHECKING:
@@ -38,8 +39,7 @@ class Curve(_answers.CurveAnswer):
         object.__setattr__(curve, "_points", Table(columns))
         return curve
 
-    @property
-    def table(self) -> Table:
+    def to_table(self) -> Table:
         """The points as a table."""
         return self._points
 
@@ -121,7 +121,7 @@ def _design(data: dict[str, Any], asked: Any, muscles: list[str]) -> Design:
     return design
 
 
-class _Plain(_answers.Record):
+class _Plain(Record):
     """How an answer comes about that has nothing to itself but methods."""
 
     __slots__ = ()
@@ -177,7 +177,12 @@ class RubberFit(_Plain, _answers.RubberFitAnswer):
             if name in (found.name, found.law):
                 constants: dict[str, Any] = {}
                 for p in found.parameters:
-                    constants[p.name.rsplit(".", 1)[-1]] = p.value
+                    constant = p.name.rsplit(".", 1)[-1]
+                    # The terms of Ogden's law stand in lists: mu1, mu2 are mu = […].
+                    if found.law == "ogden":
+                        constants.setdefault(constant.rstrip("0123456789"), []).append(p.value)
+                    else:
+                        constants[constant] = p.value
                 return Rubber(found.law, **constants)
         raise KeyError(name)
 

@@ -44,7 +44,8 @@ def force(model: Model, parameters: Sequence[str] = ()) -> Callable[..., Any]:
 
     def all_of(p: Any, e: Any, theta: Any) -> Any:
         shape = (*jnp.broadcast_shapes(jnp.shape(p), jnp.shape(e)), 3 + len(names))
-        return jax.pure_callback(asked, jax.ShapeDtypeStruct(shape, dtype()), p, e, theta, vmap_method="sequential")
+        struct: Any = jax.ShapeDtypeStruct
+        return jax.pure_callback(asked, struct(shape, dtype()), p, e, theta, vmap_method="sequential")
 
     @jax.custom_jvp
     def pull(p: Any, e: Any, theta: Any) -> Any:

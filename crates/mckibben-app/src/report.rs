@@ -7,7 +7,7 @@ use crate::figure;
 use crate::muscle::MuscleSummary;
 use crate::point::{ForceRequest, PointAnswer, force, given, ratio};
 use crate::problem::Problem;
-use crate::shape::{ShapeRequest, shaped};
+use crate::shape::{ShapeAnswer, ShapeRequest, shaped};
 use crate::show::{MuscleShowAnswer, MuscleShowRequest, muscle_show};
 use crate::simulate::PictureFields;
 use crate::units::Units;
@@ -154,26 +154,31 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
     vec![Part::Heading("What it does".into()), pairs(rows)]
 }
 
-/// The deformed muscle by itself, for front ends that show a page.
+/// The deformed muscle by itself, without the picture for paper (of 600 kB), for front ends that show many.
 ///
 /// # Errors
 /// [`Problem`], as [`shape`](crate::shape).
 pub fn body(request: &ShapeRequest, progress: &dyn Progress) -> Result<Document, Problem> {
-    let part = body_of(request, &Units::default(), progress)?;
+    let (answer, _) = shaped(request, progress)?;
+    let part = Part::Body(Body { data: data_of(answer), picture: None });
     Ok(Document { title: "The deformed muscle".into(), parts: vec![part], ..Document::default() })
 }
 
 fn body_of(request: &ShapeRequest, units: &Units, progress: &dyn Progress) -> Result<Part, Problem> {
-    let (mut answer, section) = shaped(request, progress)?;
+    let (answer, section) = shaped(request, progress)?;
+    let wanted = PictureFields { units: units.clone(), ..PictureFields::default() };
+    let picture =
+        figure::picture(&wanted, "fe", &answer.muscle, &Shape::of_section(&section), &answer.point.response)?;
+    Ok(Part::Body(Body { data: data_of(answer), picture: Some(picture) }))
+}
+
+/// What the script of a page gets.
+fn data_of(mut answer: ShapeAnswer) -> String {
     for list in answer.arrays.values_mut() {
         // A few micrometres are finer than a screen.
         list.iter_mut().for_each(|v| *v = (*v * 1e4).round() / 1e4);
     }
-    let wanted = PictureFields { units: units.clone(), ..PictureFields::default() };
-    let picture =
-        figure::picture(&wanted, "fe", &answer.muscle, &Shape::of_section(&section), &answer.point.response)?;
-    let data = serde_json::to_string(&answer).unwrap_or_default();
-    Ok(Part::Body(Body { data, picture: Some(picture) }))
+    serde_json::to_string(&answer).unwrap_or_default()
 }
 
 fn curves(

@@ -1,0 +1,137 @@
+# Written by python/stubs.sh (maturin generate-stubs); do not edit.
+import collections.abc
+import numpy
+import numpy.typing
+import typing
+"""
+The compiled half of mckibben; what users call stands in the package `mckibben`.
+"""
+
+from _typeshed import SupportsGetItem
+from os import PathLike
+from typing import Final, final
+
+__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_text", "muscle_with", "parameters", "quantity", "read_formula", "read_table", "read_text", "report_html", "values"]
+
+VERSION: Final[str]
+"""
+The version of the crates, and of the package.
+"""
+
+@final
+class Model:
+    """
+    A model bound to its muscle.
+    """
+    def __new__(cls, /, muscle: "str", request: "dict[str, typing.Any]") -> Model:
+        """
+        The model that `request` names, of a muscle as the text of its file.
+        """
+    def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> int:
+        """
+        Answers every pair of two arrays of one shape into `out`, which has one axis more at its end, of the numbers of a point; returns
+        how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+        """
+    @property
+    def name(self, /) -> str:
+        """
+        The model's name.
+        """
+    @property
+    def range(self, /) -> tuple[tuple[float, float], tuple[float, float]]:
+        """
+        Lowest and highest pressure in MPa and contraction for which it was made.
+        """
+    @property
+    def source(self, /) -> str:
+        """
+        Where its formula comes from: author, year, equation.
+        """
+
+def arrow_stream(columns: "dict[str, typing.Any]") -> "typing.Any":
+    """
+    A table of columns (NumPy arrays of float64, int64 or bool; lists of str or None) as a stream with one batch. NaN is null.
+    """
+
+def ask(command: "str", request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "dict[str, typing.Any]":
+    """
+    The answer to a request.
+
+    `progress(done, total)` is called now and then.
+    """
+
+def body_html(request: "dict[str, typing.Any]") -> str:
+    """
+    A page with the deformed muscle, which turns under the mouse.
+    """
+
+def choice(text: "str", kind: "str", field: "str | None" = None) -> "typing.Any":
+    """
+    A text such as `30..50 mm` as the values that a design searches through: one, several, or all between two.
+    """
+
+def curve(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], dict[str, typing.Any]]":
+    """
+    A family of curves: what is said of all of it, and its points as columns.
+    """
+
+def design(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], list[str]]":
+    """
+    The answer to a specification, and its candidates as texts of muscle files.
+    """
+
+def drive_files(name: str, text: str) -> tuple[str, str, list[str]]:
+    """
+    What a drive file names: `muscle` or `joint`, the name of its file, and its tables.
+    """
+
+def joint_files(name: str, text: str) -> list[str]:
+    """
+    The muscle files that a joint file names.
+    """
+
+def muscle_text(request: "dict[str, typing.Any]", rubber: str | None = None, braid: str | None = None) -> str:
+    """
+    The muscle that a muscle file, a rubber, a braid and fields describe, as the text of a muscle file. Rubber and braid are the tables
+    `[tube.material]` and `[braid]` of one.
+    """
+
+def muscle_with(text: "str", values: "dict[str, float]") -> str:
+    """
+    The muscle with other values of constants and measures, all others held.
+    """
+
+def parameters(text: str) -> list[tuple[str, float, str]]:
+    """
+    Constants and measures of a muscle by which a model has derivatives, with their values and units.
+    """
+
+def quantity(text: str, kind: str, field: str | None = None) -> float:
+    """
+    A text such as `2.5 bar` as a number in mm, MPa, N, degrees, or the unit inside of its kind.
+    """
+
+def read_formula(path: str | PathLike[str]) -> str:
+    """
+    The file of a formula.
+    """
+
+def read_table(path: str | PathLike[str]) -> str:
+    """
+    A table, whatever program wrote it. Such files may be long.
+    """
+
+def read_text(path: str | PathLike[str]) -> str:
+    """
+    A file written by hand: a muscle, a plan, a joint.
+    """
+
+def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:
+    """
+    A page with all that is known of a muscle.
+    """
+
+def values(text: str, kind: str, field: str | None = None) -> list[float]:
+    """
+    A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.
+    """

@@ -1,0 +1,25 @@
+"""What tests share: the repository's own data, found from here."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib
+import pytest
+
+import mckibben as mk
+
+matplotlib.use("Agg")
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    """The repository."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def thin() -> mk.Muscle:
+    """The muscle of the paper's Table 1: D0 50, s 1."""
+    return mk.Muscle(outer_diameter_mm=50, wall_mm=1)

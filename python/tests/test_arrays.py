@@ -1,0 +1,173 @@
+"""Arrays in, arrays out: shapes, strides, derivatives, what is wrong with them."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any
+
+import numpy as np
+import pytest
+
+import mckibben as mk
+
+MODELS = ["universal", "thick-wall", "paper", "ideal", "fe"]
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_an_array_is_its_points(thin: mk.Muscle, name: str) -> None:
+    """An identity: what the array path answers is what the command answers for each point."""
+    model = thin.model(name)
+    p, e = np.linspace(0.0, 0.25, 4)[:, None], np.linspace(0.0, 0.2, 3)
+    force = model.force(p, e)
+    assert force.shape == (4, 3) and force.dtype == np.float64
+    for i, j in np.ndindex(4, 3):
+        alone = thin.force(float(p[i, 0]), float(e[j]), model=name).force_n
+        assert force[i, j] == pytest.approx(alone, abs=1e-8 * 2700)
+
+
+@pytest.mark.parametrize("name", ["universal", "paper", "ideal"])
+def test_arrays_lie_as_they_please(thin: mk.Muscle, name: str) -> None:
+    """Transposed, reversed, every second, spread over a grid of more than one block: the same numbers as in one piece."""
+    model = thin.model(name)
+    rng = np.random.default_rng(1)
+    p, e = rng.uniform(0.01, 0.25, (61, 47)), rng.uniform(0, 0.15, (61, 47))
+    straight = model.force(p.ravel().copy(), e.ravel().copy()).reshape(p.shape)
+    for a, b, expected in [
+        (p.T, e.T, straight.T),
+        (p[::-1, ::2], e[::-1, ::2], straight[::-1, ::2]),
+        (np.asfortranarray(p), e, straight),
+        (p[:, ::-1], e[:, ::-1], straight[:, ::-1]),
+    ]:
+        assert np.allclose(model.force(a, b), expected, rtol=1e-9, atol=1e-6)
+    grid = model.force(p[:, 0][:, None, None], e[0][None, :, None] * np.ones(3))
+    assert grid.shape == (61, 47, 3)
+    assert np.allclose(grid, model.force(np.repeat(p[:, 0], 47 * 3), np.tile(np.repeat(e[0], 3), 61)).reshape(grid.shape), rtol=1e-9, atol=1e-6)
+
+
+def test_shapes_at_the_edge(thin: mk.Muscle) -> None:
+    model = thin.model("ideal")
+    assert isinstance(model.force(0.2, 0.1), float)
+    assert isinstance(model.force(np.float32(0.2), 0), float)
+    assert model.force([], 0.1).shape == (0,)
+    assert model.force(np.zeros((0, 3)), 0.1).shape == (0, 3)
+    assert model.force(np.array([1, 2]), 0).shape == (2,)
+    assert model.force("0..2.5:0.5bar", 0).shape == (6,)
+    assert model.force(["1 bar", "36 psi"], "10%").shape == (2,)
+
+
+def test_numbers_that_are_there_are_not_copied(thin: mk.Muscle) -> None:
+    p = np.linspace(0, 0.25, 1000)
+    from mckibben._model import _array
+
+    assert _array("pressure_mpa", p) is p
+
+
+@pytest.mark.parametrize("name", [*MODELS, "chou-hannaford"])
+@pytest.mark.parametrize("wanted", ["force", "pressure", "contraction"])
+def test_derivatives_are_those_of_differences(thin: mk.Muscle, name: str, wanted: str) -> None:
+    """Central differences of second order with h: their error is O(h²), far below 1e-5 of the derivative."""
+    model = thin.model(name)
+    ask = getattr(model, wanted)
+    a, b = {"force": (0.2, 0.1), "pressure": (700.0, 0.1), "contraction": (700.0, 0.2)}[wanted]
+    value, jac = ask(a, b, jac=True)
+    assert jac.shape == (2,) and value == pytest.approx(ask(a, b), rel=1e-12)
+    for i, (h_a, h_b) in enumerate([(1e-4 * a, 0.0), (0.0, 1e-4 * b)]):
+        difference = (ask(a + h_a, b + h_b) - ask(a - h_a, b - h_b)) / (2 * (h_a + h_b))
+        assert jac[i] == pytest.approx(difference, rel=1e-5)
+
+
+@pytest.mark.parametrize("name", ["fe", "universal", "thick-wall"])
+def test_derivatives_by_constants_are_those_of_differences(name: str) -> None:
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=2)
+    names = ["tube.material.c10", "braid.stiffness", "tube.wall_thickness", "tube.outer_diameter", "braid.angle", "tube.length"]
+    model = muscle.model(name)
+    _, jac = model.force(0.2, [0.05, 0.1], jac=names)
+    assert jac.shape == (2, 2 + len(names))
+    for i, parameter in enumerate(names):
+        value = muscle.parameters[parameter]
+        h = 1e-4 * value
+        high, low = (model.of(muscle.with_parameters({parameter: value + s * h})).force(0.2, [0.05, 0.1]) for s in (1, -1))
+        # A change by a share is of the size of the pull at most: 2000 N.
+        assert np.allclose(jac[:, 2 + i], (high - low) / (2 * h), rtol=1e-4, atol=1e-6 * 2000 / value), parameter
+
+
+def test_a_slack_muscle_pulls_nothing_and_pushes_where_it_is_asked_to(thin: mk.Muscle) -> None:
+    for name in ["fe", "thick-wall", "ideal"]:
+        force, jac = thin.model(name).force(0.1, [0.0, 0.4], jac=True)
+        assert force[0] > 0 and force[1] == 0 and not jac[1].any()
+    assert thin.model("ideal", two_sided=True).force(0.1, 0.4) < 0
+
+
+def test_the_first_point_without_an_answer_is_named(thin: mk.Muscle) -> None:
+    model = thin.model("paper")
+    p = np.full(5000, 0.1)
+    p[[4321, 1234]] = 0.5
+    with pytest.raises(mk.OutOfRangeError) as caught:
+        model.force(p, 0.1)
+    assert caught.value.index == 1234 and "pressure 0.5 MPa" in caught.value.message
+    force = model.force(p, 0.1, errors="nan")
+    assert np.isnan(force).sum() == 2 and np.isnan(force[1234])
+    value, jac = model.force(p[1230:1240], 0.1, errors="nan", jac=True)
+    assert np.isnan(jac[4]).all() and np.isfinite(np.delete(jac, 4, axis=0)).all()
+    assert np.isfinite(thin.model("paper", extrapolate=True).force(p, 0.1)).all()
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("name", ["paper", "universal", "ideal", "fe"])
+def test_what_is_no_number_is_refused(thin: mk.Muscle, name: str, bad: float) -> None:
+    model = thin.model(name)
+    for p, e in [(bad, 0.1), (0.2, bad)]:
+        with pytest.raises(mk.WrongInputError):
+            model.force([0.1, p], [0.0, e])
+        assert np.isnan(model.force([0.1, p], [0.0, e], errors="nan")[1])
+
+
+def test_wrong_shapes_and_types(thin: mk.Muscle) -> None:
+    model = thin.model("ideal")
+    with pytest.raises(ValueError):
+        model.force(np.zeros(3), np.zeros(4))
+    bads: list[Any] = [object(), [object()], np.array(["a", "b"]), np.array([1j]), np.array([None]), {}, b"1", np.array([True]), [[1, 2], [3]]]
+    for bad in bads:
+        with pytest.raises((TypeError, ValueError)):
+            model.force(bad, 0.1)
+    with pytest.raises(mk.QuantityError):
+        model.force("3 mm", 0.1)
+    with pytest.raises(ValueError):
+        model.force(0.1, 0.1, errors="ignore")
+    with pytest.raises(mk.ParameterError):
+        model.force(0.1, 0.1, jac=["tube.material.c99"])
+    with pytest.raises(mk.QuantityError, match="contraction ratio"):
+        model.force(0.1, 15)
+
+
+def test_huge_arrays_end_in_an_exception(thin: mk.Muscle) -> None:
+    model = thin.model("ideal")
+    tall, wide = np.zeros((1 << 24, 1)), np.zeros(1 << 24)
+    with pytest.raises(MemoryError):
+        model.force(tall, wide)
+
+
+def test_threads_share_a_model(thin: mk.Muscle) -> None:
+    model = thin.model()
+    e = np.linspace(0, 0.2, 12)
+    alone = model.force(0.2, e)
+    found: list[np.ndarray] = []
+    threads = [threading.Thread(target=lambda: found.append(model.force(0.2, e))) for _ in range(6)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(found) == 6 and all(np.array_equal(f, alone) for f in found)
+
+
+def test_pint(thin: mk.Muscle) -> None:
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    model = thin.model("ideal")
+    assert model.force(2.5 * unit.bar, 0.1) == pytest.approx(model.force(0.25, 0.1), rel=1e-12)
+    assert np.allclose(model.force(np.array([1.0, 2.0]) * unit.bar, 0.1), model.force([0.1, 0.2], 0.1))
+    assert mk.Muscle(outer_diameter_mm=2 * unit.inch).outer_diameter_mm == pytest.approx(50.8)
+    with pytest.raises(mk.QuantityError):
+        model.force(2.5 * unit.mm, 0.1)
+    with pytest.raises(mk.QuantityError):
+        mk.force(pressure_mpa=2.5 * unit.mm)

@@ -1,0 +1,36 @@
+"""The code of the documentation runs, and prints what stands behind it."""
+
+from __future__ import annotations
+
+import contextlib
+import doctest
+import importlib
+import io
+import re
+from pathlib import Path
+
+import pytest
+
+
+@pytest.mark.parametrize("page, heading", [("docs/python.md", ""), ("README.md", "## Python")])
+def test_code_of_pages_runs(page: str, heading: str, root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(root)
+    text = (root / page).read_text("utf-8")
+    if heading:
+        text = text.split(f"\n{heading}\n", 1)[1].split("\n## ", 1)[0]
+    blocks = re.findall(r"```python\n(.*?)```", text, flags=re.DOTALL)
+    assert blocks
+    names: dict[str, object] = {}
+    for block in blocks:
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            exec(compile(block, page, "exec"), names)
+        expected = re.findall(r"print\(.*\)  # (.*)", block)
+        assert out.getvalue().splitlines() == expected, block
+
+
+@pytest.mark.parametrize("module", ["mckibben", "mckibben._model", "mckibben._muscle"])
+def test_examples_of_docstrings(module: str) -> None:
+    found = importlib.import_module(module)
+    result = doctest.testmod(found, extraglobs={"Muscle": importlib.import_module("mckibben").Muscle})
+    assert result.failed == 0 and result.attempted > 0

@@ -1,0 +1,191 @@
+"""Hostile input: an exception each time, in the words of the command line, and never an end of the process."""
+
+from __future__ import annotations
+
+import json
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import mckibben as mk
+from mckibben import _errors
+
+
+@pytest.mark.parametrize(
+    "call, kind",
+    [
+        (lambda: mk.force(), mk.UsageError),
+        (lambda: mk.force(pressure_mpa="2.5 furlongs"), mk.QuantityError),
+        (lambda: mk.force(pressure_mpa="10%"), mk.QuantityError),
+        (lambda: mk.force(pressure_mpa=0.2, contraction=15), mk.QuantityError),
+        (lambda: mk.force(pressure_mpa=float("nan")), mk.QuantityError),
+        (lambda: mk.force(pressure_mpa=10**400), OverflowError),
+        (lambda: mk.force(pressure_mpa=0.3, model="paper"), mk.OutOfRangeError),
+        (lambda: mk.force(pressure_mpa=0.3, model="papr"), mk.ModelError),
+        (lambda: mk.force(pressure_mpa=0.3, rubber="nothing-like-it"), mk.RubberError),
+        (lambda: mk.force(pressure_mpa=0.3, braid="nothing-like-it"), mk.BraidError),
+        (lambda: mk.force(pressure_mpa=0.3, mesh="a"), mk.MeshError),
+        (lambda: mk.force(pressure_mpa=0.3, model="tondu-lopez"), mk.MissingInputError),
+        (lambda: mk.force("no/such/file.toml", 0.3), mk.FileError),
+        (lambda: mk.Muscle.from_toml("[tube]\nwall_thickness = '3 bar'"), mk.FileError),
+        (lambda: mk.Muscle.from_toml("\0"), mk.FileError),
+        (lambda: mk.Muscle(outer_diameter_mm=-1), mk.MuscleError),
+        (lambda: mk.pressure(force_n=1e6), mk.NoAnswerError),
+        (lambda: mk.pressure(force_n=-5), mk.QuantityError),
+        (lambda: mk.contraction(force_n=1e6, pressure_mpa=0.2), mk.NoAnswerError),
+        (lambda: mk.curve(model="paper", pressures_mpa=[0.3]), mk.OutOfRangeError),
+        (lambda: mk.curve(pressures_mpa=[]), mk.RangeError),
+        (lambda: mk.curve(pressures_mpa="0..1:1e-9 MPa"), mk.RangeError),
+        (lambda: mk.curve(pressures_mpa=np.linspace(0, 1, 3000), contractions=np.linspace(0, 0.2, 3000)), mk.BudgetError),
+        (lambda: mk.design(force_n=1e9, contraction=0.1, max_pressure_mpa=0.2).best, mk.NoAnswerError),
+        (lambda: mk.design(), mk.MckibbenError),
+        (lambda: mk.identify(data={"pressure_mpa": [0.1], "contraction": [0.1], "force_n": [1.0]}), mk.MckibbenError),
+        (lambda: mk.rubber_fit({"strain": [0.1], "stress_mpa": [1.0]}), mk.MckibbenError),
+        (lambda: mk.fit({"a": [1.0]}), mk.MckibbenError),
+        (lambda: mk.Formula("{}"), mk.FormulaError),
+        (lambda: mk.Rubber("wood", e=1), mk.FileError),
+        (lambda: mk.Braid(angle_deg="28 mm"), mk.QuantityError),
+        (lambda: mk.ask("nothing", {}), mk.UsageError),
+        (lambda: mk.ask("force", {"presure_mpa": 1}), mk.UsageError),
+        (lambda: mk.ask("force", {"pressure_mpa": "1"}), mk.UsageError),
+        (lambda: mk.Campaign("no/such/place.parquet", {"name": "plan", "text": ""}).run(), mk.MckibbenError),
+        (lambda: mk.Campaign("no/such.parquet").summary(), mk.FileError),
+    ],
+)
+def test_each_family_has_its_exception(call: Any, kind: type[Exception]) -> None:
+    with pytest.raises(kind) as caught:
+        call()
+    error = caught.value
+    if isinstance(error, mk.MckibbenError):
+        assert error.message and _errors.KINDS[error.kind] is type(error)
+        family = {1: mk.NoAnswerError, 2: ValueError, 3: mk.NotConvergedError, 4: mk.InternalError}[error.exit_code]
+        assert isinstance(error, family)
+        assert str(pickle.loads(pickle.dumps(error))) == str(error)
+
+
+def test_the_nearest_answer_is_told() -> None:
+    with pytest.raises(mk.NoAnswerError) as caught:
+        mk.pressure(force_n=1e6, contraction=0.1, model="ideal")
+    nearest = caught.value.nearest
+    assert nearest is not None and nearest["pressure_mpa"] == 20
+
+
+def cyclic() -> dict[str, Any]:
+    request: dict[str, Any] = {"formulas": []}
+    request["formulas"].append(request["formulas"])
+    return request
+
+
+@pytest.mark.parametrize(
+    "request_",
+    [
+        cyclic(),
+        {"pressure_mpa": object()},
+        {1: 2},
+        {"pressure_mpa": {1, 2}},
+        {"pressure_mpa": b"1"},
+        {"pressure_mpa": float("inf")},
+        {"pressure_mpa": 2**70},
+        {"pressure_mpa": [0.1]},
+        {"muscle": {"name": "a", "text": "[tube]\n" + "x" * 1_000_000}},
+        {"model": "\ud800"},
+        {"\ud800": 1},
+        "text",
+        [],
+        7,
+    ],
+)
+def test_requests_that_are_none(request_: Any) -> None:
+    with pytest.raises((TypeError, ValueError, mk.MckibbenError)):
+        mk.ask("force", request_)
+
+
+@pytest.mark.parametrize("value", [object(), [1, 2], {}, True, b"2", np.zeros(3), 1j, "", " ", "1e999 bar", "\0", "２ bar", "nan", "inf MPa"])
+def test_values_that_are_none(value: Any) -> None:
+    array: Any = object() if isinstance(value, (list, np.ndarray, dict)) else value
+    for call in (lambda: mk.force(pressure_mpa=value), lambda: mk.Muscle(outer_diameter_mm=value), lambda: mk.Muscle().model("ideal").force(array, 0)):
+        with pytest.raises((TypeError, ValueError)):
+            call()
+
+
+def test_objects_that_lie() -> None:
+    class Liar:
+        magnitude = "far"
+
+        def to(self, unit: str) -> Liar:
+            return self
+
+    class Raises:
+        def __float__(self) -> float:
+            raise RuntimeError("no")
+
+    with pytest.raises((TypeError, ValueError)):
+        mk.force(pressure_mpa=Liar())
+    with pytest.raises(RuntimeError):
+        mk.force(pressure_mpa=Raises())  # type: ignore[arg-type]
+    with pytest.raises(TypeError):
+        mk.Muscle(rubber=3)  # type: ignore[arg-type]
+    with pytest.raises(TypeError):
+        mk.force(pressure_mpa=0.1, unknown=1)  # type: ignore[call-arg]
+
+
+def test_a_broken_progress_function_ends_the_work_with_its_exception() -> None:
+    with pytest.raises(TypeError):
+        mk.sweep(2000, progress=lambda: None)  # type: ignore[arg-type, misc]
+
+
+def test_files_that_are_none(tmp_path: Path) -> None:
+    (tmp_path / "a.toml").write_bytes(b"\xff\xfe\x00")
+    for path in [tmp_path, tmp_path / "a.toml", "/dev/zero" if sys.platform != "win32" else tmp_path]:
+        with pytest.raises(mk.MckibbenError):
+            mk.Muscle(path)
+        with pytest.raises(mk.MckibbenError):
+            mk.rubber_fit(path)
+
+
+def test_a_name_that_is_not_there() -> None:
+    with pytest.raises(AttributeError, match="did you mean 'Muscle'"):
+        mk.Muscel
+    assert "force" in dir(mk) and "OutOfRangeError" in dir(mk)
+
+
+def test_the_words_are_those_of_json(root: Path) -> None:
+    """The exception says what the command line says, in JSON."""
+    try:
+        mk.force(pressure_mpa=0.3, model="paper")
+    except mk.OutOfRangeError as error:
+        assert error.message == "outside the range of the paper model: pressure 0.3 MPa, outside 0 to 0.25 MPa"
+    schema = json.loads((root / "docs/schema/force.json").read_text("utf-8"))
+    kinds = {kind["const"] for kind in schema["error"]["$defs"]["ProblemKind"]["oneOf"]}
+    assert kinds == set(_errors.KINDS)
+
+
+def test_random_requests_end_in_answers_or_exceptions() -> None:
+    """A thousand requests of odd values in a process of its own, which must come to its end."""
+    code = """
+import random, mckibben as mk
+random.seed(7)
+odd = [None, 0, -1, 1e-300, 1e300, 0.2, 5, "2 bar", "x", [], [0.1], {}, True, "paper", "fe", "inextensible", 0.5, 30, 1e9]
+names = ["outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "stiffness", "model", "pressure_mpa", "contraction", "force_n", "mesh", "direction", "both", "extrapolate", "two_sided"]
+ends = {}
+for i in range(1000):
+    request = {name: random.choice(odd) for name in random.sample(names, 4)}
+    request.setdefault("model", random.choice(["ideal", "universal", "thick-wall", "paper"]))
+    try:
+        mk.ask(random.choice(["force", "pressure", "contraction", "muscle-show"]), {k: v for k, v in request.items() if v is not None})
+        end = "answer"
+    except mk.MckibbenError as error:
+        end = error.kind
+    except (TypeError, ValueError) as error:
+        end = type(error).__name__
+    ends[end] = ends.get(end, 0) + 1
+assert "internal" not in ends, ends
+print(sum(ends.values()))
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
+    assert done.stdout.strip() == "1000", done.stderr[-2000:]

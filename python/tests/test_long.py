@@ -1,0 +1,105 @@
+"""Long work: progress, Ctrl-C, other threads."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import mckibben as mk
+
+# About ten seconds of finite elements.
+PRESSURES, CONTRACTIONS = np.linspace(0.02, 0.6, 150), np.linspace(0, 0.25, 60)
+
+
+def long_work(progress: object = None) -> None:
+    model = mk.Muscle(wall_mm=4).model(mesh="2x24", two_sided=True)
+    model.force(PRESSURES[:, None], CONTRACTIONS, jac=["tube.wall_thickness"], errors="nan", progress=progress)  # type: ignore[call-overload]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals")
+def test_ctrl_c_ends_the_work_at_once() -> None:
+    begun = time.monotonic()
+    timer = threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        long_work()
+    assert time.monotonic() - begun < 3.0
+    # And what comes after it works.
+    assert mk.Muscle().model().force(0.2, 0.1) > 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals")
+@pytest.mark.parametrize("work", ["mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model='fe', top=50)", "mk.validate(all=True)", "mk.sweep(100000)"])
+def test_ctrl_c_reaches_commands(work: str) -> None:
+    code = f"import mckibben as mk, os, signal, threading\nthreading.Timer(0.4, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\ntry:\n    {work}\nexcept KeyboardInterrupt:\n    print('ended')\nelse:\n    print('done')"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    # A quick machine may have finished before; then the signal comes to nobody.
+    assert done.stdout.strip() in ("ended", "done") or done.returncode == -signal.SIGINT, done.stderr
+
+
+def test_progress_is_told_and_may_end_the_work() -> None:
+    told: list[tuple[int, int]] = []
+
+    def hear(done: int, total: int) -> None:
+        told.append((done, total))
+        if len(told) == 3:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        long_work(hear)
+    assert len(told) >= 3 and told[0][1] == PRESSURES.size * CONTRACTIONS.size
+    assert all(a[0] <= b[0] for a, b in zip(told, told[1:]))
+
+
+def test_a_bar_moves(capsys: pytest.CaptureFixture[str]) -> None:
+    mk.Muscle().model().force(np.linspace(0.01, 0.2, 200)[:, None], np.linspace(0, 0.1, 10), progress=True)
+    assert "2000" in capsys.readouterr().err
+
+
+def test_the_interpreter_is_free() -> None:
+    """Another thread counts on while finite elements are at work."""
+    count, stop = [0], threading.Event()
+
+    def counting() -> None:
+        while not stop.is_set():
+            count[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=counting)
+    thread.start()
+    begun = time.monotonic()
+    mk.Muscle().model(mesh="2x16").force(PRESSURES[:, None], CONTRACTIONS[:12])
+    elapsed = time.monotonic() - begun
+    stop.set()
+    thread.join()
+    assert count[0] > 50 * elapsed
+
+
+def test_a_campaign_resumes(tmp_path: Path, root: Path) -> None:
+    plan = """
+        name = "two"
+        model = "fe"
+    """
+    text = (root / "plans/paper.toml").read_text("utf-8")
+    campaign = mk.Campaign(tmp_path / "paper.parquet", root / "plans/paper.toml")
+    done = campaign.run(threads=2)
+    assert done.complete and done.points == done.points_computed and text and plan
+    assert campaign.run().points_computed == 0
+    table, summary = campaign.to_pandas(), campaign.summary()
+    assert len(table) == summary.points == len(campaign.to_polars()) == campaign.to_arrow().num_rows
+    assert campaign.fit().formula.model(mk.Muscle()).force(0.2, 0.1) > 0
+
+
+def test_the_import_is_quick() -> None:
+    """Best of five in fresh interpreters, less what an empty one takes."""
+    code = "import time; t = time.perf_counter(); import mckibben; mckibben.__version__; print(time.perf_counter() - t)"
+    times = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout) for _ in range(5)]
+    assert min(times) < 0.05, times

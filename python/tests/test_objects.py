@@ -1,0 +1,158 @@
+"""Objects: equality, hash, pickle, copies, words for people."""
+
+from __future__ import annotations
+
+import copy
+import json
+import pickle
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import mckibben as mk
+
+
+@pytest.fixture(scope="module")
+def things(root: Path) -> dict[str, Any]:
+    muscle = mk.Muscle(outer_diameter_mm=50, wall_mm=1)
+    fitted = mk.fit(root / "data/campaign/paper.csv")
+    return {
+        "muscle": muscle,
+        "rubber": mk.Rubber("mooney-rivlin", c10="120 kPa", c01=0.0),
+        "braid": mk.Braid("28 deg", strands=48, strand_area_mm2=0.3, strand_modulus_mpa=2500, strand_strength_n="40 N"),
+        "model": muscle.model("universal", extrapolate=True),
+        "fe": muscle.model(mesh="2x8"),
+        "formula": fitted.formula,
+        "formula model": fitted.formula.model(muscle),
+        "answer": muscle.force(0.2, 0.1, model="ideal"),
+        "curve": muscle.curve("isobaric", model="universal"),
+        "design": mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model="universal"),
+        "fitted": fitted,
+        "shape": muscle.shape(0.2, 0.1),
+        "table": mk.Table({"a": [1.0, None], "b": ["x", None]}),
+        "campaign": mk.Campaign("some.parquet", {"name": "plan", "text": "x"}),
+        "error": mk.OutOfRangeError("outside", kind="out_of_range", hint="inside", field="pressure_mpa", index=3),
+    }
+
+
+def test_pickle_and_copies(things: dict[str, Any]) -> None:
+    for name, thing in things.items():
+        for other in (pickle.loads(pickle.dumps(thing)), copy.deepcopy(thing), copy.copy(thing)):
+            assert type(other) is type(thing), name
+            if name == "error":
+                assert (str(other), other.index, other.field) == (str(thing), 3, "pressure_mpa")
+                continue
+            assert other == thing and hash(other) == hash(thing), name
+            assert repr(other) == repr(thing), name
+    model = pickle.loads(pickle.dumps(things["fe"]))
+    assert model.force(0.2, 0.1) == things["fe"].force(0.2, 0.1)
+
+
+def test_what_differs_is_not_equal(things: dict[str, Any]) -> None:
+    muscle = things["muscle"]
+    assert muscle != muscle.replace(wall_mm=1.5) and muscle == muscle.replace(wall_mm=1) and muscle != "muscle"
+    assert things["model"] != muscle.model("universal") and things["model"] != things["fe"]
+    assert things["rubber"] != mk.Rubber("mooney-rivlin", c10=0.11, c01=0.0)
+    assert things["answer"] != muscle.force(0.2, 0.11, model="ideal")
+    assert len({muscle, muscle.replace(), mk.Muscle(wall_mm=1)}) == 2
+
+
+def test_nothing_changes(things: dict[str, Any]) -> None:
+    for name, attribute in [("muscle", "wall_mm"), ("rubber", "c10"), ("model", "name"), ("formula", "name"), ("answer", "force_n"), ("table", "a"), ("campaign", "output")]:
+        with pytest.raises(AttributeError):
+            setattr(things[name], attribute, 1)
+    with pytest.raises(ValueError):
+        things["curve"].force_n[0] = 1.0
+
+
+def test_a_muscle_is_its_file(things: dict[str, Any], tmp_path: Path) -> None:
+    muscle = mk.Muscle(outer_diameter_mm=31.4159265358979, wall_mm=2, rubber=things["rubber"], braid=things["braid"])
+    assert mk.Muscle.from_toml(muscle.to_toml()) == muscle
+    muscle.save(tmp_path / "m.toml")
+    assert mk.Muscle(tmp_path / "m.toml") == mk.Muscle.from_file(str(tmp_path / "m.toml")) == muscle
+    assert muscle.parameters["tube.material.c10"] == 0.12
+    assert (muscle.force(0.2, 0.1).strand_tension_n or 0) > 0
+    assert "48" in muscle.braid
+    assert mk.Muscle(muscle, rubber="dragon-skin-30").rubber == "dragon-skin-30"
+
+
+def test_words_for_people(things: dict[str, Any]) -> None:
+    assert repr(things["muscle"]).startswith("Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285, angle_deg=28")
+    assert repr(things["rubber"]) == "Rubber(law='mooney-rivlin', c10='120 kPa', c01=0.0)"
+    for name, thing in things.items():
+        assert len(repr(thing)) < 900, name
+        if hasattr(thing, "_repr_html_"):
+            page = thing._repr_html_()
+            assert page.startswith("<") and len(page) < 400_000, (name, len(page))
+    assert "<iframe srcdoc=" in things["muscle"]._repr_html_() and "<iframe" in things["shape"]._repr_html_()
+    assert "$$" in (things["formula"]._repr_latex_() or "$$")
+
+
+def test_texts_of_others_are_no_markup() -> None:
+    evil = "</td><script>alert(1)</script>"
+    assert "<script>" not in mk.Table({evil: [evil]})._repr_html_()
+    assert "<script>" not in mk.Record({evil: evil, "warnings": [evil]})._repr_html_()
+
+
+def test_answers_have_the_words_of_json(things: dict[str, Any]) -> None:
+    answer = things["answer"]
+    assert answer.to_dict() == mk.ask("force", {"outer_diameter_mm": 50, "wall_mm": 1, "pressure_mpa": 0.2, "contraction": 0.1, "model": "ideal"})
+    assert json.loads(json.dumps(answer.to_dict())) == answer.to_dict()
+    assert answer["force_n"] == answer.force_n and "force_n" in answer and dict(answer)["slack"] is False
+    assert answer.max_stretch is None and answer.muscle.wall_mm == 1
+    with pytest.raises(AttributeError, match="did you mean 'force_n'"):
+        answer.force
+    with pytest.raises(KeyError):
+        answer["nothing"]
+
+
+def test_tables_become_those_of_others(things: dict[str, Any]) -> None:
+    curve = things["curve"]
+    pandas, polars, arrow = curve.to_pandas(), curve.to_polars(), curve.to_arrow()
+    assert len(pandas) == len(polars) == len(arrow) == len(curve.to_table())
+    assert np.array_equal(pandas["force_n"], curve.force_n) and np.array_equal(polars["force_n"].to_numpy(), curve.force_n)
+    assert arrow["slack"].to_pylist() == curve.slack.tolist()
+    # Numbers are handed over where they lie.
+    assert arrow["force_n"].chunk(0).buffers()[1].address == curve.force_n.ctypes.data
+    table = things["table"]
+    assert table.to_arrow().to_pydict() == {"a": [1.0, None], "b": ["x", None]}
+    assert table.to_polars().to_dict(as_series=False) == {"a": [1.0, None], "b": ["x", None]}
+    design = things["design"].to_pandas()
+    assert list(design["outer_diameter_mm"]) == [c.outer_diameter_mm for c in things["design"].candidates]
+    import pyarrow as pa
+
+    assert pa.table(things["design"]).num_rows == len(design)
+    assert mk.Table.from_csv(curve.to_table().to_csv())["force_n"].tolist() == curve.force_n.tolist()
+    assert mk.Table({}).to_arrow().num_rows == 0
+    with pytest.raises(ValueError):
+        mk.Table({"a": [1], "b": [1, 2]})
+
+
+def test_an_arrow_table_outlives_its_curve() -> None:
+    import gc
+
+    arrow = mk.Muscle().curve("isobaric", model="universal").to_arrow()
+    expected = mk.Muscle().curve("isobaric", model="universal").force_n.tolist()
+    gc.collect()
+    assert arrow["force_n"].to_pylist() == expected
+
+
+def test_figures(things: dict[str, Any]) -> None:
+    import matplotlib.pyplot as plt
+
+    curve = things["curve"]
+    axes = curve.plot()
+    assert len(axes.lines) >= 5 and "ε" in axes.get_xlabel() and "MPa" in axes.get_legend().get_texts()[0].get_text()
+    _, own = plt.subplots()
+    assert curve.plot(ax=own, units="bar") is own
+    assert any("bar" in text.get_text() for text in own.get_legend().get_texts())
+    plotly = curve.plot(engine="plotly")
+    assert len(plotly.data) >= 5 and plotly.to_dict()["layout"]["xaxis"]["title"]["text"] == axes.get_xlabel()
+    assert things["design"].plot() is not None
+    with pytest.raises(ValueError):
+        curve.plot(engine="gnuplot")
+    with pytest.raises(AttributeError):
+        things["answer"].plot()
+    plt.close("all")
