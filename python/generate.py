@@ -124,7 +124,7 @@ class Types:
             if self.side == "request":
                 return self.request(name, target)
             if self.is_record(target):
-                return name
+                return str(name)
             return self.of(target)
         words = self.words(schema)
         if words:

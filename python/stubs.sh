@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 made=$(mktemp -d)
 trap 'rm -rf "$made"' EXIT
-maturin generate-stubs --quiet --profile "${PROFILE:-release}" --features stubs,extension-module -o "$made"
+maturin generate-stubs --quiet --profile "${PROFILE:-release}" --features stubs -o "$made"
 found=$(find "$made" -name '*.pyi')
 {
     printf '# Written by python/stubs.sh (maturin generate-stubs); do not edit.\n'

@@ -1,0 +1,5 @@
+//! On macOS a library whose symbols come from the interpreter that loads it is linked in its own way.
+
+fn main() {
+    pyo3_build_config::add_extension_module_link_args();
+}
