@@ -205,7 +205,7 @@ class Shape(_Plain, _answers.ShapeAnswer):
 
     def _frame(self) -> str:
         page = escape(self.to_html(), quote=True)
-        return f'<iframe srcdoc="{page}" style="width:100%;max-width:760px;height:520px;border:0" sandbox="allow-scripts" title="muscle"></iframe>'
+        return f'<iframe srcdoc="{page}" style="width:100%;max-width:760px;height:430px;border:0" sandbox="allow-scripts" title="muscle"></iframe>'
 
     def _repr_html_(self) -> str:
         return self._frame() + super()._repr_html_()

@@ -13,9 +13,6 @@ use pyo3::prelude::*;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-/// Points of a closed form up to which a call is one of a moment: some milliseconds.
-const MOMENT: usize = 20_000;
-
 /// A model bound to its muscle.
 #[pyclass(frozen, module = "mckibben._native")]
 pub struct Model {
@@ -102,7 +99,7 @@ impl Model {
             };
             Ok(self.bound.fill(&pairs, &many, places, progress)?)
         };
-        let moment = !self.bound.is_elements() && spread.count() * many.width() <= MOMENT;
+        let moment = self.bound.is_moment(spread.count().saturating_mul(many.width()));
         Ok(if moment { run::quick(py, work) } else { run::long(py, progress, work) }?)
     }
 }

@@ -9,6 +9,8 @@ mod columns;
 mod pairs;
 mod point;
 mod slopes;
+#[cfg(test)]
+mod tests;
 
 pub use columns::{Column, CurveColumns, curve_columns};
 pub use pairs::Pairs;
@@ -19,7 +21,7 @@ use crate::model::{Model, Purpose};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Options;
 use mckibben::identify::Target;
-use mckibben::model::{ForceModel, ModelRange, Workspace};
+use mckibben::model::{ForceModel, ModelKind, ModelRange, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
@@ -29,6 +31,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Points of a closed form that are worked on together: their lists lie in the first cache.
 const BLOCK: usize = 1024;
+/// Points of a polynomial that one thread takes: a thread is woken in the time of some thousand.
+const SHARE_OF_POLYNOMIALS: usize = 64 * BLOCK;
 /// Points of finite elements that are worked on together: neighbours share their equilibria.
 const BLOCK_OF_ELEMENTS: usize = 32;
 
@@ -144,6 +148,21 @@ impl BoundModel {
         matches!(self.choice, Model::Elements(_))
     }
 
+    /// Whether its pull is a polynomial of pressure and contraction.
+    fn is_polynomial(&self) -> bool {
+        matches!(self.choice, Model::Formula(_) | Model::ClosedForm(ModelKind::Paper))
+    }
+
+    /// Whether so many numbers take some hundredths of a second at most: nobody needs to hear of progress.
+    pub fn is_moment(&self, numbers: usize) -> bool {
+        let most = match self.choice {
+            Model::Elements(_) => 0,
+            _ if self.is_polynomial() => 5_000_000,
+            _ => 20_000,
+        };
+        numbers <= most
+    }
+
     /// The constant or measure of a name, as the muscle file has it.
     ///
     /// # Errors
@@ -169,7 +188,11 @@ impl BoundModel {
             let message = format!("{} places for {count} points of {width} numbers", out.len());
             return Err(Problem::new(ProblemKind::Usage, message, "").into());
         }
-        let block = if self.is_elements() { BLOCK_OF_ELEMENTS } else { BLOCK };
+        let share = match self.choice {
+            Model::Elements(_) => BLOCK_OF_ELEMENTS,
+            _ if self.is_polynomial() => SHARE_OF_POLYNOMIALS,
+            _ => BLOCK,
+        };
         let budget = progress.budget();
         let (done, failed, first) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
         let reason: Mutex<Option<NoList>> = Mutex::new(None);
@@ -181,20 +204,21 @@ impl BoundModel {
                 *reason = Some(NoList { index: Some(index), problem });
             }
         };
-        Threads::shared().fill(out, block * width, |place, part| {
-            let from = place / width;
-            // What stands behind a point without an answer is not asked for.
-            if from > first.load(Ordering::Relaxed) || progress.cancelled() || budget.check().is_err() {
-                return;
-            }
-            let mut block = Block::new(pairs, from, part.len() / width);
+        Threads::shared().fill(out, share * width, |place, part| {
             let mut workspace = Workspace::within(budget.clone());
-            match self.block(block.lists(), many, &mut workspace, part) {
-                Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
-                Err((index, problem)) => refuse(from + index, problem),
+            for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
+                let (from, length) = (place / width + i * BLOCK, places.len() / width);
+                // What stands behind a point without an answer is not asked for.
+                if from > first.load(Ordering::Relaxed) || progress.cancelled() || budget.check().is_err() {
+                    return;
+                }
+                let mut block = Block::new(pairs, from, length);
+                match self.block(block.lists(), many, &mut workspace, places) {
+                    Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
+                    Err((index, problem)) => return refuse(from + index, problem),
+                }
+                progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
             }
-            let now = done.fetch_add(part.len() / width, Ordering::Relaxed) + part.len() / width;
-            progress.report(now, count);
         });
         if progress.cancelled() {
             return Err(Problem::cancelled().into());

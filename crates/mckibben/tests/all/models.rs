@@ -2,8 +2,8 @@
 
 use mckibben::formula::Coefficients;
 use mckibben::model::{
-    ChouHannaford, ForceBalance, ForceModel, Ideal, ModelError, ModelKind, Paper, ThickWall, Workspace,
-    smallest_pressure_mpa,
+    ChouHannaford, ForceBalance, ForceModel, ForcesError, Ideal, ModelError, ModelKind, Paper, ThickWall,
+    Workspace, smallest_pressure_mpa,
 };
 use mckibben::muscle::{
     Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Rubber, Terminals, Tube,
@@ -61,6 +61,27 @@ fn answers_are_finite_over_the_range_and_typed_errors_beyond() {
             if let Ok(force) = model.force_n(&mut Workspace::new(), p, e) {
                 assert!(force.is_finite(), "{} {p} {e}: {force}", model.name());
             }
+        }
+    }
+}
+
+/// A list is its points, to rounding or 1e-9 of the blocked force; lists of different length and what is no number are refused.
+#[test]
+fn lists_of_pulls_are_their_points() {
+    for model in every_model() {
+        let (p, e): (Vec<f64>, Vec<f64>) = grid(&*model).into_iter().unzip();
+        let workspace = &mut Workspace::new();
+        let mut out = vec![f64::NAN; p.len()];
+        model.forces_n(workspace, &p, &e, &mut out).unwrap();
+        let blocked = model.force_n(workspace, p[p.len() - 1], 0.0).unwrap();
+        for ((&p, &e), list) in p.iter().zip(&e).zip(&out) {
+            let one = model.force_n(&mut Workspace::new(), p, e).unwrap();
+            assert!((list - one).abs() <= 2e-9 * blocked.max(1.0), "{} {p} {e}: {list} {one}", model.name());
+        }
+        assert!(model.forces_n(workspace, &p[1..], &e, &mut out).is_err());
+        if model.name() != "thick-wall" {
+            let wrong = model.forces_n(workspace, &[0.1, f64::NAN], &[0.1, 0.1], &mut [0.0; 2]);
+            assert!(matches!(wrong, Err(ForcesError::Point { index: 1, .. })), "{}", model.name());
         }
     }
 }

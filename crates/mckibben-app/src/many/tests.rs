@@ -1,0 +1,117 @@
+use super::*;
+use crate::{ForceRequest, MuscleFields, force};
+use mckibben::budget::Budget;
+use mckibben::progress::Silent;
+
+fn fields() -> MuscleFields {
+    MuscleFields { outer_diameter_mm: Some(50.0), wall_mm: Some(2.0), ..Default::default() }
+}
+
+fn named(model: &str) -> ModelFields {
+    ModelFields { model: Some(model.into()), ..Default::default() }
+}
+
+fn bound(model: &str) -> BoundModel {
+    BoundModel::new(&fields().resolve().unwrap(), &named(model), AskFields::default(), &Silent).unwrap()
+}
+
+fn many(slopes: bool, parameters: Vec<Target>) -> Many {
+    Many { wanted: Wanted::Force, slopes, parameters, unanswered: Unanswered::Refused }
+}
+
+fn asked(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, NoList> {
+    let mut out = vec![f64::NAN; p.len() * many.width()];
+    model.fill(&Pairs::Lists([p, e]), many, &mut out, &Silent)?;
+    Ok(out)
+}
+
+/// What a list answers is what `force` answers for each of its points.
+#[test]
+fn a_list_is_its_points() {
+    let e: Vec<f64> = (0..40).map(|i| f64::from(i) * 0.01).collect();
+    for model in ["ideal", "thick-wall", "fe"] {
+        let p = vec![0.15; e.len()];
+        let all = asked(&bound(model), &many(false, vec![]), &p, &e).unwrap();
+        for (found, &contraction) in all.iter().zip(&e) {
+            let request = ForceRequest {
+                muscle: fields(),
+                model: named(model),
+                pressure_mpa: Some(0.15),
+                contraction: Some(contraction),
+                ..Default::default()
+            };
+            let alone = force(&request, &Silent).unwrap().point.response.force_n;
+            assert!((found - alone).abs() < 1e-5, "{model} {contraction}: {found} {alone}");
+        }
+    }
+}
+
+/// Central differences of second order: their error is O(h²).
+#[test]
+fn derivatives_are_those_of_differences() {
+    let muscle = fields().resolve().unwrap();
+    let h = 1e-4;
+    for model in ["fe", "universal", "chou-hannaford"] {
+        let of = bound(model);
+        let all = asked(&of, &many(true, vec![]), &[0.2], &[0.1]).unwrap();
+        let at = |p: f64, e: f64| asked(&of, &many(false, vec![]), &[p], &[e]).unwrap()[0];
+        let by = [
+            (at(0.2 + h, 0.1) - at(0.2 - h, 0.1)) / (2.0 * h),
+            (at(0.2, 0.1 + h) - at(0.2, 0.1 - h)) / (2.0 * h),
+        ];
+        assert!(
+            (all[1] / by[0] - 1.0).abs() < 1e-5 && (all[2] / by[1] - 1.0).abs() < 1e-5,
+            "{model} {all:?} {by:?}"
+        );
+    }
+    for name in ["tube.material.c10", "braid.stiffness", "tube.outer_diameter"] {
+        let of = bound("fe");
+        let all = asked(&of, &many(false, vec![of.parameter(name).unwrap()]), &[0.2], &[0.1]).unwrap();
+        let value = mckibben::identify::own_value(&muscle, of.parameter(name).unwrap()).unwrap();
+        let at = |value: f64| {
+            let other = with_parameters(&muscle, &[(name.into(), value)]).unwrap();
+            let of = BoundModel::new(&other, &named("fe"), AskFields::default(), &Silent).unwrap();
+            asked(&of, &many(false, vec![]), &[0.2], &[0.1]).unwrap()[0]
+        };
+        let by = (at(value * (1.0 + h)) - at(value * (1.0 - h))) / (2.0 * h * value);
+        assert!((all[1] / by - 1.0).abs() < 1e-4, "{name}: {} {by}", all[1]);
+    }
+    assert!(bound("fe").parameter("tube.material.c99").is_err());
+}
+
+/// Of many points without an answer the first one is named, on any number of threads; or all are NaN and counted.
+#[test]
+fn the_first_point_without_an_answer_ends_the_work() {
+    let mut p = vec![0.1; 50_000];
+    for i in [49_999, 33_333, 20_001] {
+        p[i] = 0.7;
+    }
+    let e = vec![0.05; p.len()];
+    let model = bound("paper");
+    let refused = asked(&model, &many(false, vec![]), &p, &e).unwrap_err();
+    assert_eq!((refused.index, refused.problem.kind), (Some(20_001), ProblemKind::OutOfRange));
+    let mut out = vec![0.0; p.len()];
+    let all = Many { unanswered: Unanswered::NotANumber, ..many(false, vec![]) };
+    assert_eq!(model.fill(&Pairs::Lists([&p, &e]), &all, &mut out, &Silent), Ok(3));
+    assert!(out[20_001].is_nan() && out.iter().filter(|f| f.is_nan()).count() == 3);
+    let wrong = model.fill(&Pairs::Lists([&p, &e[1..]]), &all, &mut out, &Silent).unwrap_err();
+    assert_eq!((wrong.index, wrong.problem.kind), (None, ProblemKind::Usage));
+    assert!(model.fill(&Pairs::Lists([&p, &e]), &all, &mut out[1..], &Silent).is_err());
+}
+
+#[test]
+fn work_that_is_cancelled_says_so() {
+    struct Ended(Budget);
+    impl Progress for Ended {
+        fn budget(&self) -> Budget {
+            self.0.clone()
+        }
+    }
+    let ended = Ended(Budget::default());
+    ended.0.cancel();
+    let (p, e) = (vec![0.2; 100], vec![0.1; 100]);
+    for model in ["fe", "universal"] {
+        let found = bound(model).fill(&Pairs::Lists([&p, &e]), &many(false, vec![]), &mut [0.0; 100], &ended);
+        assert_eq!(found.unwrap_err().problem.kind, ProblemKind::Cancelled);
+    }
+}
