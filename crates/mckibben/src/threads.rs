@@ -38,7 +38,7 @@ impl Threads {
 
     /// Those of the process.
     pub fn shared() -> &'static Self {
-        &shared().0
+        &shared().threads
     }
 
     /// How many they are.
@@ -117,22 +117,48 @@ pub fn map<T: Sync, R: Send>(items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> 
 
 /// A sentence where the process has fewer threads than it wanted; `None` also before any work.
 pub fn shortage() -> Option<String> {
-    let (threads, error) = SHARED.get()?;
-    error.as_ref().map(|e| format!("{e}; the work is done by {}", threads.count()))
+    let mut known = SHARED.get()?;
+    while known.process != process() {
+        known = known.of_child.get()?;
+    }
+    known.refused.as_ref().map(|e| format!("{e}; the work is done by {}", known.threads.count()))
 }
 
-static SHARED: OnceLock<(Threads, Option<ThreadsError>)> = OnceLock::new();
+/// The threads of a process. One that was forked off has a copy of this, and none of the threads: it gets its own.
+struct Shared {
+    process: u32,
+    threads: Threads,
+    refused: Option<ThreadsError>,
+    of_child: OnceLock<Box<Shared>>,
+}
 
-fn shared() -> &'static (Threads, Option<ThreadsError>) {
-    SHARED.get_or_init(|| {
-        let refused = match pool(0) {
-            Ok(pool) => return (Threads(Some(pool)), None),
-            Err(error) => error,
+static SHARED: OnceLock<Shared> = OnceLock::new();
+
+/// The process, where one can be forked.
+fn process() -> u32 {
+    if cfg!(unix) { std::process::id() } else { 0 }
+}
+
+fn shared() -> &'static Shared {
+    let mut known = SHARED.get_or_init(Shared::new);
+    while known.process != process() {
+        known = known.of_child.get_or_init(|| Box::new(Shared::new()));
+    }
+    known
+}
+
+impl Shared {
+    fn new() -> Self {
+        let (threads, refused) = match pool(0) {
+            Ok(pool) => (Threads(Some(pool)), None),
+            Err(error) => {
+                let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
+                let fewer = std::iter::successors(Some(cores / 2), |n| Some(n / 2)).take_while(|n| *n > 1);
+                (Threads(fewer.map(pool).find_map(Result::ok)), Some(error))
+            }
         };
-        let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
-        let fewer = std::iter::successors(Some(cores / 2), |n| Some(n / 2)).take_while(|n| *n > 1);
-        (Threads(fewer.map(pool).find_map(Result::ok)), Some(refused))
-    })
+        Self { process: process(), threads, refused, of_child: OnceLock::new() }
+    }
 }
 
 /// So many threads; none: as many as the environment or the cores say.
