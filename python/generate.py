@@ -419,7 +419,8 @@ def reference(all_schemas: dict[str, Any]) -> str:
                 continue
             for node in ast.parse(path.read_text("utf-8")).body:
                 if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_") and (text := ast.get_docstring(node)):
-                    out += entry(node, text, "###")
+                    module = f"{path.stem}." if path.stem in ("jax", "torch") else ""
+                    out += entry(node, text, "###", module)
                     if isinstance(node, ast.ClassDef) and node.name != "MuscleCommands":
                         for item in node.body:
                             if isinstance(item, ast.FunctionDef) and not item.name.startswith("_") and (own := ast.get_docstring(item)):
@@ -434,9 +435,17 @@ def entry(node: Any, text: str, level: str, of: str = "") -> list[str]:
     if isinstance(node, ast.FunctionDef) and not any(isinstance(d, ast.Name) and d.id == "property" for d in node.decorator_list):
         names = [a.arg for a in node.args.args + node.args.kwonlyargs if a.arg not in ("self", "cls")]
         heading += "(" + ", ".join(names[:4] + (["…"] if len(names) > 4 else [])) + ")"
-    lines, body = text.splitlines(), []
+    lines, body = re.sub(r":\w+:`([^`]+)`", r"`\1`", text).splitlines(), []
     i = 0
     while i < len(lines):
+        # An example, up to the next empty line.
+        if lines[i].startswith(">>>"):
+            body.append("```python")
+            while i < len(lines) and lines[i]:
+                body.append(lines[i])
+                i += 1
+            body.append("```")
+            continue
         if i + 1 < len(lines) and set(lines[i + 1].strip()) == {"-"}:
             body += [f"**{lines[i].strip()}**", ""]
             i += 2
@@ -456,7 +465,7 @@ def entry(node: Any, text: str, level: str, of: str = "") -> list[str]:
             continue
         body.append(lines[i])
         i += 1
-    return [f"{level} `{heading}`\n", "\n".join(body).strip().replace("<", "&lt;"), ""]
+    return [f"{level} `{heading}`\n", "\n".join(body).strip().replace("<module", "&lt;module"), ""]
 
 
 def main() -> None:

@@ -26,6 +26,8 @@ _MOST = 2**47
 
 def _array(name: str, value: Any) -> Array:
     """Numbers in the unit of a name, without a copy where they are such already."""
+    if type(value) is np.ndarray and value.dtype == np.float64:
+        return value
     if isinstance(value, str):
         several = ".." in value or "," in value
         return np.asarray(_plain.numbers(name, value) if several else _plain.number(name, value))
@@ -220,8 +222,11 @@ class Model:
         if a.size > _MOST // width:
             raise MemoryError(f"{a.size} points are more than memory holds")
         out = np.empty((*a.shape, width))
-        with listening(progress, wanted) as heard:
-            self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", heard)
+        if progress is None:
+            self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", None)
+        else:
+            with listening(progress, wanted) as heard:
+                self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", heard)
         value = out[..., 0] if a.shape else float(out[0])
         return (value, out[..., 1:]) if slopes else value
 

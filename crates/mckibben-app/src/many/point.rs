@@ -50,17 +50,16 @@ impl BoundModel {
         }
         // No muscle shortens by its whole length: the same bounds as those of a single question.
         // A count goes through many numbers at a time, a search through one; what is no number is outside.
-        let inside = |list: &[f64], (low, high): (f64, f64)| {
-            let (low, high) = (low - 1e-12, high + 1e-12);
-            list.iter().map(|&v| u64::from(!(v >= low && v <= high))).sum::<u64>() == 0
-        };
+        let outside = |v: f64, (low, high): (f64, f64)| !((v >= low - 1e-12) & (v <= high + 1e-12));
         let (pressures, contractions) = if self.options.extrapolate {
             ((f64::NEG_INFINITY, f64::INFINITY), (-1.0 + 1e-9, 1.0 - 1e-9))
         } else {
             (self.range.pressure_mpa, (self.range.contraction.0, self.range.contraction.1.min(1.0 - 1e-9)))
         };
         let own = self.options.extrapolate || self.range.muscle.is_empty() && self.range.make.is_empty();
-        if !own || !inside(p, pressures) || !inside(e, contractions) {
+        let points = p.iter().zip(e);
+        let count = points.map(|(&p, &e)| u64::from(outside(p, pressures) | outside(e, contractions)));
+        if !own || count.sum::<u64>() > 0 {
             return false;
         }
         if self.model.forces_n(workspace, p, e, out).is_err() {
@@ -68,7 +67,7 @@ impl BoundModel {
         }
         let (area, pushes) = (self.outer_area_mm2(), self.options.two_sided);
         for (force, &p) in out.iter_mut().zip(p) {
-            let none = force.abs() <= ROUNDING * p * area || *force < 0.0 && !pushes;
+            let none = (force.abs() <= ROUNDING * p * area) | (*force < 0.0) & !pushes;
             *force = if none { 0.0 } else { *force };
         }
         true
