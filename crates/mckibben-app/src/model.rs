@@ -4,7 +4,7 @@ use crate::fields::{Direction, Keep, MeshFields, ModelFields, Terminal, Terminal
 use crate::problem::{Problem, ProblemKind};
 use mckibben::budget::Budget;
 use mckibben::formula::{Document, Formula, UniversalFormula};
-use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal};
+use mckibben::model::{ForceModel, FormulaModel, ModelError, ModelKind, Universal, seated};
 use mckibben::muscle::Muscle;
 use mckibben::nearest::nearest;
 use mckibben_fem::axisymmetric::{Axisymmetric, MeshSpec};
@@ -167,9 +167,11 @@ impl Model {
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
         Ok(match self {
             Self::ClosedForm(kind) => kind.build(muscle)?,
-            Self::Formula(formula) => Box::new(FormulaModel::new(Arc::clone(formula), muscle)),
-            Self::Universal(formula) => Box::new(Universal::new(Arc::clone(formula), muscle)),
-            Self::Elements(Elements::Axisymmetric(mesh)) => Box::new(Axisymmetric::with_mesh(muscle, mesh)?),
+            Self::Formula(formula) => seated(Box::new(FormulaModel::new(Arc::clone(formula), muscle))),
+            Self::Universal(formula) => seated(Box::new(Universal::new(Arc::clone(formula), muscle))),
+            Self::Elements(Elements::Axisymmetric(mesh)) => {
+                seated(Box::new(Axisymmetric::with_mesh(muscle, mesh)?))
+            }
             // Bricks and their solver are as large as all the rest.
             Self::Elements(elements) if cfg!(feature = "whole") => elements.build(muscle)?,
             Self::Elements(_) => {

@@ -7,11 +7,12 @@ use crate::point::{finite, given, pull, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::contraction_at;
 use mckibben::answer::{self, Answer, Options};
-use mckibben::model::Workspace;
+use mckibben::model::{ForceModel, Workspace};
 use mckibben::progress::Progress;
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
 use mckibben_fem::output::Stations;
-use mckibben_fem::simulation::{Elements, Simulation};
+use mckibben_fem::seated;
+use mckibben_fem::simulation::Elements;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -115,24 +116,26 @@ fn at(
     request: &ShapeRequest,
 ) -> Result<(Answer, f64, Section), Problem> {
     let options = Options::default();
+    // The same equilibria, of the whole muscle, whose ends may give way.
+    let whole = seated(Box::new(fe.clone()));
     let contraction = match request.force_n {
         Some(force_n) => {
             let force_n = finite("force_n", force_n)?;
             pull(force_n, Default::default())?;
-            contraction_at(fe, workspace, force_n, pressure_mpa, options)?
+            contraction_at(&*whole, workspace, force_n, pressure_mpa, options)?
         }
         None => ratio(request.contraction.unwrap_or(0.0))?,
     };
-    let mut point = answer::point(fe, workspace, pressure_mpa, contraction, options)?;
+    let mut point = answer::point(&*whole, workspace, pressure_mpa, contraction, options)?;
     let mut shape_contraction = contraction;
     if point.slack {
         let free = match point.free_contraction {
             Some(free) => free,
-            None => Simulation::free_contraction(fe, workspace, pressure_mpa)?,
+            None => whole.free_contraction(workspace, pressure_mpa)?,
         };
         point.free_contraction = Some(free);
         shape_contraction = free.min(contraction);
     }
-    let section = fe.section_at(workspace, pressure_mpa, shape_contraction)?;
+    let section = fe.section_at(workspace, pressure_mpa, shape_contraction + fe.muscle().seating_ratio())?;
     Ok((point, shape_contraction, section))
 }

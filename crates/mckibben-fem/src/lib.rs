@@ -41,6 +41,7 @@ mod error;
 pub mod load;
 pub mod output;
 pub mod results;
+mod seated;
 pub mod simulation;
 pub mod solver;
 pub mod three_dimensional;
@@ -48,4 +49,5 @@ pub mod validation;
 pub mod verification;
 
 pub use error::{FemError, LastConverged};
+pub use seated::seated;
 pub use simulation::Simulation;

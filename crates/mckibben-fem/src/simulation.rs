@@ -3,6 +3,7 @@
 use crate::FemError;
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
 use crate::results::{Sensitivity, Solution, TangentPoint};
+use crate::seated::seated;
 use crate::solver::body::Body;
 use crate::solver::continuation::Continuation;
 use crate::solver::curve::{Curve, CurvePoint, Test, run};
@@ -442,10 +443,10 @@ impl Elements {
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>, FemError> {
-        Ok(match self {
+        Ok(seated(match self {
             Self::Axisymmetric(spec) => Box::new(Axisymmetric::with_mesh(muscle, spec)?),
             Self::ThreeDimensional(spec) => Box::new(ThreeDimensional::with_mesh(muscle, spec)?),
-        })
+        }))
     }
 }
 

@@ -15,7 +15,7 @@ use crate::problem::{Problem, ProblemKind};
 use crate::warnings;
 use mckibben::answer::Options;
 use mckibben::curve::Test;
-use mckibben::model::{ModelError, Response, Workspace};
+use mckibben::model::{ForceModel, ModelError, Response, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::status::Status;
@@ -23,6 +23,7 @@ use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::Axisymmetric;
 use mckibben_fem::output::{Extent, Shape, deck};
 use mckibben_fem::results::Solution;
+use mckibben_fem::seated;
 use mckibben_fem::simulation::{Elements, Simulation};
 use mckibben_fem::three_dimensional::ThreeDimensional;
 
@@ -88,7 +89,7 @@ pub trait Shapes {
     fn extent(&self) -> Extent;
 }
 
-/// The elements of a muscle.
+/// The elements of a muscle between its ends.
 enum Meshed {
     Axisymmetric(Box<Axisymmetric>),
     ThreeDimensional(Box<ThreeDimensional>),
@@ -106,21 +107,25 @@ impl Meshed {
         })
     }
 
-    fn simulation(&self) -> &dyn Simulation {
-        match self {
-            Self::Axisymmetric(model) => &**model,
-            Self::ThreeDimensional(model) => &**model,
-        }
+    /// The whole muscle, whose ends may give way; it shares its equilibria with these elements.
+    fn simulation(&self) -> Box<dyn Simulation> {
+        seated(match self {
+            Self::Axisymmetric(model) => model.clone(),
+            Self::ThreeDimensional(model) => model.clone(),
+        })
     }
 
     /// The deformed muscle at an equilibrium.
     fn shape(&self, workspace: &mut Workspace, r: &Response, extent: Extent) -> Result<Shape, Problem> {
-        let (p, e) = (r.pressure_mpa, r.contraction);
+        let p = r.pressure_mpa;
+        let between = |muscle: &Muscle| r.contraction + muscle.seating_ratio();
         let shape = match self {
-            Self::Axisymmetric(model) => model.section_at(workspace, p, e).map(|s| Shape::of_section(&s)),
-            Self::ThreeDimensional(model) => {
-                model.field_at(workspace, p, e).map(|field| Shape::of_field(&field, extent))
+            Self::Axisymmetric(model) => {
+                model.section_at(workspace, p, between(model.muscle())).map(|s| Shape::of_section(&s))
             }
+            Self::ThreeDimensional(model) => model
+                .field_at(workspace, p, between(model.muscle()))
+                .map(|field| Shape::of_field(&field, extent)),
         };
         shape.map_err(Problem::from)
     }
@@ -151,7 +156,7 @@ pub fn simulate(
     let meshed =
         Meshed::of(elements, &muscle).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let (simulation, workspace) = (meshed.simulation(), &mut Workspace::within(budget.clone()));
-    let questions = request.questions(simulation, workspace)?;
+    let questions = request.questions(&*simulation, workspace)?;
     let deck = if request.deck { Some(written_deck(&meshed, request.test, &questions)?) } else { None };
     let summary = MuscleSummary::from(&muscle);
     if let Some(shapes) = &mut shapes {
@@ -176,7 +181,7 @@ pub fn simulate(
             }
             last = Some(solution.response);
         }
-        simulated.push(judged(simulation, workspace, pressure_mpa, held, solution, request.two_sided));
+        simulated.push(judged(&*simulation, workspace, pressure_mpa, held, solution, request.two_sided));
     }
     let name = simulation.name();
     let problem = all_failed(&simulated);

@@ -46,6 +46,7 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
         Target::OuterDiameter => tube.outer_diameter_mm,
         Target::Wall => tube.wall_mm,
         Target::Length => tube.length_mm,
+        Target::Seating => muscle.terminals().seating_mm?,
         Target::EndFactor => muscle.terminals().end_factor.map_or(1.0, |k| k.at(0.0)),
         Target::FrictionCoefficient => friction?.coefficient,
         Target::FrictionExponent => friction.map_or(FRICTION_EXPONENT, |f| f.exponent),
@@ -80,6 +81,7 @@ impl Candidate {
                 Target::OuterDiameter => tube.outer_diameter_mm = v,
                 Target::Wall => tube.wall_mm = v,
                 Target::Length => tube.length_mm = v,
+                Target::Seating => terminals.seating_mm = Some(v),
                 Target::EndFactor => terminals.end_factor = Some(EndFactor::Constant(v)),
                 Target::FrictionCoefficient | Target::FrictionExponent => {
                     let mut f =

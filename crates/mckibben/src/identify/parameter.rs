@@ -25,6 +25,8 @@ pub enum Target {
     Wall,
     /// L0.
     Length,
+    /// What both ends together give way.
+    Seating,
     /// k of Tondu & Lopez.
     EndFactor,
     /// C of the friction C·P^β.
@@ -37,11 +39,11 @@ pub enum Target {
 
 use Target::{
     Angle, ContractionOffset, EndFactor, FrictionCoefficient, FrictionExponent, Law, Length, Modulus,
-    OuterDiameter, Stiffness, StiffnessExponent, Wall,
+    OuterDiameter, Seating, Stiffness, StiffnessExponent, Wall,
 };
 
 /// Names that do not depend on the law; some have a second spelling.
-const NAMES: [(&str, Target); 16] = [
+const NAMES: [(&str, Target); 18] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
@@ -50,6 +52,8 @@ const NAMES: [(&str, Target); 16] = [
     ("tube.outer_diameter", OuterDiameter),
     ("tube.wall_thickness", Wall),
     ("tube.length", Length),
+    ("terminals.seating", Seating),
+    ("seating", Seating),
     ("terminals.end_factor", EndFactor),
     ("friction.coefficient", FrictionCoefficient),
     ("friction.c", FrictionCoefficient),
@@ -154,7 +158,7 @@ impl Target {
             Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
             Stiffness => "N/mm",
             Angle => "deg",
-            OuterDiameter | Wall | Length => "mm",
+            OuterDiameter | Wall | Length | Seating => "mm",
             FrictionCoefficient => "N/MPa^β",
             _ => "",
         }
@@ -165,7 +169,7 @@ impl Target {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
             Angle => Dimension::Angle,
-            OuterDiameter | Wall | Length => Dimension::Length,
+            OuterDiameter | Wall | Length | Seating => Dimension::Length,
             _ => Dimension::Ratio,
         }
     }
@@ -179,6 +183,7 @@ impl Target {
             FrictionExponent => (0.0, 3.0),
             ContractionOffset => (-0.3, 0.3),
             Wall => (0.0, 0.5 * muscle.outer_diameter_mm()),
+            Seating => (0.0, 0.2 * muscle.length_mm()),
             _ => (0.0, f64::INFINITY),
         }
     }

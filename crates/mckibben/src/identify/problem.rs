@@ -264,7 +264,10 @@ impl<'a, B: Build> Problem<'a, B> {
                         add("braid.stiffness".into());
                     }
                 }
-                Target::FrictionCoefficient | Target::FrictionExponent | Target::ContractionOffset => {}
+                Target::FrictionCoefficient
+                | Target::FrictionExponent
+                | Target::ContractionOffset
+                | Target::Seating => {}
                 other => add(other.name(muscle)),
             }
         }
@@ -317,6 +320,8 @@ impl<'a, B: Build> Problem<'a, B> {
             Target::FrictionCoefficient | Target::FrictionExponent => 0.0,
             // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
             Target::ContractionOffset => here.by_contraction,
+            // F₀(P, ε + δ/L0).
+            Target::Seating => here.by_contraction / muscle.length_mm(),
             Target::Law(_) | Target::EndFactor => of(&target.name(muscle)),
         };
         Ok(self.free.iter().zip(x).map(one).collect())

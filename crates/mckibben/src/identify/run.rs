@@ -63,9 +63,14 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
     }
     let one = |p: &Parameter| {
         let name = || p.target.name(muscle);
-        let own = own_value(muscle, p.target).or_else(|| {
-            let exponent = own_value(muscle, Target::FrictionExponent)?;
-            (p.target == Target::FrictionCoefficient).then(|| friction_start(request.points, exponent))
+        let own = own_value(muscle, p.target).or_else(|| match p.target {
+            Target::FrictionCoefficient => {
+                let exponent = own_value(muscle, Target::FrictionExponent)?;
+                Some(friction_start(request.points, exponent))
+            }
+            // Inside of its bounds, and small beside the muscle.
+            Target::Seating => Some(2e-3 * muscle.length_mm()),
+            _ => None,
         });
         let start = p.start.or(own).ok_or_else(|| IdentifyError::NoStart { name: name() })?;
         let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));

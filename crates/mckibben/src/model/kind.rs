@@ -2,7 +2,7 @@
 
 use super::{
     Belforte, ChouHannaford, ConicalEnds, FestoHunt, FestoSarosi, ForceBalance, ForceModel, Ideal,
-    KluteHannaford, ModelError, Paper, RoundedEnds, ThickWall, TonduLopez, Universal,
+    KluteHannaford, ModelError, Paper, RoundedEnds, ThickWall, TonduLopez, Universal, seated,
 };
 use crate::formula::UniversalFormula;
 use crate::muscle::Muscle;
@@ -143,7 +143,7 @@ impl ModelKind {
     /// # Errors
     /// [`ModelError`] where the muscle does not state what the model needs.
     pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-        Ok(match self {
+        let model: Box<dyn ForceModel> = match self {
             ModelKind::Ideal => Box::new(Ideal::new(muscle)),
             ModelKind::ThickWall => Box::new(ThickWall::new(muscle)),
             ModelKind::ChouHannaford => Box::new(ChouHannaford::new(muscle)),
@@ -159,7 +159,8 @@ impl ModelKind {
             ModelKind::Universal => universal("universal", UniversalFormula::large(), muscle)?,
             ModelKind::UniversalSmall => universal("universal-small", UniversalFormula::small(), muscle)?,
             ModelKind::Paper => Box::new(Paper::new(muscle)),
-        })
+        };
+        Ok(seated(model))
     }
 }
 

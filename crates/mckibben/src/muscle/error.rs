@@ -101,6 +101,14 @@ pub enum MuscleError {
         /// Muscle length in mm.
         length_mm: f64,
     },
+    /// Ends that give way by as much as there is of the muscle.
+    #[error("terminals.seating is {seating_mm} mm; it must be below the muscle's length of {length_mm} mm")]
+    SeatingTooLong {
+        /// Both ends together, in mm.
+        seating_mm: f64,
+        /// Muscle length in mm.
+        length_mm: f64,
+    },
     /// A cone factor beyond what fits into the muscle.
     #[error(
         "terminals.cone_factor is {value}; it must lie between 0 and {largest:.4}, or the two tips meet before the largest contraction"
@@ -145,6 +153,7 @@ impl MuscleError {
             MuscleError::StrandCount { .. } => vec!["braid.strands"],
             MuscleError::StrengthWithoutCount => vec!["braid.strand_strength"],
             MuscleError::StrandTooShort { .. } => vec!["braid.strand_length"],
+            MuscleError::SeatingTooLong { .. } => vec!["terminals.seating", "tube.length"],
             MuscleError::ConeFactor { .. } => vec!["terminals.cone_factor", "model.conical-ends.cone_factor"],
         };
         keys.into_iter().map(Cow::from).collect()

@@ -62,6 +62,10 @@ impl Muscle {
         if let Some(friction) = &friction {
             friction.check()?;
         }
+        let (seating_mm, length_mm) = (terminals.seating_mm.unwrap_or(0.0), tube.length_mm);
+        if seating_mm >= length_mm {
+            return Err(MuscleError::SeatingTooLong { seating_mm, length_mm });
+        }
         let reach = largest_stretch(&tube, &braid);
         tube.rubber = library::following(tube.rubber, reach);
         let muscle = Self { tube, braid, terminals, friction };
@@ -98,6 +102,12 @@ impl Muscle {
     /// The terminals.
     pub fn terminals(&self) -> &Terminals {
         &self.terminals
+    }
+
+    /// δ/L0: by how much the muscle between its ends is contracted more than the whole, as the ends give way by δ
+    /// ([`Terminals::seating_mm`]).
+    pub fn seating_ratio(&self) -> f64 {
+        self.terminals.seating_mm.unwrap_or(0.0) / self.tube.length_mm
     }
 
     /// Braid friction, where it is known.

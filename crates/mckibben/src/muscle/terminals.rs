@@ -39,6 +39,9 @@ impl EndFactor {
 pub struct Terminals {
     /// Length of tube and braid clamped on each plug, in mm, where it is stated.
     pub insertion_mm: Option<f64>,
+    /// What both ends together give way under a pull, in mm, as strands seat and slip in the clamps: the muscle between them is contracted
+    /// by that much more. It is taken as constant, whatever the pull.
+    pub seating_mm: Option<f64>,
     /// Empirical end factor, where one was measured or fitted.
     pub end_factor: Option<EndFactor>,
     /// kc of the conical-ends model (Tondu 2012 \[tondu2012\] eq. 25): tips of length kc·L0·ε.
@@ -56,6 +59,7 @@ impl Terminals {
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
         not_negative("terminals.insertion", self.insertion_mm(), "mm")?;
+        not_negative("terminals.seating", self.seating_mm.unwrap_or(0.0), "mm")?;
         match self.end_factor {
             Some(EndFactor::Constant(k)) => positive("terminals.end_factor", k, "")?,
             Some(EndFactor::OfPressure { a, b }) => {

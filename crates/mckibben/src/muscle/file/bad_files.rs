@@ -31,6 +31,12 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[braid]\nangle = 0", 2, "between 0 and 54.7356 deg"),
     ("[braid]\nstiffness = \"0 N/mm\"", 2, "braid.stiffness = \"0 N/mm\": is 0 N/mm; it must be above zero"),
     ("[terminals]\ninsertion = -1", 2, "terminals.insertion = -1: is -1 mm; it must not be below zero"),
+    (
+        "[terminals]\nseating = \"-1 mm\"",
+        2,
+        "terminals.seating = \"-1 mm\": is -1 mm; it must not be below zero",
+    ),
+    ("[terminals]\nseating = 300", 2, "it must be below the muscle's length of 285 mm"),
     ("[terminals]\nend_factor = 0", 2, "terminals.end_factor = 0: is 0; it must"),
     ("[terminals]\nend_factor = { a = -2, b = 1 }", 2, "at 0 MPa (a + b) is -1"),
     ("[terminals]\ncone_factor = -0.1", 2, "terminals.cone_factor = -0.1: is -0.1"),

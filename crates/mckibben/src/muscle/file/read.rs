@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "model", "name", "notes"];
 const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", "material"];
 /// The two factors belong to a model; these are their keys of before.
-const TERMINALS: &[&str] = &["insertion", "end_factor", "cone_factor"];
+const TERMINALS: &[&str] = &["insertion", "seating", "end_factor", "cone_factor"];
 const MODELS: &[&str] = &["tondu-lopez", "conical-ends"];
 const FRICTION: &[&str] = &["coefficient", "exponent"];
 
@@ -46,6 +46,7 @@ const KEYS: &[&str] = &[
     "braid.turns",
     "braid.compression",
     "terminals.insertion",
+    "terminals.seating",
     "terminals.end_factor",
     "terminals.cone_factor",
     "model.tondu-lopez",
@@ -122,9 +123,9 @@ fn terminals(root: &Section<'_>) -> Result<Terminals, FileError> {
             return Err(section.error(key, Problem::Said(said)));
         }
     }
-    let insertion_mm = section.quantity("insertion", Dimension::Length)?;
     Ok(Terminals {
-        insertion_mm,
+        insertion_mm: section.quantity("insertion", Dimension::Length)?,
+        seating_mm: section.quantity("seating", Dimension::Length)?,
         end_factor: end_factor(&ends, "model.tondu-lopez.end_factor")?
             .or(end_factor(&section, "terminals.end_factor")?),
         cone_factor: cones.number("cone_factor")?.or(section.number("cone_factor")?),

@@ -80,6 +80,7 @@ prop_compose! {
         rubber in rubber(),
         braid in braid(),
         insertion_mm in prop::option::of(number(0.0, 90.0)),
+        seating_mm in prop::option::of(number(0.0, 5.0)),
         end_factor in prop::option::of(prop_oneof![
             number(0.5, 2.0).prop_map(EndFactor::Constant),
             (-0.4..2.0, 0.5..2.0).prop_map(|(a, b)| EndFactor::OfPressure { a, b }),
@@ -88,7 +89,7 @@ prop_compose! {
         friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0))),
     ) -> Muscle {
         let tube = Tube { outer_diameter_mm, wall_mm: share * outer_diameter_mm / 2.0, length_mm, rubber };
-        let terminals = Terminals { insertion_mm, end_factor, cone_factor };
+        let terminals = Terminals { insertion_mm, seating_mm, end_factor, cone_factor };
         let friction = friction.map(|(coefficient, exponent)| Friction { coefficient, exponent });
         Muscle::new(tube, braid, terminals, friction).unwrap()
     }
@@ -160,6 +161,7 @@ fn every_key_is_understood() {
         compression = true
         [terminals]
         insertion = "2 cm"
+        seating = "1.6 mm"
         end_factor = { a = 0.2, b = 1 }
         cone_factor = 0
         [friction]
@@ -179,6 +181,7 @@ fn every_key_is_understood() {
     assert_eq!(muscle.braid().measured, Some(measured));
     let terminals = Terminals {
         insertion_mm: Some(20.0),
+        seating_mm: Some(1.6),
         end_factor: Some(EndFactor::OfPressure { a: 0.2, b: 1.0 }),
         cone_factor: Some(0.0),
     };

@@ -21,9 +21,15 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.key("length", &quantity(tube.length_mm, "mm"), "between the terminals");
     out.rubber(&tube.rubber, muscle.reach());
     out.braid(muscle.braid(), tube.outer_diameter_mm);
-    if let Some(insertion_mm) = muscle.terminals().insertion_mm {
+    let (insertion, seating) = (muscle.terminals().insertion_mm, muscle.terminals().seating_mm);
+    if insertion.is_some() || seating.is_some() {
         out.table("terminals");
+    }
+    if let Some(insertion_mm) = insertion {
         out.key("insertion", &quantity(insertion_mm, "mm"), "tube and braid clamped on each plug");
+    }
+    if let Some(seating_mm) = seating {
+        out.key("seating", &quantity(seating_mm, "mm"), "what both ends together give way under a pull");
     }
     if let Some(friction) = muscle.friction() {
         out.table("friction");
