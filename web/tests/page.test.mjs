@@ -12,7 +12,7 @@ const shots = process.env.SHOTS ?? `${root}target/workbench`;
 mkdirSync(shots, { recursive: true });
 const PAGES = ["muscle", "design", "joint", "motion", "data", "formula", "compare", "about"];
 /** Something that says that a page has done its first work. */
-const DONE = { muscle: ".numbers dl", design: "table", joint: ".numbers dl", motion: "table", data: "form", formula: "textarea", compare: "table", about: "table" };
+const DONE = { muscle: ".numbers dl", design: "table", joint: ".numbers dl", motion: "table", data: "form", formula: ".chart canvas", compare: "table", about: "table" };
 const ask = (/** @type {string[]} */ ...line) => JSON.parse(execFileSync(program, [...line, "--format", "json"], { encoding: "utf8", cwd: root }));
 
 /** @type {import("playwright-core").Browser} */ let browser;

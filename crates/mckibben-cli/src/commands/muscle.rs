@@ -120,6 +120,9 @@ fn as_text(m: &Muscle, u: &Units) -> String {
         }
         None => {}
     }
+    if let Some(seating) = m.terminals().seating_mm {
+        understood.push(("give of both ends", mm(seating)));
+    }
     if let Some(f) = m.friction() {
         let text = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
         understood.push(("friction", text));

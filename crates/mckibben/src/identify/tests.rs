@@ -404,3 +404,30 @@ fn tables_with_all_columns_are_read() {
     assert!(error("0.1,0,3,,-1,").contains("column weight: -1"));
     assert!(error("0.1,0,3,,,0").contains("no standard error"));
 }
+
+/// Ends that give way by δ shift a muscle by δ/L0: several lengths tell δ, the modulus and an error of the length's zero apart.
+#[test]
+fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
+    let (m, seating) = (soft(), 1.6);
+    let of_length = |length_mm: f64| {
+        let own = bench(&m, seating / length_mm).into_iter();
+        own.map(move |p| {
+            let section = crate::measured::Section { length_mm: Some(length_mm), ..p.section };
+            DataPoint { section, ..p }
+        })
+    };
+    let points: Vec<DataPoint> = [150.0, 250.0, 400.0].into_iter().flat_map(of_length).collect();
+    let free = free(&m, &["mu=0.5", "terminals.seating", "contraction_offset"]);
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    let found = identify(&request, |m: &Muscle| crate::model::ModelKind::ThickWall.build(m)).unwrap();
+    for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
+        assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
+    }
+}
