@@ -51,6 +51,13 @@ pub(super) fn before(
             "all points stand at one contraction: measure at others too, the rubber shows in how the pull falls".into(),
         );
     }
+    let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
+    if free.contains(&Target::Seating) && distinct(lengths) == 1 {
+        notes.push(
+            "all points are of one length: terminals.seating can then hardly be told from an error in the zero of the length; measure muscles of other lengths"
+                .into(),
+        );
+    }
     Ok(notes)
 }
 

@@ -430,4 +430,10 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
+    let told = |points: &[DataPoint]| {
+        let one = Request { points, ..request };
+        let found = identify(&one, |m: &Muscle| crate::model::ModelKind::ThickWall.build(m)).unwrap();
+        found.notes.iter().any(|note| note.contains("all points are of one length"))
+    };
+    assert!(told(&noisy(&points[..PLACES.len()], 0.5, 3)) && !told(&points));
 }
