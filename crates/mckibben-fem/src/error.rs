@@ -41,6 +41,14 @@ pub enum FemError {
         /// Which element.
         element: usize,
     },
+    /// A part of the muscle that three-dimensional elements do not have.
+    #[error(
+        "three-dimensional elements have no {key}: their strands are trusses on the tube's surface; take fe, or leave the key out"
+    )]
+    NotInBricks {
+        /// Key of the muscle file.
+        key: &'static str,
+    },
     /// More unknowns than there is memory for.
     #[error("mesh: there is not enough memory for {unknowns} unknowns; take fewer elements")]
     TooLarge {
@@ -138,9 +146,10 @@ impl From<FemError> for ModelError {
                 Self::Geometry { contraction, lowest: -1.0, highest: 1.0 }
             }
             FemError::Path { status, .. } => Self::Stopped { status, reason: error.to_string() },
-            FemError::Mesh { .. } | FemError::Element { .. } | FemError::TooLarge { .. } => {
-                Self::Elements { reason: error.to_string() }
-            }
+            FemError::Mesh { .. }
+            | FemError::Element { .. }
+            | FemError::NotInBricks { .. }
+            | FemError::TooLarge { .. } => Self::Elements { reason: error.to_string() },
             FemError::Exceeded(exceeded) => Self::Exceeded(exceeded),
             FemError::Force { .. } | FemError::OutOfReach { .. } => {
                 Self::NoEquilibrium { reason: error.to_string() }

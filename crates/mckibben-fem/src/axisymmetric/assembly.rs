@@ -284,7 +284,13 @@ fn add_line(matrix: &mut [f64], size: usize, at: &[usize; 3], value: impl Fn(usi
 #[inline]
 pub fn tension(braid: &BraidSpec, strain: f64, multiplier: f64, augment: f64) -> (f64, f64) {
     match braid.stiffness {
-        Some(k) if braid.compression || strain > SLACK => (k * strain, k),
+        Some(k) if braid.compression || strain > SLACK => match &braid.crimp {
+            None => (k * strain, k),
+            Some(crimp) => {
+                let [_, force, slope] = crimp.at(strain);
+                (k * force, k * slope)
+            }
+        },
         None if braid.compression || multiplier + augment * strain >= 0.0 => (multiplier, augment),
         _ => (0.0, 0.0),
     }
@@ -319,7 +325,10 @@ fn strands<const TANGENT: bool>(
             // Taut: ∂Π/∂q = 2w c. Slack: q must vanish.
             w.residual[unknown] = if taut { both * strain } else { -both / d.augment_strand * multiplier };
         } else {
-            totals.braid += 0.5 * both * q * strain;
+            totals.braid += match (&braid.crimp, braid.stiffness) {
+                (Some(crimp), Some(k)) if k > 0.0 && q != 0.0 => both * k * crimp.at(strain)[0],
+                _ => 0.5 * both * q * strain,
+            };
         }
         if TANGENT {
             let index = slab * STRAND_POINTS + g;

@@ -301,10 +301,10 @@ impl Body {
         self.state.pressure += share * self.step_load[1];
     }
 
-    /// q := k (c + ∂λf/∂u du) at every strand point, with the derivatives of the last tangent.
+    /// q := k (c + ∂λf/∂u du), or the force of a crimp at that strain, at every strand point, with the derivatives of the last tangent.
     fn extrapolate_tensions(&mut self) {
         let (d, l) = (&self.discretisation, self.discretisation.layout);
-        let Some(k) = d.problem.braid.and_then(|b| b.stiffness) else { return };
+        let Some((braid, k)) = d.problem.braid.and_then(|b| Some((b, b.stiffness?))) else { return };
         for (slab, points) in d.strands.iter().enumerate() {
             let u = l.line(&self.state.u, slab, 2 * l.through);
             let start = slab * l.stride();
@@ -314,7 +314,8 @@ impl Body {
                 let first = &self.assembled.strand[index];
                 let change: f64 =
                     (0..6).map(|i| first[i] * self.step[stations[i / 2] + 4 * l.through + i % 2]).sum();
-                let q = k * (point.stretch(&u).value - 1.0 + change);
+                let strain = point.stretch(&u).value - 1.0 + change;
+                let q = k * braid.crimp.map_or(strain, |crimp| crimp.at(strain)[1]);
                 self.step_q[index] = q - self.state.q[index];
             }
         }

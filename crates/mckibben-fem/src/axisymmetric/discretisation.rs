@@ -6,7 +6,7 @@ use crate::FemError;
 use crate::element::q2::{Geometry, NODES};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::State;
-use mckibben::muscle::{Bulk, Muscle};
+use mckibben::muscle::{Bulk, Crimp, Muscle, StrandLay};
 use mckibben::rubber::{Law, RubberLaw};
 
 /// What holds the last station.
@@ -23,8 +23,10 @@ pub enum Ends {
 /// The braid of a model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BraidSpec {
-    /// θ0 in radians.
-    pub angle_rad: f64,
+    /// Where the strands lie.
+    pub lay: StrandLay,
+    /// What straightens in them before they stretch.
+    pub crimp: Option<Crimp>,
     /// k of one family in N/mm; `None` for strands that do not stretch.
     pub stiffness: Option<f64>,
     /// Whether strands carry compression.
@@ -48,7 +50,8 @@ impl Problem {
     /// Rubber and braid of a muscle between bonded terminals.
     pub fn of(muscle: &Muscle) -> Self {
         let braid = BraidSpec {
-            angle_rad: muscle.braid().angle_rad(),
+            lay: muscle.strand_lay(),
+            crimp: muscle.braid().crimp,
             stiffness: muscle.family_stiffness_n_per_mm(),
             compression: muscle.braid().compression,
         };
@@ -116,7 +119,7 @@ impl Discretisation {
         if let Some(braid) = problem.braid {
             for slab in 0..mesh.along {
                 let (left, right) = (mesh.node(outer, 2 * slab), mesh.node(outer, 2 * slab + 2));
-                strands.push(strand::points(left[1], right[1], left[0], braid.angle_rad));
+                strands.push(strand::points(left[1], right[1], left[0], &braid.lay));
             }
         }
         let (inner, radius) = (mesh.node(0, 0)[0], mesh.node(outer, 0)[0]);

@@ -11,6 +11,7 @@
 use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::State;
+use mckibben::muscle::StrandLay;
 
 /// ℓ over the outer radius.
 const LAYER: f64 = 1.4;
@@ -19,8 +20,8 @@ const STEPS: usize = 4;
 
 /// Tensions and pressures of the ideal muscle.
 pub(super) fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
-    let Some(BraidSpec { angle_rad, .. }) = d.problem.braid else { return };
-    let q = tension(d, angle_rad, state.pressure) * stretch;
+    let Some(BraidSpec { lay, .. }) = d.problem.braid else { return };
+    let q = tension(d, lay.angle_rad, state.pressure) * stretch;
     state.q.fill(q);
     let l = d.layout;
     for slab in 0..l.along {
@@ -40,6 +41,7 @@ fn tension(d: &Discretisation, angle_rad: f64, pressure: f64) -> f64 {
 
 /// The outer line for a bulge b.
 struct Line {
+    lay: StrandLay,
     sin2: f64,
     cos2: f64,
     strand2: f64,
@@ -59,7 +61,7 @@ impl Line {
     /// z' and λm at Z.
     fn slope(&self, z: f64) -> (f64, f64) {
         let (r, dr) = self.radius(z);
-        let hoop = r / self.radius;
+        let hoop = self.lay.hoop_stretch(r);
         let meridian2 = ((self.strand2 - self.sin2 * hoop * hoop) / self.cos2).max(0.01);
         ((meridian2 - dr * dr).max(0.09 * meridian2).sqrt(), meridian2.sqrt())
     }
@@ -79,14 +81,23 @@ impl Line {
 /// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal and, where the strands
 /// are slack, the outer radius in the middle; `false` where no bulge brings the terminal there.
 pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, slack: Option<f64>) -> bool {
-    let Some(BraidSpec { angle_rad, stiffness, .. }) = d.problem.braid else { return false };
+    let Some(BraidSpec { lay, stiffness, .. }) = d.problem.braid else { return false };
+    let angle_rad = lay.angle_rad;
     let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
     let outer = 2 * l.through;
     let strain = stiffness.map_or(0.0, |k| 0.8 * tension(d, angle_rad, state.pressure) / k).min(0.1);
     let strand2 = (1.0 + strain).powi(2);
     let station = |j: usize| d.mesh.node(outer, j)[1];
-    let mut line =
-        Line { sin2, cos2: 1.0 - sin2, strand2, radius: d.radius, half, layer: LAYER * d.radius, bulge: 0.0 };
+    let mut line = Line {
+        lay,
+        sin2,
+        cos2: 1.0 - sin2,
+        strand2,
+        radius: d.radius,
+        half,
+        layer: LAYER * d.radius,
+        bulge: 0.0,
+    };
     let length =
         |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
     let wanted = half + terminal;
@@ -97,7 +108,8 @@ pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, slack:
             (0..l.along).for_each(|slab| state.u[l.tension(slab)..][..STRAND_POINTS].fill(0.0));
         }
     } else {
-        let (mut low, mut high) = (-0.3, 0.995 * (strand2 / sin2).sqrt() - 1.0);
+        let highest = lay.outer_radius_mm((strand2 / sin2).sqrt()) / d.radius;
+        let (mut low, mut high) = (-0.3, 0.995 * highest - 1.0);
         for _ in 0..14 {
             line.bulge = 0.5 * (low + high);
             if length(&line) > wanted { low = line.bulge } else { high = line.bulge }

@@ -51,7 +51,7 @@ pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> 
     let bulge = (0..=2 * l.along).map(outer).fold(0.0, f64::max);
     let largest = tensions(d, s).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
-    let all = 2.0 * std::f64::consts::PI * muscle.outer_diameter_mm() * cos * largest;
+    let all = 2.0 * std::f64::consts::PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
     Ok(Response {
         // Zeros without a sign.
         pressure_mpa: s.pressure + 0.0,

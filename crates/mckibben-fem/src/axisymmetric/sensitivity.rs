@@ -12,7 +12,7 @@ use super::mesh::Mesh;
 use crate::FemError;
 use crate::results::Sensitivity;
 use crate::solver::body::State;
-use mckibben::muscle::Muscle;
+use mckibben::muscle::{Muscle, StrandLay};
 use mckibben::rubber::Law;
 
 /// A law with `change` added to its constant number `index`.
@@ -27,7 +27,17 @@ struct Measures {
     wall: f64,
     length: f64,
     angle_deg: f64,
+    thickness: f64,
+    diameter: Option<f64>,
     stiffness: Option<f64>,
+}
+
+impl Measures {
+    fn lay(&self) -> StrandLay {
+        let offset_mm = 0.5 * self.thickness;
+        let radius_mm = 0.5 * self.diameter.unwrap_or(self.outer_diameter) + offset_mm;
+        StrandLay { angle_rad: self.angle_deg.to_radians(), radius_mm, offset_mm }
+    }
 }
 
 /// The body with other measures; the mesh keeps its proportions.
@@ -39,11 +49,7 @@ fn rebuilt(d: &Discretisation, law: Law, from: &Measures, to: &Measures) -> Resu
         let share = (node[0] - (0.5 * from.outer_diameter - from.wall)) / from.wall;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let braid = d.problem.braid.map(|b| BraidSpec {
-        angle_rad: to.angle_deg.to_radians(),
-        stiffness: to.stiffness,
-        ..b
-    });
+    let braid = d.problem.braid.map(|b| BraidSpec { lay: to.lay(), stiffness: to.stiffness, ..b });
     let mut out = Discretisation::new(mesh, Problem { law, braid, ..d.problem.clone() })?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
@@ -80,6 +86,8 @@ pub fn of(
         wall: muscle.wall_mm(),
         length: muscle.length_mm(),
         angle_deg: muscle.braid().angle_deg,
+        thickness: muscle.braid().thickness_mm,
+        diameter: muscle.braid().diameter_mm,
         stiffness: muscle.family_stiffness_n_per_mm(),
     };
     let mut out = Vec::new();
@@ -116,6 +124,14 @@ pub fn of(
     add("tube.length".into(), here.length, "mm", &make)?;
     let make = |h: f64| same(Measures { angle_deg: here.angle_deg + h, ..here });
     add("braid.angle".into(), here.angle_deg, "deg", &make)?;
+    if here.thickness > 0.0 {
+        let make = |h: f64| same(Measures { thickness: here.thickness + h, ..here });
+        add("braid.thickness".into(), here.thickness, "mm", &make)?;
+    }
+    if let Some(diameter) = here.diameter {
+        let make = |h: f64| same(Measures { diameter: Some(diameter + h), ..here });
+        add("braid.diameter".into(), diameter, "mm", &make)?;
+    }
     Ok(out)
 }
 

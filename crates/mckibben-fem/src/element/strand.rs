@@ -1,17 +1,18 @@
 //! Two strand families ±θ0 on a line element of the tube's outer surface.
 //!
-//!   λf² = cos²θ0 λm² + sin²θ0 λθ²,   λm² = r'² + z'² (per length at rest),  λθ = r/R
+//!   λf² = cos²θ0 λm² + sin²θ0 λθ²,   λm² = r'² + z'² (per length at rest),  λθ = (r + t/2)/Rs
 //!
-//! i.e. λf = |v| with v = (cosθ0 r', cosθ0 z', sinθ0 r/R), linear in the unknowns. Per family and area at rest the
-//! energy is ½k (λf − 1)², written with the tension q per width as a variable of its own:
+//! i.e. λf = |v| with v = (cosθ0 r', cosθ0 z', sinθ0 λθ), linear in the unknowns; Rs and t as [`StrandLay`] has them (Rs = R, t = 0 of strands on
+//! the surface). Per family and area of the sleeve as made the energy is ½k (λf − 1)² (or that of a [`Crimp`](mckibben::muscle::Crimp)), written with the tension q per width as a variable of its own:
 //!
-//!   Π_s = Σ_points 2 w [q c − q²/(2k)],   c = λf − 1,  w = 2πR dZ.
+//!   Π_s = Σ_points 2 w [q c − q²/(2k)],   c = λf − 1,  w = 2πRs dZ.
 //!
 //! For k → ∞ q is the Lagrange multiplier of λf = 1. Two Gauss points: as many conditions as a quadratic line can
 //! follow without locking. The tangent takes the curvature of λf with q as it was extrapolated by the last step, not
 //! with k c: Newton's method then takes far larger steps with stiff strands (Magisano, Leonetti & Garcea 2017 \[magisano2017\]).
 
 use super::q2::{GAUSS2, along};
+use mckibben::muscle::StrandLay;
 use std::f64::consts::PI;
 
 /// Integration points of a line element.
@@ -22,11 +23,11 @@ pub const STRAND_POINTS: usize = 2;
 pub struct StrandPoint {
     /// cosθ0 dN/dZ, nodes in the order middle, left, right.
     pub slope: [f64; 3],
-    /// sinθ0 N/R
+    /// sinθ0 N/Rs
     pub hoop: [f64; 3],
-    /// Values at rest of the vector v: (0, cosθ0, sinθ0).
+    /// Values at rest of the vector v: (0, cosθ0, sinθ0 (R + t/2)/Rs).
     pub rest: [f64; 3],
-    /// 2πR dZ in mm².
+    /// 2πRs dZ in mm².
     pub area: f64,
     /// Place Z at rest in mm.
     pub place: f64,
@@ -43,17 +44,18 @@ pub struct Stretch {
     pub vector: [f64; 3],
 }
 
-/// The points of a line element between Z = `left` and `right` at radius R in mm.
-pub fn points(left: f64, right: f64, radius: f64, angle_rad: f64) -> [StrandPoint; STRAND_POINTS] {
+/// The points of a line element between Z = `left` and `right` at the tube's outer radius R in mm.
+pub fn points(left: f64, right: f64, radius: f64, lay: &StrandLay) -> [StrandPoint; STRAND_POINTS] {
     let half = 0.5 * (right - left);
-    let (sin, cos) = angle_rad.sin_cos();
+    let (sin, cos) = lay.angle_rad.sin_cos();
+    let at_rest = sin * lay.hoop_stretch(radius);
     GAUSS2.map(|(eta, weight)| {
         let (n, d) = along(eta);
         StrandPoint {
             slope: d.map(|x| cos * x / half),
-            hoop: n.map(|x| sin * x / radius),
-            rest: [0.0, cos, sin],
-            area: 2.0 * PI * radius * half * weight,
+            hoop: n.map(|x| sin * x / lay.radius_mm),
+            rest: [0.0, cos, at_rest],
+            area: 2.0 * PI * lay.radius_mm * half * weight,
             place: 0.5 * (left + right) + eta * half,
         }
     })

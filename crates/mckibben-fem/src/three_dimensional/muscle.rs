@@ -39,8 +39,16 @@ impl MuscleMesh {
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn new(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
-        let tube = muscle.tube();
-        let angle = muscle.braid().angle_rad();
+        let (tube, braid) = (muscle.tube(), muscle.braid());
+        let missing = [
+            ("braid.thickness", braid.thickness_mm > 0.0),
+            ("braid.diameter", !braid.lay(tube).is_on(tube)),
+            ("braid.crimp", braid.crimp.is_some()),
+        ];
+        if let Some((key, _)) = missing.into_iter().find(|(_, stated)| *stated) {
+            return Err(FemError::NotInBricks { key });
+        }
+        let angle = braid.angle_rad();
         // How far the plug reaches into the tube is the muscle's to say.
         let insertion = muscle.terminals().insertion_mm();
         let stated = |p: &Plug| p.insertion_mm.is_some() || muscle.terminals().insertion_mm.is_some();

@@ -8,7 +8,7 @@ use crate::axisymmetric::Mesh;
 use crate::axisymmetric::{Axisymmetric, MeshSpec};
 use crate::axisymmetric::{BraidSpec, Ends};
 use mckibben::model::{ForceModel, ThickWall, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, StrandLay, Terminals, Tube};
 use mckibben::rubber::MooneyRivlin;
 use std::f64::consts::PI;
 
@@ -31,7 +31,8 @@ fn slice(
 ) -> Option<crate::solver::continuation::Continuation<crate::axisymmetric::Body>> {
     let (inner, outer, angle, _) = SECTION;
     let mesh = Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0));
-    let braid = BraidSpec { angle_rad: angle.to_radians(), stiffness, compression: false };
+    let lay = StrandLay { angle_rad: angle.to_radians(), radius_mm: outer, offset_mm: 0.0 };
+    let braid = BraidSpec { lay, crimp: None, stiffness, compression: false };
     body(mesh, Some(braid), Ends::Sliding).ok()
 }
 

@@ -6,6 +6,7 @@
 pub mod bricks;
 mod endless;
 mod homogeneous;
+mod lay;
 mod muscle;
 mod numerics;
 mod pressure;
@@ -14,6 +15,7 @@ mod tube;
 
 pub use endless::{endless_braid, long_muscles};
 pub use homogeneous::homogeneous;
+pub use lay::strand_lay;
 pub use muscle::{identities, prototype};
 pub use numerics::numerics;
 pub use pressure::follower_pressure;
@@ -35,13 +37,14 @@ pub use mckibben::verification::{Kind, Measure, Row};
 pub type Case = fn() -> Vec<Row>;
 
 /// Every case of the section.
-const SECTION: [Case; 9] = [
+const SECTION: [Case; 10] = [
     homogeneous,
     thick_tube,
     thick_sphere,
     follower_pressure,
     endless_braid,
     long_muscles,
+    strand_lay,
     identities,
     prototype,
     numerics,

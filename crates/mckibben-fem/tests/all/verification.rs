@@ -34,6 +34,11 @@ fn f_g_liu_rahn_2003_endless_muscle() {
 }
 
 #[test]
+fn strands_off_the_surface_and_the_first_contact_of_a_wide_sleeve() {
+    holds(verification::strand_lay());
+}
+
+#[test]
 fn g_long_muscles_tend_to_the_endless_one_like_1_over_l0() {
     holds(verification::long_muscles());
 }

@@ -1,7 +1,8 @@
 //! The braided sleeve: two families of helical strands at ±θ0 on the tube's outer surface.
 
+use super::Crimp;
 use super::NEUTRAL_ANGLE_DEG;
-use super::error::{MuscleError, positive};
+use super::error::{MuscleError, not_negative, positive};
 use super::tube::Tube;
 use crate::sleeve::{SleeveError, SleeveShape};
 
@@ -55,6 +56,12 @@ pub struct Braid {
     pub measured: Option<MeasuredStrand>,
     /// Whether strands carry compression, as the paper's trusses do. Real strands buckle: default false.
     pub compression: bool,
+    /// t: thickness of the braid, both layers of strands, in mm. 0: the strands lie on the tube's surface.
+    pub thickness_mm: f64,
+    /// Inner diameter in mm at which the sleeve has its angle, where it is wider than the tube.
+    pub diameter_mm: Option<f64>,
+    /// What straightens in the strands before they stretch.
+    pub crimp: Option<Crimp>,
     /// The named sleeve that it was cut from, which gives its angle on another tube.
     pub sleeve: Option<SleeveShape>,
 }
@@ -75,6 +82,9 @@ impl Braid {
             strands: None,
             measured: None,
             compression: false,
+            thickness_mm: 0.0,
+            diameter_mm: None,
+            crimp: None,
             sleeve: None,
         }
     }
@@ -85,7 +95,7 @@ impl Braid {
     /// [`SleeveError`] where the sleeve does not fit the tube.
     pub fn on_diameter(self, outer_diameter_mm: f64) -> Result<Self, SleeveError> {
         let angle_deg = match &self.sleeve {
-            Some(sleeve) => sleeve.angle_deg_on(outer_diameter_mm)?,
+            Some(sleeve) => sleeve.angle_deg_on(self.diameter_mm.unwrap_or(outer_diameter_mm))?,
             None => self.angle_deg,
         };
         Ok(Self { angle_deg, ..self })
@@ -98,6 +108,7 @@ impl Braid {
     /// [`MuscleError::Sleeve`] where the sleeve does not fit.
     pub fn with_stated_angle(self, angle_deg: f64, outer_diameter_mm: f64) -> Result<Self, MuscleError> {
         if let Some(sleeve) = &self.sleeve {
+            let outer_diameter_mm = self.diameter_mm.unwrap_or(outer_diameter_mm);
             let of_sleeve_deg = sleeve.angle_deg_on(outer_diameter_mm)?;
             // A NaN is no angle, and `check` says so.
             if (angle_deg - of_sleeve_deg).abs() > SLEEVE_ANGLE_TOLERANCE_DEG {
@@ -136,11 +147,39 @@ impl Braid {
                 positive("braid.strand_strength", strength, "N")?;
             }
         }
+        not_negative("braid.thickness", self.thickness_mm, "mm")?;
+        if let Some(diameter) = self.diameter_mm {
+            positive("braid.diameter", diameter, "mm")?;
+        }
+        if let Some(Crimp { strain, stiffness_ratio }) = self.crimp {
+            positive("braid.crimp", strain, "")?;
+            positive("braid.crimp_stiffness", stiffness_ratio, "")?;
+            if stiffness_ratio > 1.0 {
+                return Err(MuscleError::CrimpStiffer { stiffness_ratio });
+            }
+            if self.stiffness == BraidStiffness::Inextensible {
+                return Err(MuscleError::CrimpOfRigidStrands);
+            }
+        }
         if let Some(m) = &self.measured {
             positive("braid.strand_length", m.strand_length_mm, "mm")?;
             positive("braid.turns", m.turns, "")?;
         }
         Ok(())
+    }
+
+    /// Whether the tube fits into the sleeve.
+    pub(super) fn check_on(&self, tube: &Tube) -> Result<(), MuscleError> {
+        let (thickness_mm, outer_diameter_mm) = (self.thickness_mm, tube.outer_diameter_mm);
+        if thickness_mm >= outer_diameter_mm {
+            return Err(MuscleError::BraidTooThick { thickness_mm, outer_diameter_mm });
+        }
+        match self.diameter_mm {
+            Some(diameter_mm) if diameter_mm < outer_diameter_mm => {
+                Err(MuscleError::SleeveTooNarrow { diameter_mm, outer_diameter_mm })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// What the user should know of this braid on this tube.
@@ -177,8 +216,9 @@ impl Braid {
         }
     }
 
-    /// Distance between neighbouring strands of one family, across them: π D0 cosθ0/(N/2), in mm.
+    /// Distance between neighbouring strands of one family, across them: 2π Rs cosθ0/(N/2), in mm, Rs of [`super::StrandLay`] (π D0 cosθ0/(N/2) of strands on the surface).
     pub fn strand_spacing_mm(&self, tube: &Tube, count: u32) -> f64 {
-        2.0 * std::f64::consts::PI * tube.outer_diameter_mm * self.angle_rad().cos() / f64::from(count)
+        let lay = self.lay(tube);
+        2.0 * std::f64::consts::PI * (2.0 * lay.radius_mm) * lay.angle_rad.cos() / f64::from(count)
     }
 }

@@ -1,6 +1,6 @@
 //! What follows from a muscle's measures.
 
-use super::{BraidStiffness, Muscle};
+use super::{BraidStiffness, Muscle, StrandLay};
 use std::f64::consts::PI;
 
 /// What a workshop needs to build the muscle.
@@ -46,14 +46,19 @@ impl Muscle {
         self.length_mm() / self.braid().angle_rad().cos()
     }
 
-    /// Turns of one strand N = L0 tanθ0/(π D0).
-    pub fn turns(&self) -> f64 {
-        self.length_mm() * self.braid().angle_rad().tan() / (PI * self.outer_diameter_mm())
+    /// How the strands lie on the tube.
+    pub fn strand_lay(&self) -> StrandLay {
+        self.braid().lay(self.tube())
     }
 
-    /// Length of strand per turn π D0/sinθ0 in mm: a property of the sleeve, whatever it is pulled over.
+    /// Turns of one strand N = L0 tanθ0/(2π Rs), Rs of [`StrandLay`].
+    pub fn turns(&self) -> f64 {
+        self.length_mm() * self.braid().angle_rad().tan() / (PI * (2.0 * self.strand_lay().radius_mm))
+    }
+
+    /// Length of strand per turn 2π Rs/sinθ0 in mm: a property of the sleeve, whatever it is pulled over.
     pub fn strand_length_per_turn_mm(&self) -> f64 {
-        PI * self.outer_diameter_mm() / self.braid().angle_rad().sin()
+        PI * (2.0 * self.strand_lay().radius_mm) / self.braid().angle_rad().sin()
     }
 
     /// Largest contraction of the ideal muscle, 1 − 1/(√3 cosθ0).
@@ -80,10 +85,12 @@ impl Muscle {
     }
 
     /// Strain of the strands under a tension of all of them together, in N; `None` for inextensible strands.
-    /// N·T = 2π D0 cosθ0 k (λf − 1).
+    /// N·T = 4π Rs cosθ0 k (λf − 1), or with [`Crimp`](super::Crimp) its force in place of k (λf − 1).
     pub fn strand_strain(&self, braid_tension_n: f64) -> Option<f64> {
         let k = self.family_stiffness_n_per_mm()?;
-        Some(braid_tension_n / (2.0 * PI * self.outer_diameter_mm() * self.braid().angle_rad().cos() * k))
+        let lay = self.strand_lay();
+        let force = braid_tension_n / (2.0 * PI * (2.0 * lay.radius_mm) * lay.angle_rad.cos() * k);
+        Some(self.braid().crimp.map_or(force, |crimp| crimp.strain_at(force)))
     }
 
     /// What a workshop needs.

@@ -109,6 +109,39 @@ pub enum MuscleError {
         /// Muscle length in mm.
         length_mm: f64,
     },
+    /// A braid as thick as the tube.
+    #[error(
+        "braid.thickness is {thickness_mm} mm; it must be below the tube's outer diameter of {outer_diameter_mm} mm (both layers of strands, not the sleeve's diameter)"
+    )]
+    BraidTooThick {
+        /// Both layers, in mm.
+        thickness_mm: f64,
+        /// D0 in mm.
+        outer_diameter_mm: f64,
+    },
+    /// A sleeve that the tube does not fit into.
+    #[error(
+        "braid.diameter is {diameter_mm} mm, but the tube has an outer diameter of {outer_diameter_mm} mm: a sleeve that is pulled over a wider tube has the angle that it takes there; give that angle and leave the diameter out"
+    )]
+    SleeveTooNarrow {
+        /// Inner diameter of the sleeve in mm.
+        diameter_mm: f64,
+        /// D0 in mm.
+        outer_diameter_mm: f64,
+    },
+    /// Strands that would grow softer as they straighten.
+    #[error(
+        "braid.crimp_stiffness is {stiffness_ratio}; it is the share of the strands' stiffness that they have before they are straight, above 0 and at most 1"
+    )]
+    CrimpStiffer {
+        /// κ
+        stiffness_ratio: f64,
+    },
+    /// Crimp in strands without a stiffness.
+    #[error(
+        "braid.crimp needs strands with a stiffness: it is a share of it that they have before they are straight"
+    )]
+    CrimpOfRigidStrands,
     /// A cone factor beyond what fits into the muscle.
     #[error(
         "terminals.cone_factor is {value}; it must lie between 0 and {largest:.4}, or the two tips meet before the largest contraction"
@@ -154,6 +187,10 @@ impl MuscleError {
             MuscleError::StrengthWithoutCount => vec!["braid.strand_strength"],
             MuscleError::StrandTooShort { .. } => vec!["braid.strand_length"],
             MuscleError::SeatingTooLong { .. } => vec!["terminals.seating", "tube.length"],
+            MuscleError::BraidTooThick { .. } => vec!["braid.thickness", "tube.outer_diameter"],
+            MuscleError::SleeveTooNarrow { .. } => vec!["braid.diameter", "tube.outer_diameter"],
+            MuscleError::CrimpStiffer { .. } => vec!["braid.crimp_stiffness"],
+            MuscleError::CrimpOfRigidStrands => vec!["braid.crimp", "braid.stiffness"],
             MuscleError::ConeFactor { .. } => vec!["terminals.cone_factor", "model.conical-ends.cone_factor"],
         };
         keys.into_iter().map(Cow::from).collect()

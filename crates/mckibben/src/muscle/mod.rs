@@ -3,21 +3,25 @@
 //! Everything is checked once, in [`Muscle::new`]; whoever holds a [`Muscle`] may rely on it.
 
 mod braid;
+mod crimp;
 mod derived;
 mod direction;
 mod error;
 pub mod file;
 mod friction;
+mod lay;
 mod reach;
 mod rubber;
 mod terminals;
 mod tube;
 
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
+pub use crimp::Crimp;
 pub use derived::BuildSheet;
 pub use direction::{Direction, UnknownDirection};
 pub use error::MuscleError;
 pub use friction::Friction;
+pub use lay::StrandLay;
 pub use reach::largest_stretch;
 pub use rubber::{Bulk, Rubber};
 pub use terminals::{EndFactor, Terminals};
@@ -62,6 +66,7 @@ impl Muscle {
         if let Some(friction) = &friction {
             friction.check()?;
         }
+        braid.check_on(&tube)?;
         let (seating_mm, length_mm) = (terminals.seating_mm.unwrap_or(0.0), tube.length_mm);
         if seating_mm >= length_mm {
             return Err(MuscleError::SeatingTooLong { seating_mm, length_mm });

@@ -297,9 +297,8 @@ impl Sleeve {
             angle_deg,
             stiffness: BraidStiffness::OfStrands,
             strands: Some(strands),
-            measured: None,
-            compression: false,
             sleeve: Some(self.shape.clone()),
+            ..Braid::paper()
         })
     }
 }

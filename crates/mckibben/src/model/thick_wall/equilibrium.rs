@@ -49,31 +49,37 @@ struct BraidEnergy {
 
 impl ThickWall {
     fn braid(&self, k: f64, l: f64, r: f64) -> BraidEnergy {
-        let (a, b) = (self.cos2, self.sin2 / (self.ro * self.ro));
-        let stretch = (a * l * l + b * r * r).sqrt();
+        let (a, b) = (self.cos2, self.sin2 / (self.rs * self.rs));
+        let rb = r + self.offset;
+        let stretch = (a * l * l + b * rb * rb).sqrt();
         let strain = stretch - 1.0;
         if strain <= 0.0 && !self.compression {
             return BraidEnergy { w: 0.0, l: 0.0, r: 0.0, ll: 0.0, lr: 0.0, rr: 0.0, strain };
         }
-        let c = 4.0 * PI * self.ro * k;
-        let (fl, fr) = (a * l / stretch, b * r / stretch);
+        let c = 4.0 * PI * self.rs * k;
+        let (fl, fr) = (a * l / stretch, b * rb / stretch);
+        let (w, [_, force, t]) = match &self.crimp {
+            None => (0.5 * c * strain * strain, [0.0, strain, 1.0]),
+            Some(crimp) => (c * crimp.at(strain)[0], crimp.at(strain)),
+        };
         BraidEnergy {
-            w: 0.5 * c * strain * strain,
-            l: c * strain * fl,
-            r: c * strain * fr,
-            ll: c * (fl * fl + strain * (a - fl * fl) / stretch),
-            lr: c * (fl * fr - strain * fl * fr / stretch),
-            rr: c * (fr * fr + strain * (b - fr * fr) / stretch),
+            w,
+            l: c * force * fl,
+            r: c * force * fr,
+            ll: c * (t * fl * fl + force * (a - fl * fl) / stretch),
+            lr: c * (t * fl * fr - force * fl * fr / stretch),
+            rr: c * (t * fr * fr + force * (b - fr * fr) / stretch),
             strain,
         }
     }
 
-    /// Sum of all strand tensions at a strain: N·T = 4π Ro cosθ0 k (λf − 1).
+    /// Sum of all strand tensions at a strain: N·T = 4π Rs cosθ0 k (λf − 1).
     fn tension(&self, k: f64, strain: f64) -> f64 {
         if strain <= 0.0 && !self.compression {
             return 0.0;
         }
-        4.0 * PI * self.ro * self.cos2.sqrt() * k * strain
+        let force = self.crimp.map_or(strain, |crimp| crimp.at(strain)[1]);
+        4.0 * PI * self.rs * self.cos2.sqrt() * k * force
     }
 
     /// Energy of wall and braid at a stretch and outer radius, and its derivatives; without the braid where strands do not
@@ -127,21 +133,29 @@ impl ThickWall {
         }
     }
 
-    /// Strands that do not stretch: everything along r(λ) = Ro √((1 − λ² cos²θ0)/sin²θ0).
+    /// Strands that do not stretch: everything along rb(λ) = Rs √((1 − λ² cos²θ0)/sin²θ0), r = rb − t/2.
     fn rigid(&self, p: f64, l: f64, r: f64, w: &WallEnergy, contact: f64) -> State {
-        let g = self.ro * self.ro / self.sin2;
-        let r1 = -g * self.cos2 * l / r;
-        let r2 = -(g * self.cos2 + r1 * r1) / r;
-        let area = PI * g * (3.0 * l * l * self.cos2 - 1.0);
+        let g = self.rs * self.rs / self.sin2;
+        let (rb, off) = (r + self.offset, PI * self.offset);
+        let r1 = -g * self.cos2 * l / rb;
+        let r2 = -(g * self.cos2 + r1 * r1) / rb;
+        // −∂(π r² λ)/∂λ
+        let area = PI * g * (3.0 * l * l * self.cos2 - 1.0) + off * (2.0 * rb - self.offset + 2.0 * l * r1);
         let force = p * area + w.l + w.r * r1;
-        let force_l = p * 6.0 * PI * g * self.cos2 * l + w.ll + 2.0 * w.lr * r1 + w.rr * r1 * r1 + w.r * r2;
+        let area_l = 2.0 * off * (2.0 * r1 + l * r2);
+        let force_l = p * 6.0 * PI * g * self.cos2 * l
+            + p * area_l
+            + w.ll
+            + 2.0 * w.lr * r1
+            + w.rr * r1 * r1
+            + w.r * r2;
         State {
             r,
             r_by: [r1, 0.0],
             force,
             force_l,
             force_p: area,
-            tension: contact * self.cos2.sqrt() * self.ro * self.ro / (self.sin2 * r),
+            tension: contact * self.cos2.sqrt() * self.rs * self.rs / (self.sin2 * rb),
             strain: 0.0,
             strain_by: [0.0; 2],
             energy: w.w,
@@ -162,9 +176,9 @@ impl ThickWall {
     fn extensible(&self, k: f64, p: f64, l: f64, near: Option<f64>) -> Result<State, ModelError> {
         let lowest = (self.wall.section() / l).sqrt();
         let at_rest = self.pantograph(l).max(lowest);
-        let b = self.sin2 / (self.ro * self.ro);
+        let b = self.sin2 / (self.rs * self.rs);
         let far = LARGEST_STRAND_STRETCH * LARGEST_STRAND_STRETCH - self.cos2 * l * l;
-        let highest = (far.max(0.0) / b).sqrt().max(1.0001 * at_rest);
+        let highest = ((far.max(0.0) / b).sqrt() - self.offset).max(1.0001 * at_rest);
         let guess = near.filter(|r| *r > lowest && *r < highest);
         let guess = guess.unwrap_or_else(|| (at_rest * 1.005).max(lowest * 1.01).min(highest));
         self.solve(k, p, l, lowest, highest, guess)
@@ -236,7 +250,7 @@ impl ThickWall {
     }
 
     fn radius_at_strand_stretch(&self, stretch: f64, l: f64) -> f64 {
-        self.ro * ((stretch * stretch - self.cos2 * l * l).max(0.0) / self.sin2).sqrt()
+        self.rs * ((stretch * stretch - self.cos2 * l * l).max(0.0) / self.sin2).sqrt() - self.offset
     }
 
     #[allow(clippy::too_many_arguments)]
@@ -262,7 +276,8 @@ impl ThickWall {
         let axial = w.l + b.l;
         let r_by = [-pi_lr / g_r, 2.0 * PI * r * l / g_r];
         let stretch = 1.0 + b.strain;
-        let (strain_l, strain_r) = (self.cos2 * l / stretch, self.sin2 * r / (self.ro * self.ro * stretch));
+        let (strain_l, strain_r) =
+            (self.cos2 * l / stretch, self.sin2 * (r + self.offset) / (self.rs * self.rs * stretch));
         Ok(State {
             r,
             r_by,

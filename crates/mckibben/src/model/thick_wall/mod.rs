@@ -5,7 +5,8 @@
 //!
 //!   Π(λ, r) = W(λ, r) + 2π Ro k (λf − 1)² − P π (r² λ − (Ro² − Ri²)),   λf² = cos²θ0 λ² + sin²θ0 (r/Ro)²
 //!
-//! W: energy of the wall ([`super::Wall`]); k: stiffness of one strand family in N/mm. One scalar equation ∂Π/∂r = 0
+//! W: energy of the wall ([`super::Wall`]); k: stiffness of one strand family in N/mm; strands off the surface, in a wide sleeve or with crimp
+//! as [`crate::muscle::StrandLay`] and [`crate::muscle::Crimp`] have them. One scalar equation ∂Π/∂r = 0
 //! gives r, and the pull is F = ∂Π/∂λ. Strands that do not stretch (k → ∞) keep λf = 1, r follows the pantograph, and
 //!
 //!   F = F_ideal(outer D0) + dW/dλ.
@@ -22,7 +23,7 @@ mod tests;
 pub(super) use equilibrium::State;
 
 use super::{Accuracy, ForceModel, ModelError, ModelRange, Reference, Response, Wall, Where, Workspace};
-use crate::muscle::{Bulk, EndFactor, Muscle};
+use crate::muscle::{Bulk, Crimp, EndFactor, Muscle};
 use crate::rubber::Law;
 use std::f64::consts::PI;
 
@@ -38,6 +39,10 @@ pub struct ThickWall {
     law: Law,
     /// Ro
     ro: f64,
+    /// Rs and t/2 of [`crate::muscle::StrandLay`]
+    rs: f64,
+    offset: f64,
+    crimp: Option<Crimp>,
     sin2: f64,
     cos2: f64,
     /// k of one family; `None`: inextensible
@@ -49,7 +54,11 @@ impl ThickWall {
     /// The thick-wall model of a muscle.
     pub fn new(muscle: &Muscle) -> Self {
         let (sin, cos) = muscle.braid().angle_rad().sin_cos();
+        let lay = muscle.strand_lay();
         Self {
+            rs: lay.radius_mm,
+            offset: lay.offset_mm,
+            crimp: muscle.braid().crimp,
             wall: Wall::new(muscle.tube()),
             law: muscle.tube().rubber.law.clone(),
             ro: muscle.tube().outer_radius_mm(),
@@ -63,12 +72,23 @@ impl ThickWall {
 
     /// Outer radius at which the strands have their length at rest.
     pub(super) fn pantograph(&self, l: f64) -> f64 {
-        self.ro * ((1.0 - l * l * self.cos2) / self.sin2).max(0.0).sqrt()
+        self.rs * ((1.0 - l * l * self.cos2) / self.sin2).max(0.0).sqrt() - self.offset
     }
 
     /// Axial stretch at which the strands have their length at rest, at an outer radius.
     pub(super) fn taut_stretch(&self, r: f64) -> f64 {
-        ((1.0 - self.sin2 * r * r / (self.ro * self.ro)) / self.cos2).max(0.0).sqrt()
+        let rb = r + self.offset;
+        ((1.0 - self.sin2 * rb * rb / (self.rs * self.rs)) / self.cos2).max(0.0).sqrt()
+    }
+
+    /// Its slope in the outer radius.
+    pub(super) fn taut_stretch_by_r(&self, r: f64) -> f64 {
+        -self.sin2 * (r + self.offset) / (self.rs * self.rs * self.cos2 * self.taut_stretch(r))
+    }
+
+    /// Whether strands lie on the tube's surface, fill it at rest and have no crimp.
+    pub(super) fn is_plain(&self) -> bool {
+        self.offset == 0.0 && self.rs == self.ro && self.crimp.is_none()
     }
 
     /// (sin²θ0, cos²θ0)

@@ -85,7 +85,9 @@ impl Universal {
 
     /// Whether there is something to couple: ends that are membranes, strands that stretch.
     pub(super) fn is_coupled(&self) -> bool {
-        self.deficit.form() == Form::Membrane && self.zone.wall.stiffness().is_some()
+        self.deficit.form() == Form::Membrane
+            && self.zone.wall.stiffness().is_some()
+            && self.zone.wall.is_plain()
     }
 
     /// The root at a pressure and contraction.

@@ -221,7 +221,7 @@ impl EndZone {
         }
         if taut > 0.0 {
             let w = self.wall.energy(taut, r.v);
-            let stretch = r.chain(taut, -sin2 * r.v / (self.ro * self.ro * cos2 * taut));
+            let stretch = r.chain(taut, self.wall.taut_stretch_by_r(r.v));
             let tension = (lift(w.w, w.l, w.r, stretch, r) - h) / stretch;
             if tension.v >= w.l {
                 return Some(Section { radius: r, stretch, tension });

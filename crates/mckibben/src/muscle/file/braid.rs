@@ -3,7 +3,7 @@
 use super::error::{FileError, Problem};
 use super::read::ALL;
 use super::source::{Section, WordOr};
-use crate::muscle::{Braid, BraidStiffness, MeasuredStrand, MuscleError, Strands};
+use crate::muscle::{Braid, BraidStiffness, Crimp, MeasuredStrand, MuscleError, Strands};
 use crate::sleeve::{Sleeve, library};
 use crate::units::Dimension;
 
@@ -19,6 +19,10 @@ const KEYS: &[&str] = &[
     "strand_length",
     "turns",
     "compression",
+    "thickness",
+    "diameter",
+    "crimp",
+    "crimp_stiffness",
 ];
 
 /// The braid on a tube of an outer diameter.
@@ -42,7 +46,19 @@ pub(super) fn read(section: &Section<'_>, outer_diameter_mm: f64) -> Result<Brai
     let compression = section.boolean("compression")?.unwrap_or(default.compression);
     let measured = measured(section)?;
     let shape = sleeve.map(|s| s.shape);
-    let braid = Braid { stiffness, strands, measured, compression, sleeve: shape, ..default };
+    let thickness_mm = section.quantity("thickness", Dimension::Length)?.unwrap_or(default.thickness_mm);
+    let (diameter_mm, crimp) = (section.quantity("diameter", Dimension::Length)?, crimp(section)?);
+    let braid = Braid {
+        stiffness,
+        strands,
+        measured,
+        compression,
+        thickness_mm,
+        diameter_mm,
+        crimp,
+        sleeve: shape,
+        ..default
+    };
     match angle_deg {
         Some(angle) => {
             braid.with_stated_angle(angle, outer_diameter_mm).map_err(|e| of_braid(section, "angle", e))
@@ -162,6 +178,17 @@ fn count(section: &Section<'_>) -> Result<Option<u32>, FileError> {
         Ok(Some(count as u32))
     } else {
         Err(refused(section, "strands", MuscleError::StrandCount { count }))
+    }
+}
+
+fn crimp(section: &Section<'_>) -> Result<Option<Crimp>, FileError> {
+    let needs = "the strain at which the strands are straight, such as \"1%\"";
+    match (section.quantity("crimp", Dimension::Ratio)?, section.number("crimp_stiffness")?) {
+        (None, None) => Ok(None),
+        (None, Some(_)) => Err(section.missing("crimp", Some("crimp_stiffness"), needs)),
+        (Some(strain), ratio) => {
+            Ok(Some(Crimp { strain, stiffness_ratio: ratio.unwrap_or(Crimp::STIFFNESS_RATIO) }))
+        }
     }
 }
 

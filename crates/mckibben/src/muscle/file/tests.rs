@@ -60,14 +60,26 @@ fn braid() -> impl Strategy<Value = Braid> {
     ];
     let measured = (1e3..5e3, number(0.1, 9.0))
         .prop_map(|(strand_length_mm, turns)| MeasuredStrand { strand_length_mm, turns });
-    (number(1.0, 54.0), make, prop::option::of(measured), any::<bool>()).prop_map(
-        |(angle_deg, (stiffness, strands), measured, compression)| Braid {
-            angle_deg,
-            stiffness,
-            strands,
-            measured,
-            compression,
-            sleeve: None,
+    let crimp = (number(1e-4, 0.1), 0.01..1.0)
+        .prop_map(|(strain, stiffness_ratio)| Crimp { strain, stiffness_ratio });
+    let lay = (
+        prop_oneof![Just(0.0), number(0.01, 0.9)],
+        prop::option::of(number(200.0, 300.0)),
+        prop::option::of(crimp),
+    );
+    (number(1.0, 54.0), make, prop::option::of(measured), any::<bool>(), lay).prop_map(
+        |(angle_deg, (stiffness, strands), measured, compression, (thickness_mm, diameter_mm, crimp))| {
+            Braid {
+                angle_deg,
+                stiffness,
+                strands,
+                measured,
+                compression,
+                thickness_mm,
+                diameter_mm,
+                crimp: crimp.filter(|_| stiffness != BraidStiffness::Inextensible),
+                sleeve: None,
+            }
         },
     )
 }

@@ -128,7 +128,8 @@ impl Text {
         if let Some(sleeve) = &sleeve {
             self.key("name", &text(sleeve.name()), "a sleeve: `mckibben braid show`");
         }
-        if !sleeve.as_ref().is_some_and(|s| s.shape.angle_deg_on(outer_diameter_mm) == Ok(braid.angle_deg)) {
+        let own = braid.clone().on_diameter(outer_diameter_mm).map(|b| b.angle_deg);
+        if sleeve.is_none() || own != Ok(braid.angle_deg) {
             let comment = "strands to the muscle's axis, at rest";
             self.key("angle", &quantity(braid.angle_deg, "deg"), comment);
         }
@@ -164,6 +165,19 @@ impl Text {
             let comment = "measured on the muscle, rounded ends included";
             self.key("strand_length", &quantity(m.strand_length_mm, "mm"), comment);
             self.key("turns", &number(m.turns), "");
+        }
+        if braid.thickness_mm > 0.0 {
+            let comment = "both layers: the strands' midline lies half of it off the tube";
+            self.key("thickness", &quantity(braid.thickness_mm, "mm"), comment);
+        }
+        if let Some(diameter) = braid.diameter_mm {
+            let comment = "inside, at the angle above: a sleeve wider than the tube";
+            self.key("diameter", &quantity(diameter, "mm"), comment);
+        }
+        if let Some(crimp) = &braid.crimp {
+            self.key("crimp", &number(crimp.strain), "strain at which the strands are straight");
+            let comment = "before that, as a share of their stiffness";
+            self.key("crimp_stiffness", &number(crimp.stiffness_ratio), comment);
         }
         if braid.compression {
             self.key("compression", "true", "strands that carry compression");
