@@ -138,6 +138,11 @@ impl body::Body for Body {
         self.discretisation.radius
     }
 
+    fn loose(&self) -> bool {
+        let d = &self.discretisation;
+        d.problem.braid.is_some_and(|b| b.lay.hoop_stretch(d.radius) < 1.0)
+    }
+
     fn taut(&self) -> bool {
         let (state, l) = (&self.state, self.discretisation.layout);
         let taut = |q: &f64| *q > 0.0;

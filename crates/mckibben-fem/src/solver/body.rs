@@ -215,6 +215,11 @@ pub trait Body: NewtonSystem {
         None
     }
 
+    /// Whether strands are slack at rest, in a sleeve that is wider than the tube.
+    fn loose(&self) -> bool {
+        false
+    }
+
     /// Whether every strand is in tension, or the muscle neither pressurised nor shortened.
     fn taut(&self) -> bool;
 

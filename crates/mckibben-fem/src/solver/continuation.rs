@@ -8,7 +8,8 @@
 //! taut muscle: at the contraction of the question, from the pressure that tightens all strands, the pressure is let down to that of the
 //! question; where no pressure tightens them, the muscle is shortened from rest length at the pressure of the question. On the way every
 //! step ends close to where the steps before predict it, and the last in a stable equilibrium. So an answer depends on its question alone,
-//! and where that branch ends there is none.
+//! and where that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle does not lead to it, inflated from
+//! rest in the same way.
 
 use super::body::{Body, Control, State};
 use super::descent::Descent;
@@ -232,6 +233,12 @@ impl<B: Body> Continuation<B> {
                     found.or_else(|end| c.straight(pressure, terminal).map_err(|_| end))
                 }
                 None => c.lead_down(pressure, terminal),
+            };
+            let found = match found {
+                Err(end) if c.body.loose() && !end.reason.is_final() => {
+                    c.inflate(pressure, terminal).map_err(|_| end)
+                }
+                found => found,
             };
             found.map_err(|end| (end, other_n))
         })

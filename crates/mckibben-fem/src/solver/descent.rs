@@ -188,6 +188,13 @@ impl<B: Body> Continuation<B> {
         Err(self.interrupted(Stopped::Unstable))
     }
 
+    /// From rest, continuously: a tube that has not reached its sleeve has no taut muscle that it continues.
+    pub(super) fn inflate(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
+        self.reset();
+        self.go(pressure, 0.0, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;
+        self.follow(pressure, terminal)
+    }
+
     /// Goes to a pressure in MPa and a displacement of the terminal in mm in continuous steps.
     fn follow(&mut self, pressure: f64, terminal: f64) -> Result<(), Interrupted> {
         self.go(pressure, terminal, B::SETTINGS.first_step_down, SMALLEST_CONTINUOUS, CONTINUOUS)?;

@@ -6,6 +6,7 @@ mod answers;
 mod axisymmetric;
 mod branches;
 mod identify;
+mod lay;
 mod measured;
 mod shared;
 mod three_dimensional;
