@@ -126,6 +126,10 @@ impl ForceModel for Axisymmetric {
         ModelRange::open().stretched()
     }
 
+    fn notes(&self, _: &Workspace) -> Vec<String> {
+        vec![]
+    }
+
     fn accuracy(&self) -> Accuracy {
         Accuracy::share(0.0, Reference::Equations)
     }

@@ -12,7 +12,7 @@ use super::mesh::Mesh;
 use crate::FemError;
 use crate::results::Sensitivity;
 use crate::solver::body::State;
-use mckibben::muscle::{Muscle, StrandLay};
+use mckibben::muscle::{Crimp, Muscle, StrandLay};
 use mckibben::rubber::Law;
 
 /// A law with `change` added to its constant number `index`.
@@ -29,6 +29,7 @@ struct Measures {
     angle_deg: f64,
     thickness: f64,
     diameter: Option<f64>,
+    crimp: Option<Crimp>,
     stiffness: Option<f64>,
 }
 
@@ -49,7 +50,8 @@ fn rebuilt(d: &Discretisation, law: Law, from: &Measures, to: &Measures) -> Resu
         let share = (node[0] - (0.5 * from.outer_diameter - from.wall)) / from.wall;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let braid = d.problem.braid.map(|b| BraidSpec { lay: to.lay(), stiffness: to.stiffness, ..b });
+    let braid =
+        d.problem.braid.map(|b| BraidSpec { lay: to.lay(), crimp: to.crimp, stiffness: to.stiffness, ..b });
     let mut out = Discretisation::new(mesh, Problem { law, braid, ..d.problem.clone() })?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
@@ -88,6 +90,7 @@ pub fn of(
         angle_deg: muscle.braid().angle_deg,
         thickness: muscle.braid().thickness_mm,
         diameter: muscle.braid().diameter_mm,
+        crimp: muscle.braid().crimp,
         stiffness: muscle.family_stiffness_n_per_mm(),
     };
     let mut out = Vec::new();
@@ -127,6 +130,11 @@ pub fn of(
     if here.thickness > 0.0 {
         let make = |h: f64| same(Measures { thickness: here.thickness + h, ..here });
         add("braid.thickness".into(), here.thickness, "mm", &make)?;
+    }
+    if let Some(crimp) = here.crimp {
+        let strained = |h: f64| Crimp { strain: crimp.strain + h, ..crimp };
+        let make = |h: f64| same(Measures { crimp: Some(strained(h)), ..here });
+        add("braid.crimp".into(), crimp.strain, "", &make)?;
     }
     if let Some(diameter) = here.diameter {
         let make = |h: f64| same(Measures { diameter: Some(diameter + h), ..here });

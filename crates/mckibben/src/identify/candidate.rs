@@ -2,7 +2,7 @@
 
 use super::parameter::Target;
 use crate::measured::Section;
-use crate::muscle::{BraidStiffness, EndFactor, Friction, Muscle, MuscleError};
+use crate::muscle::{BraidStiffness, Crimp, EndFactor, Friction, Muscle, MuscleError};
 
 /// k = k₀ (D0/D0₀)ⁿ of one strand family.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +43,9 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
             (twice / muscle.family_stiffness_n_per_mm()?).log2()
         }
         Target::Angle => muscle.braid().angle_deg,
+        Target::Thickness => Some(muscle.braid().thickness_mm).filter(|t| *t > 0.0)?,
+        Target::SleeveDiameter => muscle.braid().diameter_mm?,
+        Target::Crimp => muscle.braid().crimp?.strain,
         Target::OuterDiameter => tube.outer_diameter_mm,
         Target::Wall => tube.wall_mm,
         Target::Length => tube.length_mm,
@@ -79,6 +82,12 @@ impl Candidate {
                 Target::StiffnessExponent => (family.exponent, has_family) = (v, true),
                 Target::Angle => braid.angle_deg = v,
                 Target::OuterDiameter => tube.outer_diameter_mm = v,
+                Target::Thickness => braid.thickness_mm = v,
+                Target::SleeveDiameter => braid.diameter_mm = Some(v),
+                Target::Crimp => {
+                    let stiffness_ratio = braid.crimp.map_or(Crimp::STIFFNESS_RATIO, |c| c.stiffness_ratio);
+                    braid.crimp = Some(Crimp { strain: v, stiffness_ratio });
+                }
                 Target::Wall => tube.wall_mm = v,
                 Target::Length => tube.length_mm = v,
                 Target::Seating => terminals.seating_mm = Some(v),

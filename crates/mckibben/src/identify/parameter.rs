@@ -25,6 +25,12 @@ pub enum Target {
     Wall,
     /// L0.
     Length,
+    /// t of the braid.
+    Thickness,
+    /// Inner diameter of a sleeve wider than the tube.
+    SleeveDiameter,
+    /// Strain at which the strands are straight.
+    Crimp,
     /// What both ends together give way.
     Seating,
     /// k of Tondu & Lopez.
@@ -38,17 +44,20 @@ pub enum Target {
 }
 
 use Target::{
-    Angle, ContractionOffset, EndFactor, FrictionCoefficient, FrictionExponent, Law, Length, Modulus,
-    OuterDiameter, Seating, Stiffness, StiffnessExponent, Wall,
+    Angle, ContractionOffset, Crimp, EndFactor, FrictionCoefficient, FrictionExponent, Law, Length, Modulus,
+    OuterDiameter, Seating, SleeveDiameter, Stiffness, StiffnessExponent, Thickness, Wall,
 };
 
 /// Names that do not depend on the law; some have a second spelling.
-const NAMES: [(&str, Target); 18] = [
+const NAMES: [(&str, Target); 21] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
     ("braid.stiffness_exponent", StiffnessExponent),
     ("braid.angle", Angle),
+    ("braid.thickness", Thickness),
+    ("braid.diameter", SleeveDiameter),
+    ("braid.crimp", Crimp),
     ("tube.outer_diameter", OuterDiameter),
     ("tube.wall_thickness", Wall),
     ("tube.length", Length),
@@ -158,7 +167,7 @@ impl Target {
             Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
             Stiffness => "N/mm",
             Angle => "deg",
-            OuterDiameter | Wall | Length | Seating => "mm",
+            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter => "mm",
             FrictionCoefficient => "N/MPa^β",
             _ => "",
         }
@@ -169,7 +178,7 @@ impl Target {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
             Angle => Dimension::Angle,
-            OuterDiameter | Wall | Length | Seating => Dimension::Length,
+            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter => Dimension::Length,
             _ => Dimension::Ratio,
         }
     }
@@ -184,6 +193,9 @@ impl Target {
             ContractionOffset => (-0.3, 0.3),
             Wall => (0.0, 0.5 * muscle.outer_diameter_mm()),
             Seating => (0.0, 0.2 * muscle.length_mm()),
+            Thickness => (1e-6 * muscle.outer_diameter_mm(), 0.3 * muscle.outer_diameter_mm()),
+            SleeveDiameter => (muscle.outer_diameter_mm(), 1.5 * muscle.outer_diameter_mm()),
+            Crimp => (1e-6, 0.1),
             _ => (0.0, f64::INFINITY),
         }
     }
@@ -201,7 +213,7 @@ impl Target {
             FrictionExponent => 0.5,
             ContractionOffset => 0.02,
             Angle => 3.0,
-            OuterDiameter => 0.1 * v.abs(),
+            OuterDiameter | SleeveDiameter => 0.1 * v.abs(),
             EndFactor => 0.2 * v.abs(),
             _ => 0.5 * v.abs(),
         }

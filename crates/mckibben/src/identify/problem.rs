@@ -322,7 +322,11 @@ impl<'a, B: Build> Problem<'a, B> {
             Target::ContractionOffset => here.by_contraction,
             // F₀(P, ε + δ/L0).
             Target::Seating => here.by_contraction / muscle.length_mm(),
-            Target::Law(_) | Target::EndFactor => of(&target.name(muscle)),
+            Target::Law(_)
+            | Target::EndFactor
+            | Target::Thickness
+            | Target::SleeveDiameter
+            | Target::Crimp => of(&target.name(muscle)),
         };
         Ok(self.free.iter().zip(x).map(one).collect())
     }

@@ -84,7 +84,8 @@ impl ForceModel for FormulaModel {
     }
 
     fn notes(&self, _: &Workspace) -> Vec<String> {
-        self.formula.seal.warning(&self.formula.name).into_iter().collect()
+        let left_out = super::strands_on_the_tube(&self.formula.name, &self.muscle);
+        self.formula.seal.warning(&self.formula.name).into_iter().chain(left_out).collect()
     }
 
     fn accuracy(&self) -> Accuracy {

@@ -66,6 +66,20 @@ pub use workspace::{ModelId, Workspace};
 
 use crate::muscle::Muscle;
 
+/// What a model leaves out that takes the strands as straight ones on the surface of a tube that fills its sleeve.
+fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
+    let braid = muscle.braid();
+    let keys = [
+        ("braid.thickness", braid.thickness_mm > 0.0),
+        ("braid.diameter", braid.diameter_mm.is_some_and(|d| d > muscle.outer_diameter_mm())),
+        ("braid.crimp", braid.crimp.is_some()),
+    ];
+    let stated: Vec<&str> = keys.into_iter().filter(|k| k.1).map(|k| k.0).collect();
+    (!stated.is_empty()).then(|| {
+        format!("{model} takes the strands as lying straight on the tube: {} not used", stated.join(", "))
+    })
+}
+
 /// Gauss–Legendre points and weights on [−1, 1].
 pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
     quadrature::rule(points)
@@ -95,7 +109,7 @@ pub trait ForceModel: Send + Sync {
 
     /// Sentences that belong into the warnings of any answer of this model.
     fn notes(&self, _: &Workspace) -> Vec<String> {
-        vec![]
+        strands_on_the_tube(self.name(), self.muscle()).into_iter().collect()
     }
 
     /// Everything it knows at a pressure in MPa and a contraction ratio; does not look at [`ForceModel::range`].
