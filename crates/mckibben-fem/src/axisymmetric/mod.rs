@@ -2,6 +2,7 @@
 
 pub mod assembly;
 pub mod body;
+mod contact;
 pub mod discretisation;
 mod guess;
 pub mod layout;
@@ -15,6 +16,7 @@ pub mod study;
 pub mod sweep;
 
 pub use body::Body;
+pub use contact::{Contact, ContactPlace};
 pub use discretisation::{BraidSpec, Discretisation, Ends, Problem};
 pub use mesh::{Mesh, MeshSpec};
 pub use model::Axisymmetric;

@@ -1,0 +1,134 @@
+//! How the strands press on the tube and turn against each other, and what friction follows.
+//!
+//! A strand of tension T presses on what it lies over with T κn per length, κn = sin²θ cosφ/rb + cos²θ κm: the curvature of its line normal to
+//! the tube (Meusnier and Euler), with θ its angle to the meridian, φ the slope of the meridian, κm its curvature, rb the radius of the
+//! midline. Both families together press with pc on the tube; per area of the sleeve as made
+//!
+//!   pc dA = 2 q λf κn dA0,
+//!
+//! q the tension per width of a family. As the muscle's length L changes at constant pressure, strands that cross turn against each
+//! other by 2 dθ, against a friction with the lever w (of the width and the shape of the contact) and the coefficient μ. By virtual work the
+//! half-width of the hysteresis loop is
+//!
+//!   F_f = μw G,   G = (2/3) ∫ pc |dθ/dL| dA,
+//!
+//! and G = (4π/3) pc r cotθ of an infinitely long muscle with strands that do not stretch. Crossings as in Davis & Caldwell 2006
+//! \[davis2006\]; strands are tied to the tube, so that nothing slides on it. Where they are slack pc vanishes, and the friction with it.
+
+use super::Axisymmetric;
+use super::assembly::tension;
+use super::body::Body;
+use super::discretisation::Discretisation;
+use crate::FemError;
+use crate::element::q2::{GAUSS2, along};
+use crate::simulation::Discretised;
+use mckibben::model::Workspace;
+
+/// Second derivatives of the shape functions of a line element in its coordinate: middle, left, right.
+const CURVED: [f64; 3] = [-2.0, 1.0, 1.0];
+
+/// Contact of the strands at a place along the half muscle.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactPlace {
+    /// Z at rest in mm, from the middle.
+    pub rest_mm: f64,
+    /// pc in MPa.
+    pub pressure_mpa: f64,
+    /// dθ/dL in rad per mm of the muscle's length, at constant pressure.
+    pub turning_rad_per_mm: f64,
+    /// Surface under the strands now that this place stands for, of the half muscle, in mm².
+    pub area_mm2: f64,
+}
+
+/// Contact of the strands of a muscle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// From the middle to the terminal.
+    pub places: Vec<ContactPlace>,
+    /// G = (2/3) ∫ pc |dθ/dL| dA over the whole muscle, in N per mm of μw.
+    pub pivoting_n_per_mm: f64,
+}
+
+impl Axisymmetric {
+    /// The contact of the strands at a pressure in MPa and a contraction.
+    ///
+    /// # Errors
+    /// [`FemError`].
+    pub fn contact(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<Contact, FemError> {
+        let c = self.continuation(workspace)?;
+        c.reach(pressure_mpa, contraction)?;
+        let force_n = c.pull();
+        c.body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+        Ok(of(&mut c.body))
+    }
+}
+
+/// The contact at the body's equilibrium, whose tangent must stand factorised.
+pub(super) fn of(body: &mut Body) -> Contact {
+    // What every unknown does as the terminal, and so half of the length, moves by 1 mm.
+    let mut by = vec![0.0; body.state.u.len()];
+    body.solve_linear(&mut by, 1.0);
+    let d = &body.discretisation;
+    let mut places: Vec<ContactPlace> = (0..d.strands.len())
+        .flat_map(|slab| (0..GAUSS2.len()).map(move |g| (slab, g)))
+        .map(|at| place(d, &body.state.u, &by, at))
+        .collect();
+    places.sort_by(|a, b| a.rest_mm.total_cmp(&b.rest_mm));
+    // Both halves turn alike.
+    let work = |p: &ContactPlace| 2.0 * p.pressure_mpa * p.turning_rad_per_mm.abs() * p.area_mm2;
+    Contact { pivoting_n_per_mm: 2.0 / 3.0 * places.iter().map(work).sum::<f64>(), places }
+}
+
+fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -> ContactPlace {
+    let l = d.layout;
+    let Some(braid) = d.problem.braid else { return ContactPlace::default() };
+    let (point, line) = (&d.strands[slab][g], l.line(u, slab, 2 * l.through));
+    let stretch = point.stretch(&line);
+    let multiplier = if l.multipliers { u[l.tension(slab) + g] } else { 0.0 };
+    let q = tension(&braid, stretch.value - 1.0, multiplier, d.augment_strand).0;
+    let [v_r, v_z, v_hoop] = stretch.vector;
+    let meridian = v_r.hypot(v_z);
+    // dθ of tanθ = v_hoop/meridian
+    let change = l.line(by, slab, 2 * l.through);
+    let (mut d_r, mut d_z, mut d_hoop) = (0.0, 0.0, 0.0);
+    for a in 0..3 {
+        d_r += point.slope[a] * change[2 * a];
+        d_z += point.slope[a] * change[2 * a + 1];
+        d_hoop += point.hoop[a] * change[2 * a];
+    }
+    let d_meridian = (v_r * d_r + v_z * d_z) / meridian;
+    let square = stretch.value * stretch.value;
+    let turning = (meridian * d_hoop - v_hoop * d_meridian) / square;
+    // Curvature of the meridian, positive where it bulges; r and z at rest are straight lines along it.
+    let (j, outer) = (2 * slab, 2 * l.through);
+    let half = 0.5 * (d.mesh.node(outer, j + 2)[1] - d.mesh.node(outer, j)[1]);
+    let (n, slope) = along(GAUSS2[g].0);
+    let (mut r, mut r1, mut z1, mut r2, mut z2) = (d.mesh.node(outer, j)[0], 0.0, 1.0, 0.0, 0.0);
+    for a in 0..3 {
+        let (u_r, u_z) = (line[2 * a], line[2 * a + 1]);
+        r += n[a] * u_r;
+        r1 += slope[a] / half * u_r;
+        z1 += slope[a] / half * u_z;
+        r2 += CURVED[a] / (half * half) * u_r;
+        z2 += CURVED[a] / (half * half) * u_z;
+    }
+    let length = r1.hypot(z1);
+    let bending = (r1 * z2 - z1 * r2) / length.powi(3);
+    let midline = r + braid.lay.offset_mm;
+    let (sin2, cos2) = (v_hoop * v_hoop / square, meridian * meridian / square);
+    let curvature = sin2 * z1 / (length * midline) + cos2 * bending;
+    let area = point.area * r * length / braid.lay.radius_mm;
+    let pressed = 2.0 * q * stretch.value * curvature * point.area;
+    ContactPlace {
+        rest_mm: point.place,
+        pressure_mpa: pressed / area,
+        // The terminal's 1 mm are 2 mm of the muscle.
+        turning_rad_per_mm: 0.5 * turning,
+        area_mm2: area,
+    }
+}
