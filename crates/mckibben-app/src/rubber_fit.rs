@@ -10,7 +10,7 @@ use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
 use mckibben::rubber::fit::{
-    FitSettings, FittedLaw, Form, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
+    FitSettings, FittedLaw, Form, HeldOutError, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
     TensionFitError, fit_tension_with, read_tests,
 };
 use mckibben::rubber::{RubberLaw, Stability};
@@ -33,12 +33,14 @@ pub struct RubberFitRequest {
     pub laws: Vec<String>,
     /// Terms of `ogden`; 1, 2 and 3 where it is left out.
     pub terms: Option<usize>,
-    /// How the specimens were stretched, where the table has no column `mode`.
+    /// How the specimens were stretched, where the table has no column `mode`; with a column `stretch_2` that is `general`.
     pub mode: Mode,
     /// Cross-section of the specimen at rest, mm², for a column of forces.
     pub area_mm2: Option<f64>,
     /// Length of the specimen at rest, mm, for a column of extensions or lengths.
     pub gauge_length_mm: Option<f64>,
+    /// Modes that are fitted, all where none is named. The others are held out, and how well each law follows them is said.
+    pub fit_modes: Vec<Mode>,
     /// Leave out what is stretched further.
     pub up_to_stretch: Option<f64>,
     /// Differences over the measured stress: small stretches count as much as large ones.
@@ -70,6 +72,8 @@ pub struct RubberFitAnswer {
     pub points: usize,
     /// Points that were left out.
     pub left_out: usize,
+    /// Points of modes that were held out.
+    pub held_out: usize,
     /// Largest principal stretch of the points.
     pub fitted_to_stretch: f64,
     /// What was made small.
@@ -119,6 +123,8 @@ pub struct LawAnswer {
     pub parameters: Vec<Parameter>,
     /// Its errors by mode.
     pub modes: Vec<ModeError>,
+    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
+    pub held_out: Vec<HeldOutError>,
 }
 
 /// How well a law follows the points, and where it is stable.
@@ -225,6 +231,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         understood: vec![UnderstoodTable { data: file.name.clone(), table }],
         points: fit.points.len(),
         left_out: fit.left_out,
+        held_out: fit.held_out.len(),
         fitted_to_stretch: fit.fitted_to_stretch,
         measure: settings.measure,
         balance: settings.balance,
@@ -263,6 +270,7 @@ impl LawAnswer {
             },
             parameters: law.parameters.clone(),
             modes: law.modes.clone(),
+            held_out: law.held_out.clone(),
         }
     }
 }
@@ -285,6 +293,7 @@ impl RubberFitRequest {
             measure: if self.relative { Measure::Relative } else { Measure::Absolute },
             balance: self.balance,
             mode_weights: self.weights.iter().map(|(&mode, &weight)| (mode, weight)).collect(),
+            fit_modes: self.fit_modes.clone(),
             up_to_stretch: self.up_to_stretch,
             stable: self.stable,
             hoop_stretch: self.hoop_stretch.unwrap_or(usual.hoop_stretch),

@@ -1,7 +1,9 @@
 //! What `rubber fit` tells people.
 
 use crate::output::text::{number, or_dash, pairs, percent, place, table, understood};
-use mckibben::rubber::fit::{FitSettings, FittedLaw, Measure, ModeError, Parameter, TensionFit};
+use mckibben::rubber::fit::{
+    FitSettings, FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter, TensionFit,
+};
 use mckibben::rubber::{RubberLaw, Stability};
 use mckibben_app::RubberFitAnswer;
 use std::path::Path;
@@ -44,6 +46,9 @@ pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
         law.modes.iter().map(|m| (m.mode.name(), range(m))).collect()
     });
     let mut head = modes;
+    if !fit.held_out.is_empty() {
+        head.push(("held out", format!("{} points", fit.held_out.len())));
+    }
     if fit.left_out > 0 {
         head.push(("left out", format!("{} points", fit.left_out)));
     }
@@ -79,7 +84,40 @@ pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
         fit.laws.iter().flat_map(constant_rows).collect(),
     );
     let read = understood(&answer.understood);
-    format!("{read}Tension tests {file}\n{}\n{laws}\n{constants}\n{}", pairs(&head), closing(fit, written))
+    let held_out = held_out(fit, &hoop);
+    let closing = closing(fit, written);
+    format!("{read}Tension tests {file}\n{}\n{laws}\n{constants}\n{held_out}{closing}", pairs(&head))
+}
+
+/// The errors in modes that were held out, a column a mode.
+fn held_out(fit: &TensionFit, hoop: &str) -> String {
+    let known: Vec<Option<Mode>> =
+        fit.laws.iter().flat_map(|l| &l.held_out).map(|e| e.mode).fold(vec![], |mut all, mode| {
+            if !all.contains(&mode) {
+                all.push(mode);
+            }
+            all
+        });
+    if known.is_empty() {
+        return String::new();
+    }
+    let name = |mode: &Option<Mode>| mode.map_or("in a muscle", Mode::name);
+    let header: Vec<&str> = ["law"].into_iter().chain(known.iter().map(name)).collect();
+    let cell = |e: &HeldOutError| {
+        let sign = if e.stiffer < 0.0 { "−" } else { "+" };
+        let mean = format!("{sign}{}", percent(rounded(e.stiffer.abs())));
+        format!("{} ({mean})", percent(rounded(e.relative)))
+    };
+    let row = |law: &FittedLaw| {
+        let of = |mode: &Option<Mode>| law.held_out.iter().find(|e| e.mode == *mode);
+        let cells = known.iter().map(|mode| of(mode).map_or_else(|| "–".to_owned(), cell));
+        [title(law)].into_iter().chain(cells).collect()
+    };
+    format!(
+        "Held out: rms of the differences over the rms of the measured stresses (in brackets: how much too stiff, +, or too soft)\n{}\
+         in a muscle: held-out points with a hoop stretch of 1 to {hoop} and an axial stretch of 0.6 to 1.1\n\n",
+        table(&header, fit.laws.iter().map(row).collect())
+    )
 }
 
 /// To a hundredth of a percent.
