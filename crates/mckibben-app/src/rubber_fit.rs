@@ -5,6 +5,7 @@ use crate::figure;
 use crate::muscle::muscle_of;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
+use crate::rubber_over_time::{PronyAnswer, SofteningAnswer, relaxation, softening};
 use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
@@ -53,6 +54,11 @@ pub struct RubberFitRequest {
     pub stable: bool,
     /// Hoop stretch of the muscle up to which a law should be stable; 3 where it is left out.
     pub hoop_stretch: Option<f64>,
+    /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on.
+    /// Of the one law of `laws`, else of the recommended one.
+    pub relaxation: Option<usize>,
+    /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
+    pub softening: bool,
     /// Name of the rubber in the muscle file; that of the table where it is left out.
     pub name: Option<String>,
     /// Muscle that gets the rubber; the prototype where it is left out.
@@ -90,6 +96,12 @@ pub struct RubberFitAnswer {
     pub failed: Vec<String>,
     /// What to mind.
     pub warnings: Vec<String>,
+    /// Relaxation, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub relaxation: Option<PronyAnswer>,
+    /// Softening, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub softening: Option<SofteningAnswer>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -225,6 +237,19 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     progress.budget().admit(Resource::Points, points.len() as f64)?;
     let fit = fit_tension_with(&points, &settings, progress)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
+    let form = || match (settings.forms.as_slice(), taken) {
+        ([form], _) => Ok(*form),
+        (_, Some(law)) => Ok(law.form),
+        _ => {
+            let message =
+                "none of these laws is stable over the stretches of a muscle; none is fitted over time";
+            Err(Problem::new(ProblemKind::NoAnswer, message, "take `laws` with one law"))
+        }
+    };
+    let of_branches = |n| relaxation(file, &request.columns, form()?, n);
+    let relaxation = request.relaxation.map(of_branches).transpose()?;
+    let softens = || softening(file, &request.columns, form()?);
+    let softening = request.softening.then(softens).transpose()?;
     let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(RubberFitAnswer {
         data: file.name.clone(),
@@ -240,6 +265,8 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         laws: fit.laws.iter().map(|law| LawAnswer::new(law, fit.fitted_to_stretch)).collect(),
         failed: fit.failed.iter().map(ToString::to_string).collect(),
         warnings: fit.warnings.iter().map(ToString::to_string).collect(),
+        relaxation,
+        softening,
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),
         name: request.name.clone().or_else(stem),
         settings,

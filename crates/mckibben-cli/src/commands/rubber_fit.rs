@@ -77,6 +77,12 @@ pub struct RubberFitArgs {
     /// Hoop stretch of the muscle up to which a law should be stable
     #[arg(long, value_name = "STRETCH", default_value = "3", allow_hyphen_values = true)]
     pub hoop_stretch: String,
+    /// Fit a Prony series of N branches too, from a column of times
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=8))]
+    pub relaxation: Option<u8>,
+    /// Fit Ogden–Roxburgh softening too, from a column of times that begins with the first loading
+    #[arg(long)]
+    pub softening: bool,
     /// Name of the rubber in the muscle file [that of the data file]
     #[arg(long)]
     pub name: Option<String>,
@@ -132,6 +138,8 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
         weights: weights(args.weights.as_deref())?,
         stable: args.stable,
         hoop_stretch: ratio("--hoop-stretch", Some(&args.hoop_stretch))?,
+        relaxation: args.relaxation.map(usize::from),
+        softening: args.softening,
         name: args.name.clone(),
         muscle: args.muscle.as_deref().map(files::text).transpose()?,
         data: Some(files::table(&args.file)?),

@@ -221,17 +221,18 @@ fn a_known_series_is_found_again_from_cycles_and_a_hold() {
     assert!((ratio - found.prony.long_time()).abs() < 1e-12);
 }
 
-/// S. Lee's stepwise relaxation of HNBR50 (12 h): regression of what one to three branches leave.
+/// S. Lee's stepwise relaxation of HNBR50 (12 h): what one to three branches leave, in kPa, as docs/rubber.md prints it. A regression.
 #[test]
-fn hnbr50_relaxes_by_branches() {
+fn branches_that_follow_hnbr50_leave_what_they_left() {
     let path = format!("{}/../../data/hnbr50/stepwise_relaxation.csv", env!("CARGO_MANIFEST_DIR"));
     let history = read_history(std::fs::File::open(path).unwrap(), &Columns::default()).unwrap();
     assert_eq!(history.len(), 434);
-    let rms = [1, 2, 3].map(|n| fit_prony(&history, Form::parse("yeoh")[0], n).unwrap());
-    for fit in &rms {
-        eprintln!("{fit:?}");
-        assert!(fit.rms_mpa < fit.elastic_rms_mpa);
-        assert!(fit.prony.relaxing() < 1.0);
+    for (branches, left) in [(1, 72.1), (2, 29.1), (3, 25.1)] {
+        let fit = fit_prony(&history, Form::parse("yeoh")[0], branches).unwrap();
+        assert!(
+            (1e3 * fit.rms_mpa - left).abs() < 0.1 && (1e3 * fit.elastic_rms_mpa - 117.0).abs() < 0.1,
+            "{fit:?}"
+        );
     }
 }
 
