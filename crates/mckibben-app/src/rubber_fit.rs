@@ -322,6 +322,7 @@ impl RubberFitRequest {
             mode_weights: self.weights.iter().map(|(&mode, &weight)| (mode, weight)).collect(),
             fit_modes: self.fit_modes.clone(),
             up_to_stretch: self.up_to_stretch,
+            history: self.relaxation.is_some() || self.softening,
             stable: self.stable,
             hoop_stretch: self.hoop_stretch.unwrap_or(usual.hoop_stretch),
         })

@@ -246,7 +246,7 @@ fn relaxation_says_the_law_at_once_and_after_a_long_time() {
     assert!(shares > 0.0 && shares < 1.0, "{relaxation}");
     let ratio = number(&relaxation["long_time"], "c10_mpa") / number(&relaxation["instantaneous"], "c10_mpa");
     assert!((ratio - (1.0 - shares)).abs() < 1e-9, "{relaxation}");
-    assert!(number(relaxation, "rms_mpa") < 0.3 * number(relaxation, "elastic_rms_mpa"), "{relaxation}");
+    assert!(number(relaxation, "rms_mpa") < 0.2 * number(relaxation, "elastic_rms_mpa"), "{relaxation}");
     let text = mckibben("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 1").ok();
     assert!(text.text().contains("after long"), "{}", text.text());
     let without = mckibben(&format!("{TRELOAR} --relaxation 2 --format json"));

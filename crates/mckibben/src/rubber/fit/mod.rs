@@ -62,6 +62,8 @@ pub struct FitSettings {
     pub fit_modes: Vec<Mode>,
     /// Points up to this stretch only.
     pub up_to_stretch: Option<f64>,
+    /// The points are a history: a stress that falls is no rupture, and all points are fitted.
+    pub history: bool,
     /// Laws that are stable in a muscle only.
     pub stable: bool,
     /// Largest hoop stretch of the muscle.
@@ -77,6 +79,7 @@ impl Default for FitSettings {
             mode_weights: vec![],
             fit_modes: vec![],
             up_to_stretch: None,
+            history: false,
             stable: false,
             hoop_stretch: MUSCLE_HOOP_STRETCH,
         }
@@ -191,7 +194,7 @@ pub fn fit_tension_with(
     progress: &dyn Progress,
 ) -> Result<TensionFit, TensionFitError> {
     check(settings)?;
-    let sorted = runs::sort(points);
+    let sorted = if settings.history { runs::Sorted::history(points) } else { runs::sort(points) };
     let mut warnings = warning::of_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
     let within = sorted.kept.into_iter().filter(|p| p.plane_stretch() <= limit);

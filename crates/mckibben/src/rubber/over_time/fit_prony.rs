@@ -57,7 +57,7 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     }
     let still = |p: &TimePoint| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa);
     let tension: Vec<TensionPoint> = history.iter().map(still).collect();
-    let settings = FitSettings { forms: vec![form], stable: true, ..FitSettings::default() };
+    let settings = FitSettings { forms: vec![form], stable: true, history: true, ..FitSettings::default() };
     let elastic = fit_tension(&tension, &settings)?;
     let start = &elastic.laws[0];
     let law = start.law.clone();

@@ -53,7 +53,7 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, 
         let (points, virgin) = (history.len(), first.len());
         return Err(OverTimeError::NoVirginCycle { points, virgin, later, needed });
     }
-    let settings = FitSettings { forms: vec![form], ..FitSettings::default() };
+    let settings = FitSettings { forms: vec![form], history: true, ..FitSettings::default() };
     let fit = fit_tension(&first, &settings)?;
     let law = fit.laws[0].law.clone();
     let energy = |stretch: f64| {
