@@ -16,7 +16,7 @@
 //! with its rubber (and, of the three bought ones, the angle) identified from its own points: they hold at least 95 % of the points of
 //! every set (means of branches). The loop's width is what holds 95 % of the single branches of the two sets that have them.
 //! d comes from six rubbers that were measured in several modes up to a stretch of 3 (`data/treloar`, `data/rubber_biaxial`): with the law that is recommended from the
-//! uniaxial test alone, against the one that is recommended from all, it holds 95 % of the pulls of each rubber (a test below counts them).
+//! uniaxial test alone, against the one that is recommended from all, it holds every pull of each rubber (a test below compares them).
 //!
 //! `mckibben validate` prints the coverage of every set. A muscle whose rubber was not identified from its own pull may be further off.
 
@@ -34,12 +34,12 @@ const MEASURED_BY_CONTRACTION: f64 = 0.01;
 /// c: share of μ A.
 const MEASURED_BY_WALL: f64 = 0.35;
 /// d: share of the stiffness of a rubber that is known from one axis.
-const ONE_AXIS: f64 = 0.18;
+const ONE_AXIS: f64 = 0.19;
 /// Half the width of the hysteresis loop over the blocked force.
 const FRICTION: f64 = 0.12;
 
 /// What is known of every ± besides the model's own part, in a sentence.
-pub const STORY: &str = "measured: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which hold 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law of equal standing makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 18 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which holds 95 % of single branches; all parts add as squares";
+pub const STORY: &str = "measured: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which hold 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law of equal standing makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which holds 95 % of single branches; all parts add as squares";
 
 /// The parts of a ±, each a 95 % half-width in N.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -205,7 +205,7 @@ mod tests {
     /// Six rubbers measured in several modes: the law recommended from their uniaxial test, against the one from all tests. Where the pull
     /// with the latter lies within what d makes of the former; pressures of 1 to 4 bar, contractions up to 25 %, two muscles.
     #[test]
-    fn the_share_for_one_axis_holds_95_percent_of_the_pulls_of_six_rubbers_measured_in_several() {
+    fn the_share_for_one_axis_holds_every_pull_of_six_rubbers_measured_in_several() {
         use crate::rubber::Law;
         use crate::rubber::fit::{FitSettings, Mode, fit_tension, read_tension};
         let w = &mut Workspace::new();
@@ -251,14 +251,8 @@ mod tests {
             let within = shares.iter().filter(|s| s.abs() <= ONE_AXIS).count() as f64 / shares.len() as f64;
             shares.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
             let at = |q: f64| shares[(q * (shares.len() - 1) as f64) as usize].abs();
-            assert!(
-                within >= 0.95,
-                "{file}, {} against {}: {within}, 95 % {}",
-                one.name(),
-                all.name(),
-                at(0.95)
-            );
-            held.push(at(0.95));
+            assert!(within == 1.0, "{file}, {} against {}: {within}, {}", one.name(), all.name(), at(1.0));
+            held.push(at(1.0));
         }
         // No wider than the widest of them asks for.
         let widest = held.into_iter().fold(0.0, f64::max);
