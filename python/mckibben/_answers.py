@@ -181,6 +181,29 @@ class BraidSummary(Record):
     source: str
 
 
+class BranchAnswer(Record):
+    """A branch of a Prony series.
+
+    Attributes
+    ----------
+    share
+        gᵢ: share of the instantaneous stress that relaxes.
+    time_constant_s : s
+        τᵢ, s.
+    overstress
+        gᵢ over 1 − Σ g: its share of the long-time stress.
+    overstress_standard_error
+        Standard error of `overstress`; null where the data do not determine it.
+    """
+
+    __slots__ = ()
+    _fields_ = ('share', 'time_constant_s', 'overstress', 'overstress_standard_error')
+    share: float
+    time_constant_s: float
+    overstress: float
+    overstress_standard_error: float | None
+
+
 class BuildSheetAnswer(Record):
     """What to cut.
 
@@ -1143,6 +1166,35 @@ class HeldOut(Record):
     max_of_isobar: float
 
 
+class HeldOutError(Record):
+    """How well a law follows tests that it was not fitted to.
+
+    Attributes
+    ----------
+    mode
+        Which test; null for the points of all of them in whose state a muscle's wall may be.
+    points
+        Its points.
+    to_stretch
+        Largest stretch of them in the plane of the specimen.
+    rms_mpa : MPa
+        Root mean square of the differences of nominal stress, in MPa.
+    relative
+        The same over the root mean square of the measured stresses.
+    stiffer
+        Σ P Pm/Σ Pm² − 1: the factor by which the law is too stiff (above zero) or too soft, less one.
+    """
+
+    __slots__ = ()
+    _fields_ = ('mode', 'points', 'to_stretch', 'rms_mpa', 'relative', 'stiffer')
+    mode: Literal["uniaxial", "planar", "equibiaxial", "general"] | None
+    points: int
+    to_stretch: float
+    rms_mpa: float
+    relative: float
+    stiffer: float
+
+
 class HeldOutRow(Record):
     """A model and its errors.
 
@@ -1427,11 +1479,13 @@ class LawAnswer(Record):
         Its constants.
     modes
         Its errors by mode.
+    held_out
+        Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
     """
 
     __slots__ = ()
-    _fields_ = ('law', 'name', 'constrained', 'shear_modulus_mpa', 'r_squared', 'free_r_squared', 'rms_mpa', 'relative_rms', 'aicc', 'fitted_to_stretch', 'stable', 'unstable_from_hoop_stretch', 'parameters', 'modes')
-    _nested_ = {'parameters': 'Parameter', 'modes': 'ModeError'}
+    _fields_ = ('law', 'name', 'constrained', 'shear_modulus_mpa', 'r_squared', 'free_r_squared', 'rms_mpa', 'relative_rms', 'aicc', 'fitted_to_stretch', 'stable', 'unstable_from_hoop_stretch', 'parameters', 'modes', 'held_out')
+    _nested_ = {'parameters': 'Parameter', 'modes': 'ModeError', 'held_out': 'HeldOutError'}
     law: str
     name: str
     constrained: bool
@@ -1446,6 +1500,7 @@ class LawAnswer(Record):
     unstable_from_hoop_stretch: float | None
     parameters: list[Parameter]
     modes: list[ModeError]
+    held_out: list[HeldOutError]
 
 
 class LibraryFit(Record):
@@ -1692,7 +1747,7 @@ class ModeError(Record):
     points
         Its points.
     to_stretch
-        Largest stretch of them.
+        Largest stretch of them in the plane of the specimen.
     rms_mpa : MPa
         Root mean square of the differences of nominal stress, in MPa.
     unstable_from_stretch
@@ -1702,7 +1757,7 @@ class ModeError(Record):
 
     __slots__ = ()
     _fields_ = ('mode', 'points', 'to_stretch', 'rms_mpa', 'unstable_from_stretch')
-    mode: Literal["uniaxial", "planar", "equibiaxial"]
+    mode: Literal["uniaxial", "planar", "equibiaxial", "general"]
     points: int
     to_stretch: float
     rms_mpa: float
@@ -2262,6 +2317,39 @@ class ProfileRow(Record):
     outer_r_mm: float
     inner_z_mm: float
     inner_r_mm: float
+
+
+class PronyAnswer(Record):
+    """A law that relaxes, from a uniaxial test over time.
+
+    Attributes
+    ----------
+    law
+        The law.
+    instantaneous
+        Its constants at once (t → 0), moduli in MPa.
+    long_time
+        Its constants after a long time (t → ∞): moduli are 1 − Σ share times those at once.
+    branches
+        The Prony series.
+    rms_mpa : MPa
+        Root mean square of the differences of nominal stress, MPa.
+    elastic_rms_mpa : MPa
+        The same of the law without memory.
+    duration_s : s
+        Length of the test, s.
+    """
+
+    __slots__ = ()
+    _fields_ = ('law', 'instantaneous', 'long_time', 'branches', 'rms_mpa', 'elastic_rms_mpa', 'duration_s')
+    _nested_ = {'branches': 'BranchAnswer'}
+    law: str
+    instantaneous: dict[str, float]
+    long_time: dict[str, float]
+    branches: list[BranchAnswer]
+    rms_mpa: float
+    elastic_rms_mpa: float
+    duration_s: float
 
 
 class Provenance(Record):
@@ -2903,6 +2991,50 @@ class SlackPoint(Record):
     status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
 
 
+class SofteningAnswer(Record):
+    """A law that softens after its first loading, from a uniaxial test in the order of time.
+
+    Attributes
+    ----------
+    law
+        The law.
+    first_loading
+        Its constants on the first loading, moduli in MPa.
+    r
+        r: 1/r is the largest loss of stress.
+    m_mpa : MPa
+        m, MPa: spread of the loss over the energy.
+    beta
+        β: the same as a share of the largest energy.
+    standard_errors
+        Standard errors of r, m and β, the law taken as known; null where the data do not determine them.
+    first_loading_points
+        Points of the first loading.
+    later_points
+        Points below the largest energy so far.
+    first_loading_rms_mpa : MPa
+        Root mean square of the differences of nominal stress on the first loading, MPa.
+    later_rms_mpa : MPa
+        The same of the later points.
+    largest_energy_mpa : MPa
+        The largest energy of the test, MPa.
+    """
+
+    __slots__ = ()
+    _fields_ = ('law', 'first_loading', 'r', 'm_mpa', 'beta', 'standard_errors', 'first_loading_points', 'later_points', 'first_loading_rms_mpa', 'later_rms_mpa', 'largest_energy_mpa')
+    law: str
+    first_loading: dict[str, float]
+    r: float
+    m_mpa: float
+    beta: float
+    standard_errors: list[float | None]
+    first_loading_points: int
+    later_points: int
+    first_loading_rms_mpa: float
+    later_rms_mpa: float
+    largest_energy_mpa: float
+
+
 class Spread(Record):
     """Root mean square and largest residual of some points.
 
@@ -3128,7 +3260,7 @@ class UncertaintyParts(Record):
     mesh
         Finite elements against the limit of fine meshes.
     rubber
-        What laws of equal standing disagree on.
+        What laws of equal standing disagree on, and what a rubber that is known from one axis may differ by in two.
     measured
         Finite elements against measured muscles.
     friction
@@ -4270,6 +4402,8 @@ class RubberFitAnswer(Record):
         Points that were fitted.
     left_out
         Points that were left out.
+    held_out
+        Points of modes that were held out.
     fitted_to_stretch
         Largest principal stretch of the points.
     measure
@@ -4286,18 +4420,23 @@ class RubberFitAnswer(Record):
         Laws without a fit, and why.
     warnings
         What to mind.
+    relaxation
+        Relaxation, where it was asked for.
+    softening
+        Softening, where it was asked for.
     figure
         The figure, where it was asked for.
     """
 
     __slots__ = ()
-    _fields_ = ('data', 'understood', 'points', 'left_out', 'fitted_to_stretch', 'measure', 'balance', 'recommended', 'parameters', 'laws', 'failed', 'warnings', 'figure')
-    _nested_ = {'understood': 'UnderstoodTable', 'parameters': 'Parameter', 'laws': 'LawAnswer', 'figure': 'Figure'}
+    _fields_ = ('data', 'understood', 'points', 'left_out', 'held_out', 'fitted_to_stretch', 'measure', 'balance', 'recommended', 'parameters', 'laws', 'failed', 'warnings', 'relaxation', 'softening', 'figure')
+    _nested_ = {'understood': 'UnderstoodTable', 'parameters': 'Parameter', 'laws': 'LawAnswer', 'relaxation': 'PronyAnswer', 'softening': 'SofteningAnswer', 'figure': 'Figure'}
     _rows_ = 'laws'
     data: str
     understood: list[UnderstoodTable]
     points: int
     left_out: int
+    held_out: int
     fitted_to_stretch: float
     measure: Literal["absolute", "relative"]
     balance: bool
@@ -4306,6 +4445,8 @@ class RubberFitAnswer(Record):
     laws: list[LawAnswer]
     failed: list[str]
     warnings: list[str]
+    relaxation: PronyAnswer | None
+    softening: SofteningAnswer | None
     figure: Figure | None
 
 

@@ -1275,15 +1275,18 @@ def rubber_fit(
     columns: dict[str, Any] | None = None,
     laws: Sequence[str] | None = None,
     terms: int | None = None,
-    mode: Literal["uniaxial", "planar", "equibiaxial"] | None = None,
+    mode: Literal["uniaxial", "planar", "equibiaxial", "general"] | None = None,
     area_mm2: Number | None = None,
     gauge_length_mm: Number | None = None,
+    fit_modes: Sequence[Literal["uniaxial", "planar", "equibiaxial", "general"]] | None = None,
     up_to_stretch: Number | None = None,
     relative: bool = False,
     balance: bool = False,
     weights: dict[str, Number] | None = None,
     stable: bool = False,
     hoop_stretch: Number | None = None,
+    relaxation: int | None = None,
+    softening: bool = False,
     name: str | None = None,
     muscle: MuscleLike | None = None,
     figure: bool = False,
@@ -1303,11 +1306,15 @@ def rubber_fit(
     terms
         Terms of `ogden`; 1, 2 and 3 where it is left out.
     mode
-        How the specimens were stretched, where the table has no column `mode`.
+        How the specimens were stretched, where the table has no column `mode`; with a column `stretch_2` that is
+        `general`.
     area_mm2 : mm2
         Cross-section of the specimen at rest, mm², for a column of forces.
     gauge_length_mm : mm
         Length of the specimen at rest, mm, for a column of extensions or lengths.
+    fit_modes
+        Modes that are fitted, all where none is named. The others are held out, and how well each law follows them is
+        said.
     up_to_stretch
         Leave out what is stretched further.
     relative
@@ -1320,6 +1327,12 @@ def rubber_fit(
         Laws that stay stable in a muscle only.
     hoop_stretch
         Hoop stretch of the muscle up to which a law should be stable; 3 where it is left out.
+    relaxation
+        Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial,
+        from rest on. Of the one law of `laws`, else of the recommended one.
+    softening
+        Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading.
+        Of the same law.
     name
         Name of the rubber in the muscle file; that of the table where it is left out.
     muscle
@@ -1339,7 +1352,7 @@ def rubber_fit(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("rubber-fit", {"data": data, "columns": columns, "laws": laws, "terms": terms, "mode": mode, "area_mm2": area_mm2, "gauge_length_mm": gauge_length_mm, "up_to_stretch": up_to_stretch, "relative": relative, "balance": balance, "weights": weights, "stable": stable, "hoop_stretch": hoop_stretch, "name": name, "muscle": muscle, "figure": figure}, "RubberFit", progress)  # type: ignore[no-any-return]
+    return answered("rubber-fit", {"data": data, "columns": columns, "laws": laws, "terms": terms, "mode": mode, "area_mm2": area_mm2, "gauge_length_mm": gauge_length_mm, "fit_modes": fit_modes, "up_to_stretch": up_to_stretch, "relative": relative, "balance": balance, "weights": weights, "stable": stable, "hoop_stretch": hoop_stretch, "relaxation": relaxation, "softening": softening, "name": name, "muscle": muscle, "figure": figure}, "RubberFit", progress)  # type: ignore[no-any-return]
 
 
 def rubber_list(

@@ -5,12 +5,13 @@ use crate::figure;
 use crate::muscle::muscle_of;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
+use crate::rubber_over_time::{PronyAnswer, SofteningAnswer, relaxation, softening};
 use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
 use mckibben::rubber::fit::{
-    FitSettings, FittedLaw, Form, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
+    FitSettings, FittedLaw, Form, HeldOutError, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
     TensionFitError, fit_tension_with, read_tests,
 };
 use mckibben::rubber::{RubberLaw, Stability};
@@ -33,12 +34,14 @@ pub struct RubberFitRequest {
     pub laws: Vec<String>,
     /// Terms of `ogden`; 1, 2 and 3 where it is left out.
     pub terms: Option<usize>,
-    /// How the specimens were stretched, where the table has no column `mode`.
+    /// How the specimens were stretched, where the table has no column `mode`; with a column `stretch_2` that is `general`.
     pub mode: Mode,
     /// Cross-section of the specimen at rest, mm², for a column of forces.
     pub area_mm2: Option<f64>,
     /// Length of the specimen at rest, mm, for a column of extensions or lengths.
     pub gauge_length_mm: Option<f64>,
+    /// Modes that are fitted, all where none is named. The others are held out, and how well each law follows them is said.
+    pub fit_modes: Vec<Mode>,
     /// Leave out what is stretched further.
     pub up_to_stretch: Option<f64>,
     /// Differences over the measured stress: small stretches count as much as large ones.
@@ -51,6 +54,11 @@ pub struct RubberFitRequest {
     pub stable: bool,
     /// Hoop stretch of the muscle up to which a law should be stable; 3 where it is left out.
     pub hoop_stretch: Option<f64>,
+    /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on.
+    /// Of the one law of `laws`, else of the recommended one.
+    pub relaxation: Option<usize>,
+    /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
+    pub softening: bool,
     /// Name of the rubber in the muscle file; that of the table where it is left out.
     pub name: Option<String>,
     /// Muscle that gets the rubber; the prototype where it is left out.
@@ -70,6 +78,8 @@ pub struct RubberFitAnswer {
     pub points: usize,
     /// Points that were left out.
     pub left_out: usize,
+    /// Points of modes that were held out.
+    pub held_out: usize,
     /// Largest principal stretch of the points.
     pub fitted_to_stretch: f64,
     /// What was made small.
@@ -86,6 +96,12 @@ pub struct RubberFitAnswer {
     pub failed: Vec<String>,
     /// What to mind.
     pub warnings: Vec<String>,
+    /// Relaxation, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub relaxation: Option<PronyAnswer>,
+    /// Softening, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub softening: Option<SofteningAnswer>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -119,6 +135,8 @@ pub struct LawAnswer {
     pub parameters: Vec<Parameter>,
     /// Its errors by mode.
     pub modes: Vec<ModeError>,
+    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
+    pub held_out: Vec<HeldOutError>,
 }
 
 /// How well a law follows the points, and where it is stable.
@@ -219,12 +237,26 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     progress.budget().admit(Resource::Points, points.len() as f64)?;
     let fit = fit_tension_with(&points, &settings, progress)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
+    let form = || match (settings.forms.as_slice(), taken) {
+        ([form], _) => Ok(*form),
+        (_, Some(law)) => Ok(law.form),
+        _ => {
+            let message =
+                "none of these laws is stable over the stretches of a muscle; none is fitted over time";
+            Err(Problem::new(ProblemKind::NoAnswer, message, "take `laws` with one law"))
+        }
+    };
+    let of_branches = |n| relaxation(file, &request.columns, form()?, n);
+    let relaxation = request.relaxation.map(of_branches).transpose()?;
+    let softens = || softening(file, &request.columns, form()?);
+    let softening = request.softening.then(softens).transpose()?;
     let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(RubberFitAnswer {
         data: file.name.clone(),
         understood: vec![UnderstoodTable { data: file.name.clone(), table }],
         points: fit.points.len(),
         left_out: fit.left_out,
+        held_out: fit.held_out.len(),
         fitted_to_stretch: fit.fitted_to_stretch,
         measure: settings.measure,
         balance: settings.balance,
@@ -233,6 +265,8 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         laws: fit.laws.iter().map(|law| LawAnswer::new(law, fit.fitted_to_stretch)).collect(),
         failed: fit.failed.iter().map(ToString::to_string).collect(),
         warnings: fit.warnings.iter().map(ToString::to_string).collect(),
+        relaxation,
+        softening,
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),
         name: request.name.clone().or_else(stem),
         settings,
@@ -263,6 +297,7 @@ impl LawAnswer {
             },
             parameters: law.parameters.clone(),
             modes: law.modes.clone(),
+            held_out: law.held_out.clone(),
         }
     }
 }
@@ -285,7 +320,9 @@ impl RubberFitRequest {
             measure: if self.relative { Measure::Relative } else { Measure::Absolute },
             balance: self.balance,
             mode_weights: self.weights.iter().map(|(&mode, &weight)| (mode, weight)).collect(),
+            fit_modes: self.fit_modes.clone(),
             up_to_stretch: self.up_to_stretch,
+            history: self.relaxation.is_some() || self.softening,
             stable: self.stable,
             hoop_stretch: self.hoop_stretch.unwrap_or(usual.hoop_stretch),
         })

@@ -17,10 +17,13 @@ pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
     );
     let mut figure =
         Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);
-    for mode in Mode::ALL {
+    for mode in Mode::OF_ONE_STRETCH {
         figure = figure.panel(panel(mode, fit, &laws));
     }
-    figure
+    match general(fit, &laws) {
+        Some(panel) => figure.columns(4).size_mm(320.0, 110.0).panel(panel),
+        None => figure,
+    }
 }
 
 /// The laws, the recommended one first, then by AICc; a free fit and its stable neighbour are two.
@@ -32,12 +35,32 @@ fn drawn(fit: &TensionFit) -> Vec<&FittedLaw> {
     first.into_iter().chain(others).take(LAWS).collect()
 }
 
+/// Laws against points of sheets, whose two stretches no axis holds.
+fn general(fit: &TensionFit, laws: &[&FittedLaw]) -> Option<Panel> {
+    let points: Vec<&TensionPoint> = fit.points.iter().filter(|p| p.mode == Mode::General).collect();
+    let measured = || points.iter().map(|p| p.nominal_stress_mpa);
+    let (low, high) = (measured().reduce(f64::min)?, measured().reduce(f64::max)?);
+    let room = 0.05 * (high - low).max(1e-9);
+    let ends = (low - room, high + room);
+    let x = Axis::new("measured P [MPa]").range(ends.0, ends.1);
+    let y = Axis::new("law P [MPa]").range(ends.0, ends.1);
+    let line = vec![(ends.0, ends.0), (ends.1, ends.1)];
+    let mut panel = Panel::new(x, y).title(Mode::General.name().to_owned());
+    panel = panel.series(Series::new(String::new(), line).colour(LAWS));
+    for (n, law) in laws.iter().enumerate() {
+        let pairs = points.iter().map(|p| (p.nominal_stress_mpa, p.stress_mpa(&law.law)));
+        let inside: Vec<(f64, f64)> = pairs.filter(|p| p.1 >= ends.0 && p.1 <= ends.1).collect();
+        panel = panel.series(Series::scatter(String::new(), inside).colour(n));
+    }
+    Some(panel)
+}
+
 fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
     let points: Vec<&TensionPoint> = fit.points.iter().filter(|p| p.mode == mode).collect();
     let low = points.iter().map(|p| p.stretch).fold(1.0, f64::min);
     let far = points.iter().map(|p| p.stretch).fold(1.0, f64::max);
     let end = if points.is_empty() { WITHOUT_POINTS.min(fit.fitted_to_stretch) } else { far };
-    let stress = |l: &FittedLaw, x: f64| mode.nominal_stress_mpa(&l.law, x);
+    let stress = |l: &FittedLaw, x: f64| mode.nominal_stress_mpa(&l.law, x).unwrap_or(0.0);
     // The height follows from points, else from the laws that are stable: an unstable one may run anywhere.
     let measured = points.iter().map(|p| p.nominal_stress_mpa);
     let stable = laws.iter().filter(|l| points.is_empty() && l.is_stable()).map(|l| stress(l, end));

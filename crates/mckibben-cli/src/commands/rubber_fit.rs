@@ -56,6 +56,9 @@ pub struct RubberFitArgs {
     /// Length of the specimen at rest, for a column of extensions or lengths
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub gauge_length: Option<String>,
+    /// Fit these modes alone and hold out the others: how well the laws follow them is said
+    #[arg(long, value_name = "LIST")]
+    pub fit_mode: Option<String>,
     /// Leave out what is stretched further: a stretch (3), or a strain (200%)
     #[arg(long, value_name = "STRETCH", allow_hyphen_values = true)]
     pub up_to: Option<String>,
@@ -74,6 +77,12 @@ pub struct RubberFitArgs {
     /// Hoop stretch of the muscle up to which a law should be stable
     #[arg(long, value_name = "STRETCH", default_value = "3", allow_hyphen_values = true)]
     pub hoop_stretch: String,
+    /// Fit a Prony series of N branches too, from a column of times
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=8))]
+    pub relaxation: Option<u8>,
+    /// Fit Ogden–Roxburgh softening too, from a column of times that begins with the first loading
+    #[arg(long)]
+    pub softening: bool,
     /// Name of the rubber in the muscle file [that of the data file]
     #[arg(long)]
     pub name: Option<String>,
@@ -122,18 +131,31 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
         mode: args.mode,
         area_mm2: quantity("--area", args.area.as_deref(), Dimension::Area)?,
         gauge_length_mm: quantity("--gauge-length", args.gauge_length.as_deref(), Dimension::Length)?,
+        fit_modes: modes(args.fit_mode.as_deref())?,
         up_to_stretch: up_to.map(|v| if strain { 1.0 + v } else { v }),
         relative: args.relative,
         balance: args.balance,
         weights: weights(args.weights.as_deref())?,
         stable: args.stable,
         hoop_stretch: ratio("--hoop-stretch", Some(&args.hoop_stretch))?,
+        relaxation: args.relaxation.map(usize::from),
+        softening: args.softening,
         name: args.name.clone(),
         muscle: args.muscle.as_deref().map(files::text).transpose()?,
         data: Some(files::table(&args.file)?),
         columns: args.columns.fields()?,
         figure: args.plot.plot.is_some(),
     })
+}
+
+/// `--fit-mode uniaxial,planar`
+fn modes(text: Option<&str>) -> Result<Vec<Mode>, Failure> {
+    let one = |word: &str| {
+        let short: String = word.trim().chars().take(60).collect();
+        let message = format!("--fit-mode: the mode \"{short}\" is none of {}", Mode::WORDS);
+        Mode::parse(word).ok_or_else(|| Failure::input(ProblemKind::Usage, message, "write uniaxial,planar"))
+    };
+    text.into_iter().flat_map(|t| t.split(',')).map(one).collect()
 }
 
 /// `--weights uniaxial=1,equibiaxial=2`

@@ -191,3 +191,99 @@ fn a_law_that_is_not_stable_is_not_written_but_its_neighbour_is() {
     let shown = run_in(dir.path(), &["muscle", "show", "m.toml", "--format", "json"]).ok().json();
     assert_eq!(number(&shown["constants_mpa"], "c20"), number(&held["parameters"][1], "value"));
 }
+
+/// What docs/rubber.md prints of Yeoh's law and of the extended tube, fitted to Treloar's uniaxial test: a regression.
+#[test]
+fn modes_that_are_held_out_say_how_far_a_law_is_off() {
+    let found = json(&format!("{TRELOAR} --up-to 3 --fit-mode uniaxial"));
+    assert_eq!((number(&found, "points"), number(&found, "held_out")), (9.0, 19.0));
+    for (name, off, stiffer) in [("yeoh", 0.1126, -0.1002), ("extended-tube", 0.0430, 0.0132)] {
+        let held = law(&found, name, false)["held_out"].as_array().unwrap();
+        let modes: Vec<Option<&str>> = held.iter().map(|e| e["mode"].as_str()).collect();
+        assert_eq!(modes, [Some("planar"), Some("equibiaxial"), None]);
+        assert!((number(&held[2], "relative") - off).abs() < 2e-4, "{held:?}");
+        assert!((number(&held[2], "stiffer") - stiffer).abs() < 2e-4, "{held:?}");
+    }
+    let text = mckibben(&format!("{TRELOAR} --up-to 3 --fit-mode uniaxial")).ok();
+    assert!(text.text().contains("Held out: rms of the differences"), "{}", text.text());
+    let bent = mckibben(&format!("{TRELOAR} --fit-mode bent --format json"));
+    assert!(bent.code == 2 && bent.error().to_string().contains("none of uniaxial"));
+}
+
+/// General biaxial points of all sets, and their figure.
+#[test]
+fn sheets_are_fitted_with_all_other_modes() {
+    let dir = folder();
+    for name in ["kawabata_1981", "jones_1975", "james_1975", "kawamura_2001", "meunier_2008"] {
+        let data = root().join(format!("data/rubber_biaxial/{name}.csv"));
+        let words = [
+            "rubber",
+            "fit",
+            data.to_str().unwrap(),
+            "--up-to",
+            "3",
+            "--format",
+            "json",
+            "--plot",
+            "f.svg",
+            "--overwrite",
+        ];
+        let found = run_in(dir.path(), &words).ok().json();
+        assert!(number(law(&found, "extended-tube", false), "r_squared") > 0.989, "{name}");
+        assert!(
+            number(law(&found, "extended-tube", false), "aicc")
+                < number(law(&found, "gent", false), "aicc") + 3.0
+        );
+    }
+}
+
+/// S. Lee's test of nitrile rubber: shares below one, moduli at once and after long in their ratio.
+#[test]
+fn relaxation_says_the_law_at_once_and_after_a_long_time() {
+    let found = json("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 3");
+    let relaxation = &found["relaxation"];
+    let shares: f64 = relaxation["branches"].as_array().unwrap().iter().map(|b| number(b, "share")).sum();
+    assert!(shares > 0.0 && shares < 1.0, "{relaxation}");
+    let ratio = number(&relaxation["long_time"], "c10_mpa") / number(&relaxation["instantaneous"], "c10_mpa");
+    assert!((ratio - (1.0 - shares)).abs() < 1e-9, "{relaxation}");
+    assert!(number(relaxation, "rms_mpa") < 0.2 * number(relaxation, "elastic_rms_mpa"), "{relaxation}");
+    let text = mckibben("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 1").ok();
+    assert!(text.text().contains("after long"), "{}", text.text());
+    let without = mckibben(&format!("{TRELOAR} --relaxation 2 --format json"));
+    assert!(
+        without.code == 2 && without.error().to_string().contains("no column of times"),
+        "{}",
+        without.err
+    );
+}
+
+/// Neo-Hookean strip, W0 = (μ/2)(λ² + 2/λ − 3), stress μ (λ − λ⁻²) times Ogden and Roxburgh's η of the largest energy so far.
+#[test]
+fn softening_is_found_from_a_test_with_its_first_loading() {
+    use mckibben::rubber::over_time::erf;
+    let (mu, r, m, beta) = (0.4, 1.5, 0.04, 0.1);
+    let mut text = String::from("time_s,stretch,nominal_stress_mpa\n");
+    let (mut time, mut largest) = (0.0, 0.0_f64);
+    for (from, to) in [(1.0, 1.7), (1.7, 1.0), (1.0, 2.2), (2.2, 1.0)] {
+        for i in 0..25 {
+            let l: f64 = from + (to - from) * f64::from(i) / 25.0;
+            let energy = 0.5 * mu * (l * l + 2.0 / l - 3.0);
+            largest = largest.max(energy);
+            let eta =
+                if energy < largest { 1.0 - erf((largest - energy) / (m + beta * largest)) / r } else { 1.0 };
+            text.push_str(&format!("{time},{l},{}\n", eta * mu * (l - l.powi(-2))));
+            time += 1.0;
+        }
+    }
+    let dir = folder();
+    std::fs::write(dir.path().join("t.csv"), text).unwrap();
+    let words = ["rubber", "fit", "t.csv", "--law", "neo-hookean", "--softening", "--format", "json"];
+    let found = run_in(dir.path(), &words).ok().json();
+    let softening = &found["softening"];
+    for (name, value) in [("r", r), ("m_mpa", m), ("beta", beta)] {
+        assert!((number(softening, name) / value - 1.0).abs() < 0.01, "{softening}");
+    }
+    assert!((number(&softening["first_loading"], "mu_mpa") - mu).abs() < 1e-9, "{softening}");
+    let shown = run_in(dir.path(), &words[..6]).ok();
+    assert!(shown.text().contains("Softening of neo-hookean"), "{}", shown.text());
+}

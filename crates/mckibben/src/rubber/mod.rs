@@ -10,6 +10,7 @@ mod invariants;
 mod law;
 mod laws;
 pub mod library;
+pub mod over_time;
 mod stability;
 mod written;
 

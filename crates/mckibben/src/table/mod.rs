@@ -29,7 +29,7 @@ use delimited::{Row, Separator};
 pub(crate) use find::Column;
 pub(crate) use heading::is_absolute;
 use number::Decimal;
-pub(crate) use vocabulary::{LOADS, Meaning, POINTS, TESTS};
+pub(crate) use vocabulary::{HISTORIES, LOADS, Meaning, POINTS, TESTS};
 
 /// A table whose columns are known.
 #[derive(Debug)]

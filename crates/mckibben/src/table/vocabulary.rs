@@ -30,11 +30,17 @@ pub(crate) enum Meaning {
     JointAngle,
     Mode,
     Stretch,
+    /// Of a sheet, across the first.
+    Stretch2,
     Strain,
     TrueStrain,
     Extension,
     NominalStress,
+    NominalStress2,
     TrueStress,
+    TrueStress2,
+    /// σ1 − σ2.
+    TrueStressDifference,
 }
 
 impl Meaning {
@@ -216,6 +222,64 @@ const CONTRACTION: Entry = or(
     ],
 );
 
+/// Times, in every kind of tables that has them.
+const TIME: Entry = of(
+    Meaning::Time,
+    "time",
+    Some(Dimension::Time),
+    &["time_s"],
+    &["time", "t", "zeit", "temps", "tiempo", "tempo"],
+);
+
+/// Stretches of a rubber.
+const STRETCH: Entry = of(
+    Meaning::Stretch,
+    "stretch",
+    Some(Dimension::Ratio),
+    &["stretch", "stretch_ratio", "extension_ratio", "lambda", "λ", "stretch_1", "lambda_1", "λ1"],
+    &[
+        "elongation_ratio",
+        "streckung",
+        "verstreckung",
+        "streckverhaltnis",
+        "taux_d_etirement",
+        "estiramiento",
+    ],
+);
+
+/// Nominal stresses of a rubber.
+const NOMINAL_STRESS: Entry = of(
+    Meaning::NominalStress,
+    "nominal_stress",
+    Some(Dimension::Pressure),
+    NO,
+    &[
+        "nominal_stress",
+        "nominal_stress_1",
+        "engineering_stress",
+        "engineering_stress_1",
+        "eng_stress",
+        "pk1_stress",
+        "tensile_stress",
+        "stress",
+        "stress_1",
+        "p",
+        "sigma",
+        "σ",
+        "spannung",
+        "nennspannung",
+        "zugspannung",
+        "technische_spannung",
+        "contrainte",
+        "contrainte_nominale",
+        "esfuerzo",
+        "esfuerzo_nominal",
+        "tension_nominal",
+        "sforzo",
+        "tensione",
+    ],
+);
+
 const fn over_time(needed: &'static [Need]) -> Vocabulary {
     Vocabulary { what: "a command", needed, entries: OVER_TIME }
 }
@@ -223,13 +287,7 @@ const fn over_time(needed: &'static [Need]) -> Vocabulary {
 const TIMES: Need = Need { wanted: "times", any_of: &[Meaning::Time], names: "time_s or Time [ms]" };
 
 const OVER_TIME: &[Entry] = &[
-    of(
-        Meaning::Time,
-        "time",
-        Some(Dimension::Time),
-        &["time_s"],
-        &["time", "t", "zeit", "temps", "tiempo", "tempo"],
-    ),
+    TIME,
     PRESSURE,
     CONTRACTION,
     of(
@@ -247,6 +305,21 @@ const OVER_TIME: &[Entry] = &[
         &["angle", "joint_angle", "phi", "φ", "winkel", "gelenkwinkel", "angulo"],
     ),
 ];
+
+/// A rubber strip over time.
+pub(crate) const HISTORIES: Vocabulary = Vocabulary {
+    what: "a test over time",
+    needed: &[
+        TIMES,
+        Need { wanted: "stretches", any_of: &[Meaning::Stretch], names: "stretch" },
+        Need {
+            wanted: "stresses",
+            any_of: &[Meaning::NominalStress],
+            names: "nominal_stress_mpa (or _kpa, _psi)",
+        },
+    ],
+    entries: &[TIME, STRETCH, NOMINAL_STRESS],
+};
 
 /// Pressures over time.
 pub(crate) const PRESSURES: Vocabulary = over_time(&[
@@ -438,24 +511,23 @@ pub(crate) const TESTS: Vocabulary = Vocabulary {
         },
         Need {
             wanted: "stresses",
-            any_of: &[Meaning::NominalStress, Meaning::TrueStress, Meaning::Force],
+            any_of: &[
+                Meaning::NominalStress,
+                Meaning::TrueStress,
+                Meaning::Force,
+                Meaning::TrueStressDifference,
+            ],
             names: "nominal_stress_mpa (or _kpa, _psi), true_stress_mpa or force_n",
         },
     ],
     entries: &[
+        STRETCH,
         of(
-            Meaning::Stretch,
-            "stretch",
+            Meaning::Stretch2,
+            "stretch_2",
             Some(Dimension::Ratio),
-            &["stretch", "stretch_ratio", "extension_ratio", "lambda", "λ"],
-            &[
-                "elongation_ratio",
-                "streckung",
-                "verstreckung",
-                "streckverhaltnis",
-                "taux_d_etirement",
-                "estiramiento",
-            ],
+            &["stretch_2", "lambda_2", "λ2", "transverse_stretch"],
+            NO,
         ),
         or(
             (Meaning::Strain, Meaning::Extension),
@@ -529,40 +601,42 @@ pub(crate) const TESTS: Vocabulary = Vocabulary {
             NO,
             &["length", "current_length", "lange", "laenge", "longueur", "longitud", "lunghezza"],
         ),
-        of(
-            Meaning::NominalStress,
-            "nominal_stress",
-            Some(Dimension::Pressure),
-            NO,
-            &[
-                "nominal_stress",
-                "engineering_stress",
-                "eng_stress",
-                "pk1_stress",
-                "tensile_stress",
-                "stress",
-                "p",
-                "sigma",
-                "σ",
-                "spannung",
-                "nennspannung",
-                "zugspannung",
-                "technische_spannung",
-                "contrainte",
-                "contrainte_nominale",
-                "esfuerzo",
-                "esfuerzo_nominal",
-                "tension_nominal",
-                "sforzo",
-                "tensione",
-            ],
-        ),
+        NOMINAL_STRESS,
         of(
             Meaning::TrueStress,
             "true_stress",
             Some(Dimension::Pressure),
             NO,
-            &["true_stress", "cauchy_stress", "wahre_spannung", "contrainte_vraie", "esfuerzo_verdadero"],
+            &[
+                "true_stress",
+                "true_stress_1",
+                "cauchy_stress",
+                "cauchy_stress_1",
+                "wahre_spannung",
+                "contrainte_vraie",
+                "esfuerzo_verdadero",
+            ],
+        ),
+        of(
+            Meaning::NominalStress2,
+            "nominal_stress_2",
+            Some(Dimension::Pressure),
+            NO,
+            &["nominal_stress_2", "engineering_stress_2", "stress_2"],
+        ),
+        of(
+            Meaning::TrueStress2,
+            "true_stress_2",
+            Some(Dimension::Pressure),
+            NO,
+            &["true_stress_2", "cauchy_stress_2"],
+        ),
+        of(
+            Meaning::TrueStressDifference,
+            "true_stress_difference",
+            Some(Dimension::Pressure),
+            NO,
+            &["true_stress_difference", "cauchy_stress_difference", "true_stress_1_minus_2"],
         ),
         of(Meaning::Force, "force", Some(Dimension::Force), NO, FORCE),
         of(Meaning::Mode, "mode", None, &["mode", "test", "loading", "deformation"], NO),
@@ -576,7 +650,7 @@ mod tests {
 
     #[test]
     fn words_are_plain_and_mean_one_thing() {
-        for vocabulary in [POINTS, TESTS, PRESSURES] {
+        for vocabulary in [POINTS, TESTS, HISTORIES, PRESSURES] {
             let mut seen: Vec<&str> = vec![];
             for entry in vocabulary.entries {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));

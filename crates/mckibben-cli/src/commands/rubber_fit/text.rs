@@ -1,9 +1,12 @@
 //! What `rubber fit` tells people.
 
 use crate::output::text::{number, or_dash, pairs, percent, place, table, understood};
-use mckibben::rubber::fit::{FitSettings, FittedLaw, Measure, ModeError, Parameter, TensionFit};
+use mckibben::rubber::fit::{
+    FitSettings, FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter, TensionFit,
+};
 use mckibben::rubber::{RubberLaw, Stability};
-use mckibben_app::RubberFitAnswer;
+use mckibben_app::{BranchAnswer, PronyAnswer, RubberFitAnswer, SofteningAnswer};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The law in words: `mooney-rivlin, held stable`.
@@ -44,6 +47,9 @@ pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
         law.modes.iter().map(|m| (m.mode.name(), range(m))).collect()
     });
     let mut head = modes;
+    if !fit.held_out.is_empty() {
+        head.push(("held out", format!("{} points", fit.held_out.len())));
+    }
     if fit.left_out > 0 {
         head.push(("left out", format!("{} points", fit.left_out)));
     }
@@ -79,7 +85,98 @@ pub fn of(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
         fit.laws.iter().flat_map(constant_rows).collect(),
     );
     let read = understood(&answer.understood);
-    format!("{read}Tension tests {file}\n{}\n{laws}\n{constants}\n{}", pairs(&head), closing(fit, written))
+    let over_time = answer.relaxation.as_ref().map(relaxation).unwrap_or_default()
+        + &answer.softening.as_ref().map(softening).unwrap_or_default();
+    let held_out = held_out(fit, &hoop) + &over_time;
+    let closing = closing(fit, written);
+    format!("{read}Tension tests {file}\n{}\n{laws}\n{constants}\n{held_out}{closing}", pairs(&head))
+}
+
+fn named(constants: &BTreeMap<String, f64>) -> String {
+    let one = |(name, value): (&String, &f64)| format!("{name} {}", number(*value, 5));
+    constants.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+fn relaxation(answer: &PronyAnswer) -> String {
+    let row = |b: &BranchAnswer| {
+        let error = or_dash(b.overstress_standard_error, |e| number(e, 2));
+        vec![
+            number(b.share, 4),
+            number(b.time_constant_s, 4),
+            format!("{} ± {error}", number(b.overstress, 4)),
+        ]
+    };
+    let head = pairs(&[
+        ("at once", named(&answer.instantaneous)),
+        ("after long", named(&answer.long_time)),
+        (
+            "rms",
+            format!(
+                "{} kPa, without memory {}",
+                number(1e3 * answer.rms_mpa, 3),
+                number(1e3 * answer.elastic_rms_mpa, 3)
+            ),
+        ),
+    ]);
+    let branches = table(&["g", "τ [s]", "g/(1 − Σg)"], answer.branches.iter().map(row).collect());
+    let duration = number(answer.duration_s, 3);
+    format!(
+        "Relaxation of {} over {duration} s (Prony series; g of the stress at once)\n{head}\n{branches}\n",
+        answer.law
+    )
+}
+
+fn softening(answer: &SofteningAnswer) -> String {
+    let error = |i: usize| or_dash(answer.standard_errors[i], |e: f64| number(e, 2));
+    let counts = format!("{} and {} points", answer.first_loading_points, answer.later_points);
+    let (first, later) = (1e3 * answer.first_loading_rms_mpa, 1e3 * answer.later_rms_mpa);
+    let head = pairs(&[
+        ("first loading", named(&answer.first_loading)),
+        ("r", format!("{} ± {}", number(answer.r, 4), error(0))),
+        ("m", format!("{} ± {} MPa", number(answer.m_mpa, 4), error(1))),
+        ("β", format!("{} ± {}", number(answer.beta, 4), error(2))),
+        ("largest energy", format!("{} MPa", number(answer.largest_energy_mpa, 4))),
+        (
+            "rms",
+            format!(
+                "{} and {} kPa on the first loading and below ({counts})",
+                number(first, 3),
+                number(later, 3)
+            ),
+        ),
+    ]);
+    format!("Softening of {} (Ogden and Roxburgh)\n{head}\n", answer.law)
+}
+
+/// The errors in modes that were held out, a column a mode.
+fn held_out(fit: &TensionFit, hoop: &str) -> String {
+    let known: Vec<Option<Mode>> =
+        fit.laws.iter().flat_map(|l| &l.held_out).map(|e| e.mode).fold(vec![], |mut all, mode| {
+            if !all.contains(&mode) {
+                all.push(mode);
+            }
+            all
+        });
+    if known.is_empty() {
+        return String::new();
+    }
+    let name = |mode: &Option<Mode>| mode.map_or("in a muscle", Mode::name);
+    let header: Vec<&str> = ["law"].into_iter().chain(known.iter().map(name)).collect();
+    let cell = |e: &HeldOutError| {
+        let sign = if e.stiffer < 0.0 { "−" } else { "+" };
+        let mean = format!("{sign}{}", percent(rounded(e.stiffer.abs())));
+        format!("{} ({mean})", percent(rounded(e.relative)))
+    };
+    let row = |law: &FittedLaw| {
+        let of = |mode: &Option<Mode>| law.held_out.iter().find(|e| e.mode == *mode);
+        let cells = known.iter().map(|mode| of(mode).map_or_else(|| "–".to_owned(), cell));
+        [title(law)].into_iter().chain(cells).collect()
+    };
+    format!(
+        "Held out: rms of the differences over the rms of the measured stresses (in brackets: how much too stiff, +, or too soft)\n{}\
+         in a muscle: held-out points with a hoop stretch of 1 to {hoop} and an axial stretch of 0.6 to 1.1\n\n",
+        table(&header, fit.laws.iter().map(row).collect())
+    )
 }
 
 /// To a hundredth of a percent.

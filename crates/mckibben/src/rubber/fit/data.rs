@@ -1,20 +1,9 @@
 //! Tension tests from people's tables.
 
 use super::mode::Mode;
+use super::point::TensionPoint;
 use crate::table::{Column, Columns, Meaning, TESTS, Table, TableError, Understood, read_text};
-use serde::{Deserialize, Serialize};
 use std::io::Read;
-
-/// One point of a test.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct TensionPoint {
-    /// How the specimen was stretched.
-    pub mode: Mode,
-    /// L/L0.
-    pub stretch: f64,
-    /// Force over the area at rest, in MPa.
-    pub nominal_stress_mpa: f64,
-}
 
 /// What the file does not say.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,6 +27,8 @@ const LARGEST_STRETCH: f64 = 25.0;
 
 /// No rubber bears more over its area at rest; the strongest tear at some 50 MPa.
 const LARGEST_STRESS_MPA: f64 = 100.0;
+
+mod sheet;
 
 /// Groups of [`TESTS`].
 const STRETCH: usize = 0;
@@ -75,21 +66,23 @@ pub fn read_tests(
         })?,
         _ => 1.0,
     };
-    let stretches = stretches(&table, stretch, gauge)?;
-    let stresses = table.numbers(stress)?;
+    let lengths = stretches(&table, stretch, gauge)?;
     let mut points = vec![];
-    for (row, (stretch, measured)) in stretches.into_iter().zip(stresses).enumerate() {
-        let nominal_stress_mpa = match stress.meaning {
-            Meaning::TrueStress => measured / stretch,
-            Meaning::Force => measured / area,
-            _ => measured,
-        };
-        if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
-            let expected = "gives no stress that a rubber bears; look at its unit (250 kPa is 0.25 MPa)";
-            return Err(table.impossible(row, stress, expected));
+    let of_sheets = table.column(Meaning::Stretch2).is_some();
+    if of_sheets {
+        points = sheet::points(&table, &lengths, area, options.mode)?;
+    } else {
+        if stress.meaning == Meaning::TrueStressDifference {
+            return Err(needs(stress, "the second stretch of the specimen: a column `stretch_2`"));
         }
-        let mode = mode(&table, row)?.unwrap_or(options.mode);
-        points.push(TensionPoint { mode, stretch, nominal_stress_mpa });
+        for (row, (stretch, measured)) in lengths.into_iter().zip(table.numbers(stress)?).enumerate() {
+            let nominal_stress_mpa = nominal(&table, row, stress, measured, (stretch, area))?;
+            let mode = mode(&table, row)?.unwrap_or(options.mode);
+            if mode == Mode::General {
+                return Err(needs(stress, "the second stretch of the specimen: a column `stretch_2`"));
+            }
+            points.push(TensionPoint::new(mode, stretch, nominal_stress_mpa));
+        }
     }
     if points.is_empty() {
         return Err(TableError::Empty);
@@ -102,8 +95,32 @@ pub fn read_tests(
     let under = (stress.meaning == Meaning::Force).then(|| format!("over {area} mm²"));
     let mut used = vec![(stretch, over), (stress, under)];
     used.extend(table.column(Meaning::Mode).map(|c| (c, None)));
+    if of_sheets {
+        let others = sheet::MEANINGS.into_iter().filter_map(|m| table.column(m));
+        used.extend(others.filter(|c| c.index != stress.index).map(|c| (c, None)));
+    }
     let understood = table.understood(&used);
     Ok((points, understood))
+}
+
+/// Force over the area at rest, in MPa, from whatever stands in the column.
+fn nominal(
+    table: &Table,
+    row: usize,
+    stress: &Column,
+    measured: f64,
+    (stretch, area): (f64, f64),
+) -> Result<f64, TableError> {
+    let nominal_stress_mpa = match stress.meaning {
+        Meaning::TrueStress | Meaning::TrueStress2 => measured / stretch,
+        Meaning::Force => measured / area,
+        _ => measured,
+    };
+    if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
+        let expected = "gives no stress that a rubber bears; look at its unit (250 kPa is 0.25 MPa)";
+        return Err(table.impossible(row, stress, expected));
+    }
+    Ok(nominal_stress_mpa)
 }
 
 fn mode(table: &Table, row: usize) -> Result<Option<Mode>, TableError> {

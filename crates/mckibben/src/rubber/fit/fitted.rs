@@ -1,7 +1,9 @@
 //! A law with its constants, and how well it does.
 
 use super::form::Form;
+use super::held_out::HeldOutError;
 use super::mode::Mode;
+use super::point::TensionPoint;
 use super::problem::Problem;
 use super::{FitSettings, Raw, TensionFitError, linear, nonlinear, ogden};
 use crate::least_squares::t95;
@@ -33,7 +35,7 @@ pub struct ModeError {
     pub mode: Mode,
     /// Its points.
     pub points: usize,
-    /// Largest stretch of them.
+    /// Largest stretch of them in the plane of the specimen.
     pub to_stretch: f64,
     /// Root mean square of the differences of nominal stress, in MPa.
     pub rms_mpa: f64,
@@ -59,12 +61,15 @@ pub struct FittedLaw {
     pub free_r_squared: Option<f64>,
     /// Root mean square of the differences of nominal stress, in MPa.
     pub rms_mpa: f64,
-    /// Root mean square of the differences over the measured stress, of points that pull.
+    /// Root mean square of the differences over the measured stress, of points that pull; of general tests over the larger of the two
+    /// stresses that the neo-Hookean law which follows all points best has in that state.
     pub relative_rms: f64,
     /// Akaike's criterion, for laws fitted to the same points in the same way.
     pub aicc: f64,
     /// One entry a test.
     pub modes: Vec<ModeError>,
+    /// One entry a test that was held out, and one for their points in the states of a muscle.
+    pub held_out: Vec<HeldOutError>,
     /// Over a muscle's stretches.
     pub stability: Stability,
 }
@@ -146,15 +151,18 @@ fn judged(
     let differences: Vec<(f64, f64)> = problem
         .points
         .iter()
-        .map(|p| (p.mode.nominal_stress_mpa(&law, p.stretch) - p.nominal_stress_mpa, p.nominal_stress_mpa))
+        .map(|p| (p.stress_mpa(&law) - p.nominal_stress_mpa, p.nominal_stress_mpa))
         .collect();
     let count = differences.len() as f64;
     let average = differences.iter().map(|d| d.1).sum::<f64>() / count;
     let spread: f64 = differences.iter().map(|d| (d.1 - average).powi(2)).sum();
     let left: f64 = differences.iter().map(|d| d.0 * d.0).sum();
     let pulls = problem.points.iter().zip(&differences);
-    let pulls: Vec<f64> =
-        pulls.filter(|(p, d)| d.1 * (p.stretch - 1.0) > 0.0).map(|(_, d)| (d.0 / d.1).powi(2)).collect();
+    let relative = |(p, d): (&TensionPoint, &(f64, f64))| {
+        let reference = p.reference_mpa(problem.reference_modulus_mpa)?;
+        Some((d.0 / reference).powi(2))
+    };
+    let pulls: Vec<f64> = pulls.filter_map(relative).collect();
     let modes = Mode::ALL.into_iter().filter_map(|mode| of_mode(mode, &law, problem, hoop)).collect();
     Ok(FittedLaw {
         form,
@@ -166,6 +174,7 @@ fn judged(
         relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
         aicc,
         modes,
+        held_out: vec![],
         stability: muscle_stability(&law, hoop),
         law,
     })
@@ -176,10 +185,8 @@ fn of_mode(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeEr
     if of.is_empty() {
         return None;
     }
-    let difference =
-        |p: &&&super::TensionPoint| mode.nominal_stress_mpa(law, p.stretch) - p.nominal_stress_mpa;
-    let squares: f64 = of.iter().map(|p| difference(&p).powi(2)).sum();
-    let to_stretch = of.iter().map(|p| p.stretch).fold(0.0, f64::max);
+    let squares: f64 = of.iter().map(|p| (p.stress_mpa(law) - p.nominal_stress_mpa).powi(2)).sum();
+    let to_stretch = of.iter().map(|p| p.plane_stretch()).fold(0.0, f64::max);
     Some(ModeError {
         mode,
         points: of.len(),
@@ -193,8 +200,6 @@ fn of_mode(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeEr
 fn stable_to(mode: Mode, law: &Law, end: f64) -> Option<f64> {
     const STEPS: u32 = 400;
     let stretch = |i: u32| 1.0 + (end - 1.0) * f64::from(i) / f64::from(STEPS);
-    (0..=STEPS).map(stretch).find(|&l| {
-        let (a, b) = mode.stretches(l);
-        !is_stable_at(law, a, b)
-    })
+    let unstable = |l: &f64| mode.across(*l).is_some_and(|across| !is_stable_at(law, *l, across));
+    (0..=STEPS).map(stretch).find(unstable)
 }

@@ -1,6 +1,6 @@
 //! A rubber law from tension tests.
 //!
-//! [`read_tension`] reads uniaxial, planar and equibiaxial tests; [`fit_tension`] finds the constants of every law by
+//! [`read_tension`] reads uniaxial, planar, equibiaxial and general biaxial tests; [`fit_tension`] finds the constants of every law by
 //! least squares of the nominal stress,
 //!
 //!   minimise Σ w (P(λ; c) − P_measured)²   or   Σ w (P(λ; c)/P_measured − 1)²,
@@ -18,19 +18,23 @@ mod convex;
 mod data;
 mod fitted;
 mod form;
+mod held_out;
 mod linear;
 mod mode;
 mod nonlinear;
 mod ogden;
+mod point;
 mod problem;
 mod runs;
 mod standing;
 mod warning;
 
-pub use data::{ReadOptions, TensionPoint, read_tension, read_tests};
+pub use data::{ReadOptions, read_tension, read_tests};
 pub use fitted::{FittedLaw, ModeError, Parameter};
 pub use form::Form;
+pub use held_out::HeldOutError;
 pub use mode::Mode;
+pub use point::TensionPoint;
 pub use problem::Measure;
 pub use standing::DECIDED_AICC;
 pub use warning::TensionWarning;
@@ -54,8 +58,12 @@ pub struct FitSettings {
     pub balance: bool,
     /// A factor on the weights of a mode.
     pub mode_weights: Vec<(Mode, f64)>,
+    /// Modes that are fitted; none means all. The others are held out: how well a law follows them is said.
+    pub fit_modes: Vec<Mode>,
     /// Points up to this stretch only.
     pub up_to_stretch: Option<f64>,
+    /// The points are a history: a stress that falls is no rupture, and all points are fitted.
+    pub history: bool,
     /// Laws that are stable in a muscle only.
     pub stable: bool,
     /// Largest hoop stretch of the muscle.
@@ -69,7 +77,9 @@ impl Default for FitSettings {
             measure: Measure::Absolute,
             balance: false,
             mode_weights: vec![],
+            fit_modes: vec![],
             up_to_stretch: None,
+            history: false,
             stable: false,
             hoop_stretch: MUSCLE_HOOP_STRETCH,
         }
@@ -138,6 +148,8 @@ impl Serialize for TensionFitError {
 pub struct TensionFit {
     /// The points that were fitted.
     pub points: Vec<TensionPoint>,
+    /// Points of modes that were held out.
+    pub held_out: Vec<TensionPoint>,
     /// Points left out because they lie behind a rupture or beyond `up_to_stretch`, or cannot count.
     pub left_out: usize,
     /// Largest principal stretch of the points.
@@ -182,10 +194,12 @@ pub fn fit_tension_with(
     progress: &dyn Progress,
 ) -> Result<TensionFit, TensionFitError> {
     check(settings)?;
-    let sorted = runs::sort(points);
+    let sorted = if settings.history { runs::Sorted::history(points) } else { runs::sort(points) };
     let mut warnings = warning::of_runs(&sorted);
     let limit = settings.up_to_stretch.unwrap_or(f64::INFINITY);
-    let used: Vec<TensionPoint> = sorted.kept.into_iter().filter(|p| p.stretch <= limit).collect();
+    let within = sorted.kept.into_iter().filter(|p| p.plane_stretch() <= limit);
+    let is_fitted = |p: &TensionPoint| settings.fit_modes.is_empty() || settings.fit_modes.contains(&p.mode);
+    let (used, held_out): (Vec<TensionPoint>, Vec<TensionPoint>) = within.partition(is_fitted);
     let problem =
         Problem::new(used, settings.measure, settings.balance, &settings.mode_weights, progress.budget());
     let count = problem.counting();
@@ -193,8 +207,7 @@ pub fn fit_tension_with(
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
         return Err(TensionFitError::NoStiffness { modulus_mpa: problem.modulus_mpa });
     }
-    let stretch = |p: &TensionPoint| p.mode.largest_stretch(p.stretch);
-    let fitted_to_stretch = problem.points.iter().map(stretch).fold(1.0, f64::max);
+    let fitted_to_stretch = problem.points.iter().map(TensionPoint::largest_stretch).fold(1.0, f64::max);
     let (mut laws, mut failed) = (vec![], vec![]);
     for (done, form) in forms.iter().enumerate() {
         progress.report(done, forms.len());
@@ -209,16 +222,20 @@ pub fn fit_tension_with(
     }
     // Free and stable of one law stay together.
     laws.sort_by(|a, b| a[0].aicc.total_cmp(&b[0].aicc));
-    let laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
+    let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
+    for law in &mut laws {
+        law.held_out = held_out::errors(&law.law, &held_out, settings.hoop_stretch);
+    }
     if let (true, Some(error)) = (laws.is_empty(), failed.first()) {
         return Err(error.clone());
     }
     let recommended = standing::recommended(&laws, &problem.points);
     warnings.extend(warning::of_points(&problem, fitted_to_stretch, settings.hoop_stretch));
     warnings.extend(laws.iter().flat_map(|l| warning::of_law(l, settings.hoop_stretch)));
-    let left_out = points.len() - count;
+    let left_out = points.len() - count - held_out.len();
     Ok(TensionFit {
         points: problem.points,
+        held_out,
         left_out,
         fitted_to_stretch,
         laws,

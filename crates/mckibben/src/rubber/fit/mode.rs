@@ -1,11 +1,12 @@
-//! The three tests: uniaxial, planar and equibiaxial tension of incompressible rubber.
+//! The tests: uniaxial, planar, equibiaxial and general biaxial tension of incompressible rubber in plane stress.
 //!
 //!   uniaxial     λ1 = λ, λ2 = λ3 = λ^(−1/2)
 //!   planar       λ1 = λ, λ2 = 1, λ3 = 1/λ         (wide strip; "pure shear")
 //!   equibiaxial  λ1 = λ2 = λ, λ3 = λ⁻²
+//!   general      λ1, λ2 as measured, λ3 = 1/(λ1 λ2)   (sheet pulled along both sides)
 //!
 //! Nominal stress (force over the area at rest) P = dŵ/dλ, in the equibiaxial test half of it (L. R. G. Treloar, The
-//! Physics of Rubber Elasticity, 1975 \[treloar1975\], ch. 5). True stress σ = λ P in all three. λ < 1 is compression.
+//! Physics of Rubber Elasticity, 1975 \[treloar1975\], ch. 5). True stress σ = λ P in all of them. λ < 1 is compression.
 
 use crate::rubber::RubberLaw;
 use serde::{Deserialize, Serialize};
@@ -24,13 +25,17 @@ pub enum Mode {
     /// A sheet pulled alike along two axes, or a balloon.
     #[serde(alias = "biaxial")]
     Equibiaxial,
+    /// A sheet pulled along two axes, each by its own stretch.
+    General,
 }
 
 impl Mode {
     /// All of them.
-    pub const ALL: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
+    pub const ALL: [Mode; 4] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial, Mode::General];
+    /// Those in which one stretch says all.
+    pub const OF_ONE_STRETCH: [Mode; 3] = [Mode::Uniaxial, Mode::Planar, Mode::Equibiaxial];
     /// What is understood.
-    pub const WORDS: &'static str = "uniaxial, planar (or pure shear), equibiaxial (or biaxial)";
+    pub const WORDS: &'static str = "uniaxial, planar (or pure shear), equibiaxial (or biaxial), general";
 
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -38,6 +43,7 @@ impl Mode {
             Mode::Uniaxial => "uniaxial",
             Mode::Planar => "planar",
             Mode::Equibiaxial => "equibiaxial",
+            Mode::General => "general",
         }
     }
 
@@ -54,46 +60,28 @@ impl Mode {
             "equibiaxial" | "equibiaxialtension" | "biaxial" | "biaxialtension" | "et" | "eb" => {
                 Some(Mode::Equibiaxial)
             }
+            "general" | "generalbiaxial" | "generalbiaxialtension" | "bt" => Some(Mode::General),
             _ => None,
         }
     }
 
-    /// λ1 and λ2.
-    pub fn stretches(self, stretch: f64) -> (f64, f64) {
+    /// λ2 for λ1; `None` in a general test, where it is measured.
+    pub fn across(self, stretch: f64) -> Option<f64> {
         match self {
-            Mode::Uniaxial => (stretch, stretch.powf(-0.5)),
-            Mode::Planar => (stretch, 1.0),
-            Mode::Equibiaxial => (stretch, stretch),
+            Mode::Uniaxial => Some(stretch.powf(-0.5)),
+            Mode::Planar => Some(1.0),
+            Mode::Equibiaxial => Some(stretch),
+            Mode::General => None,
         }
     }
 
-    /// The largest of the three principal stretches.
-    pub fn largest_stretch(self, stretch: f64) -> f64 {
-        let (a, b) = self.stretches(stretch);
-        a.max(b).max(1.0 / (a * b))
-    }
-
-    /// I1 − 3.
-    pub fn i1_minus_3(self, stretch: f64) -> f64 {
-        let (a, b) = self.stretches(stretch);
-        a * a + b * b + 1.0 / (a * a * b * b) - 3.0
-    }
-
-    /// m in λ3 = λ^(−m).
-    pub(super) fn thinning(self) -> f64 {
+    /// Nominal stress of a law, in MPa; `None` in a general test, where one stretch does not say it.
+    pub fn nominal_stress_mpa<L: RubberLaw + ?Sized>(self, law: &L, stretch: f64) -> Option<f64> {
         match self {
-            Mode::Uniaxial => 0.5,
-            Mode::Planar => 1.0,
-            Mode::Equibiaxial => 2.0,
-        }
-    }
-
-    /// Nominal stress of a law, in MPa.
-    pub fn nominal_stress_mpa<L: RubberLaw + ?Sized>(self, law: &L, stretch: f64) -> f64 {
-        match self {
-            Mode::Uniaxial => law.uniaxial_stress_mpa(stretch),
-            Mode::Planar => law.planar_stress_mpa(stretch),
-            Mode::Equibiaxial => law.equibiaxial_stress_mpa(stretch),
+            Mode::Uniaxial => Some(law.uniaxial_stress_mpa(stretch)),
+            Mode::Planar => Some(law.planar_stress_mpa(stretch)),
+            Mode::Equibiaxial => Some(law.equibiaxial_stress_mpa(stretch)),
+            Mode::General => None,
         }
     }
 }

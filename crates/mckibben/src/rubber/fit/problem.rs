@@ -1,7 +1,7 @@
 //! The points with their weights, as the solvers see them.
 
-use super::data::TensionPoint;
 use super::mode::Mode;
+use super::point::TensionPoint;
 use crate::budget::Budget;
 use crate::rubber::{Law, RubberLaw};
 use serde::{Deserialize, Serialize};
@@ -22,12 +22,14 @@ pub enum Measure {
 #[derive(Debug, Clone)]
 pub(super) struct Problem {
     pub points: Vec<TensionPoint>,
-    /// What residuals are divided by: 1 MPa or the measured stress.
+    /// What residuals are divided by: 1 MPa or what a relative error is relative to.
     pub divisors: Vec<f64>,
     /// Weights of the squares; 0 for points that cannot count.
     pub weights: Vec<f64>,
     /// Shear modulus of the neo-Hookean law that fits best: the size of all constants.
     pub modulus_mpa: f64,
+    /// The same by absolute differences: what relative errors of general tests are relative to.
+    pub reference_modulus_mpa: f64,
     /// What the fit may cost: no residuals are found beyond it, so that solvers come to their end.
     pub budget: Budget,
 }
@@ -40,12 +42,15 @@ impl Problem {
         modes: &[(Mode, f64)],
         budget: Budget,
     ) -> Self {
-        // A relative error needs a stress that pulls where the specimen is stretched.
-        let counts =
-            |p: &TensionPoint| measure == Measure::Absolute || p.nominal_stress_mpa * (p.stretch - 1.0) > 0.0;
+        let (divisors, weights) = (vec![1.0; points.len()], vec![1.0; points.len()]);
+        let alike = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa: 0.0, budget };
+        let reference_modulus_mpa = alike.neo_hookean_modulus();
+        let Self { points, budget, .. } = alike;
+        let relative_to = |p: &TensionPoint| p.reference_mpa(reference_modulus_mpa).filter(|r| *r > 0.0);
+        let counts = |p: &TensionPoint| measure == Measure::Absolute || relative_to(p).is_some();
         let divisor = |p: &TensionPoint| match measure {
-            Measure::Relative if counts(p) => p.nominal_stress_mpa.abs(),
-            _ => 1.0,
+            Measure::Relative => relative_to(p).unwrap_or(1.0),
+            Measure::Absolute => 1.0,
         };
         let divisors: Vec<f64> = points.iter().map(divisor).collect();
         let of_mode = |mode: Mode| points.iter().filter(|p| p.mode == mode && counts(p)).count().max(1);
@@ -58,7 +63,7 @@ impl Problem {
             if counts(p) { own * even } else { 0.0 }
         };
         let weights: Vec<f64> = points.iter().map(weight).collect();
-        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, budget };
+        let mut out = Self { points, divisors, weights, modulus_mpa: 0.0, reference_modulus_mpa, budget };
         out.modulus_mpa = out.neo_hookean_modulus();
         out
     }
@@ -70,13 +75,13 @@ impl Problem {
 
     /// Largest I1 − 3 of the points.
     pub fn largest_i1_minus_3(&self) -> f64 {
-        self.points.iter().map(|p| p.mode.i1_minus_3(p.stretch)).fold(0.0, f64::max)
+        self.points.iter().map(TensionPoint::i1_minus_3).fold(0.0, f64::max)
     }
 
     /// Stresses of a law over the divisors; `None` where it cannot carry a stretch.
     pub fn scaled_stresses<L: RubberLaw + ?Sized>(&self, law: &L) -> Option<Vec<f64>> {
         let one = |(p, d): (&TensionPoint, &f64)| {
-            let stress = p.mode.nominal_stress_mpa(law, p.stretch) / d;
+            let stress = p.stress_mpa(law) / d;
             stress.is_finite().then_some(stress)
         };
         self.points.iter().zip(&self.divisors).map(one).collect()

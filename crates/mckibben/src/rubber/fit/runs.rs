@@ -1,7 +1,7 @@
 //! Loading, unloading and rupture, from the order of the points.
 
-use super::data::TensionPoint;
 use super::mode::Mode;
+use super::point::TensionPoint;
 
 /// A turn back by more than this share of the range of stretches ends a run.
 const TURN: f64 = 0.05;
@@ -19,10 +19,19 @@ pub(super) struct Sorted {
     pub unloadings: usize,
 }
 
+impl Sorted {
+    /// All points as they are.
+    pub fn history(points: &[TensionPoint]) -> Self {
+        Self { kept: points.to_vec(), ..Self::default() }
+    }
+}
+
 /// Leaves out what lies behind a rupture, and counts the loops.
 pub(super) fn sort(points: &[TensionPoint]) -> Sorted {
     let mut out = Sorted::default();
-    for mode in Mode::ALL {
+    // Sheets are held at one state after another: there is no run to be followed.
+    out.kept.extend(points.iter().filter(|p| p.mode == Mode::General));
+    for mode in Mode::OF_ONE_STRETCH {
         let of_mode = points.iter().filter(|p| p.mode == mode).copied();
         let (mut of, pressed): (Vec<_>, Vec<_>) = of_mode.partition(|p| p.stretch >= 1.0);
         out.kept.extend(pressed);
@@ -104,11 +113,7 @@ mod tests {
     use super::*;
 
     fn points(list: &[(f64, f64)]) -> Vec<TensionPoint> {
-        let one = |&(stretch, nominal_stress_mpa)| TensionPoint {
-            mode: Mode::Uniaxial,
-            stretch,
-            nominal_stress_mpa,
-        };
+        let one = |&(stretch, stress): &(f64, f64)| TensionPoint::new(Mode::Uniaxial, stretch, stress);
         list.iter().map(one).collect()
     }
 

@@ -1,9 +1,9 @@
 //! Which law to take, and which are as good.
 
 use super::TensionFit;
-use super::data::TensionPoint;
 use super::fitted::FittedLaw;
 use super::mode::Mode;
+use super::point::TensionPoint;
 
 /// Difference of Akaike's criterion from which on one law is decidedly better than another (K. P. Burnham, D. R. Anderson 2002
 /// \[burnham2002\], §2.6: above 10 a model has essentially no support).

@@ -160,7 +160,9 @@ pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) ->
     if !(MODULI.0..=MODULI.1).contains(&modulus_mpa) {
         out.push(TensionWarning::Modulus { modulus_mpa });
     }
-    let wrong = problem.points.iter().filter(|p| p.nominal_stress_mpa * (p.stretch - 1.0) < 0.0).count();
+    let wrong = problem.points.iter();
+    let wrong = wrong.filter(|p| p.mode != Mode::General && p.nominal_stress_mpa * (p.stretch - 1.0) < 0.0);
+    let wrong = wrong.count();
     if wrong > 0 {
         out.push(TensionWarning::Signs { points: wrong });
     }

@@ -94,4 +94,5 @@ laws! {
     ogden::Ogden,
     gent::Gent,
     arruda_boyce::ArrudaBoyce,
+    extended_tube::ExtendedTube,
 }

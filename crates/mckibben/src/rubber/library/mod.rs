@@ -12,7 +12,7 @@ mod read;
 mod window;
 
 pub(crate) use named::following;
-pub use named::{COVERING, USUAL_REACH, find, find_for, follows, of_equal_standing};
+pub use named::{COVERING, USUAL_REACH, find, find_for, follows, is_known_from_one_axis, of_equal_standing};
 pub use window::{Standing, Window, WindowLaw, windows_of};
 
 use super::{Law, Stability, biaxial_stability};
@@ -40,6 +40,8 @@ pub struct RubberEntry {
     pub source: String,
     /// Terms under which the data may be used.
     pub terms: String,
+    /// Whether its tests are uniaxial alone.
+    pub one_axis: bool,
     /// What else one should know.
     pub note: Option<String>,
     /// Largest engineering strain of the test (failure, for the silicones).

@@ -68,6 +68,14 @@ pub fn follows(rubber: &Rubber) -> bool {
     })
 }
 
+/// Whether a rubber is one of the library, with its constants, whose tests are uniaxial alone: what it does in two axes is then a guess
+/// of its law.
+pub fn is_known_from_one_axis(rubber: &Rubber) -> bool {
+    rubber.name.as_deref().and_then(exactly).is_some_and(|(entry, law)| {
+        entry.one_axis && entry.each(law).any(|found| entry.rubber(law, found) == *rubber)
+    })
+}
+
 /// Entry and law of a name that the library itself gave.
 fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
     let (plain, law) = name.split_once(':').map_or((name, None), |(plain, law)| (plain, Some(law)));

@@ -86,7 +86,7 @@ fn names_are_forgiving_and_slips_are_named() {
     );
     assert_eq!(
         message("rtv615:yoeh"),
-        "rtv615 has no fit of the law \"yoeh\"; it has neo-hookean, mooney-rivlin, gent, arruda-boyce, ogden-1, yeoh, ogden-2"
+        "rtv615 has no fit of the law \"yoeh\"; it has neo-hookean, mooney-rivlin, gent, arruda-boyce, ogden-1, yeoh, extended-tube, ogden-2"
     );
     assert_eq!(find("RTV615: Ogden_2").unwrap().name.as_deref(), Some("rtv615:ogden-2"));
 }

@@ -1,0 +1,94 @@
+//! Relaxation: a Prony series over any law.
+
+use super::OverTimeError;
+
+/// One branch.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Branch {
+    /// gᵢ, a share of the instantaneous stress.
+    pub share: f64,
+    /// τᵢ in s.
+    pub time_constant_s: f64,
+}
+
+/// A Prony series on the isochoric stress.
+///
+/// ```text
+/// S(t) = S0(t) − Σ gᵢ ∫ (1 − e^(−(t−s)/τᵢ)) dS0(s) = (1 − Σ gᵢ) S0 + Σ gᵢ hᵢ,   τᵢ ḣᵢ + hᵢ = τᵢ Ṡ0
+///
+/// S0   isochoric (deviatoric) second Piola–Kirchhoff stress of the law at once   MPa
+/// gᵢ   share of it that relaxes with τᵢ                                            –     ≥ 0, Σ gᵢ < 1
+/// τᵢ   time constant                                                               s     > 0
+/// hᵢ   state of a branch, one tensor a point; zero at rest                         MPa
+/// ```
+///
+/// Held at a stretch that came at once, S = S0 [1 − Σ gᵢ (1 − e^(−t/τᵢ))], at last (1 − Σ gᵢ) S0. Linear in the stress: good where loops at
+/// different rates are alike in shape. Source: `simo1987`, without its damage.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Prony {
+    /// The branches; none is a rubber without memory.
+    pub branches: Vec<Branch>,
+}
+
+impl Prony {
+    /// Checks the constants.
+    ///
+    /// # Errors
+    /// [`OverTimeError::Constant`].
+    pub fn validated(self) -> Result<Self, OverTimeError> {
+        let bad = |name, value, expected| Err(OverTimeError::Constant { name, value, expected });
+        for b in &self.branches {
+            if !(b.share >= 0.0 && b.share.is_finite()) {
+                return bad("a branch's share g", b.share, "zero or above");
+            }
+            if !(b.time_constant_s > 0.0 && b.time_constant_s.is_finite()) {
+                return bad("a branch's time constant in s", b.time_constant_s, "above zero");
+            }
+        }
+        let sum = self.relaxing();
+        if sum < 1.0 {
+            Ok(self)
+        } else {
+            bad("the sum of all shares g", sum, "below 1: what is left is the rubber at rest")
+        }
+    }
+
+    /// Σ gᵢ.
+    pub fn relaxing(&self) -> f64 {
+        self.branches.iter().map(|b| b.share).sum()
+    }
+
+    /// 1 − Σ gᵢ: moduli of long times over the instantaneous ones.
+    pub fn long_time(&self) -> f64 {
+        1.0 - self.relaxing()
+    }
+
+    /// 1 − Σ gᵢ (1 − e^(−t/τᵢ)): what is left of a stress that came at once, after a time in s.
+    pub fn left_after(&self, time_s: f64) -> f64 {
+        let lost = |b: &Branch| -b.share * (-time_s / b.time_constant_s).exp_m1();
+        1.0 - self.branches.iter().map(lost).sum::<f64>()
+    }
+
+    /// The states after a step in which S0 goes straight by `change`: hᵢ e^(−Δt/τᵢ) + (τᵢ/Δt)(1 − e^(−Δt/τᵢ)) ΔS0; exact for a stress that is
+    /// piecewise linear in time, second order in Δt for a smooth one. No time is a jump.
+    pub fn step<const N: usize>(&self, states: &mut [[f64; N]], change: [f64; N], duration_s: f64) {
+        for (h, b) in states.iter_mut().zip(&self.branches) {
+            let x = duration_s / b.time_constant_s;
+            let mean = if x > 0.0 { -(-x).exp_m1() / x } else { 1.0 };
+            for (h, d) in h.iter_mut().zip(change) {
+                *h = *h * (-x).exp() + mean * d;
+            }
+        }
+    }
+
+    /// (1 − Σ gᵢ) S0 + Σ gᵢ hᵢ.
+    pub fn stress<const N: usize>(&self, instantaneous: [f64; N], states: &[[f64; N]]) -> [f64; N] {
+        let mut out = instantaneous.map(|s| self.long_time() * s);
+        for (h, b) in states.iter().zip(&self.branches) {
+            for (s, h) in out.iter_mut().zip(h) {
+                *s += b.share * h;
+            }
+        }
+        out
+    }
+}
