@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 
 from . import _native, _plain
+from ._arrays import array
 from ._ask import Progress, listening
 
 if TYPE_CHECKING:
@@ -22,22 +23,6 @@ if TYPE_CHECKING:
 
 # A list of pairs has so many places at most: what a machine could address.
 _MOST = 2**47
-
-
-def _array(name: str, value: Any) -> Array:
-    """Numbers in the unit of a name, without a copy where they are such already."""
-    if type(value) is np.ndarray and value.dtype == np.float64:
-        return value
-    if isinstance(value, str):
-        several = ".." in value or "," in value
-        return np.asarray(_plain.numbers(name, value) if several else _plain.number(name, value))
-    value = _plain.unpinted(name, value)
-    if isinstance(value, (list, tuple)) and any(isinstance(v, str) or hasattr(v, "magnitude") for v in value):
-        value = _plain.numbers(name, value)
-    array = np.asarray(value)
-    if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: numbers, a text with its unit or quantities of pint, not {array.dtype}")
-    return np.asarray(array, dtype=np.float64)
 
 
 class Model:
@@ -215,7 +200,7 @@ class Model:
             raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
         slopes = jac is not False and bool(jac) or bool(names)
-        a, b = _array(*first), _array(*second)
+        a, b = array(*first), array(*second)
         if a.shape != b.shape:
             a, b = np.broadcast_arrays(a, b)
         width = 1 + (2 if slopes else 0) + len(names)

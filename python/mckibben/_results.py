@@ -16,12 +16,52 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ._formula import Formula
-    from ._muscle import Muscle, Rubber
+    from ._muscle import Muscle
+    from ._parts import Rubber
 
 Heard = Callable[[int, int], object] | None
 
 
-class Curve(_answers.CurveAnswer):
+class _Columned(Record):
+    """An answer whose points are columns of numbers; each is an attribute."""
+
+    __slots__ = ("_points",)
+    _points: Table
+
+    @classmethod
+    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Any:
+        head, columns = getattr(_native, command)(request, heard)
+        return _columned(cls, head, (command, request), Table._of(columns))
+
+    def to_table(self) -> Table:
+        """The points as a table."""
+        return self._points
+
+    def __getattr__(self, name: str) -> Any:
+        if not name.startswith("_") and name not in self._data and name in self._points:
+            return self._points[name]
+        return super().__getattr__(name)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._points.columns})
+
+    def _key(self) -> Any:
+        return super()._key(), self._points._key()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _columned, (type(self), self._data, self._asked, self._points)
+
+    def _repr_html_(self) -> str:
+        return f"<p>{escape(repr(self))}</p>{self._points._repr_html_()}"
+
+
+def _columned(kind: type[_Columned], data: dict[str, Any], asked: Any, points: Table) -> _Columned:
+    answer = kind(data, asked)
+    object.__setattr__(answer, "_points", points)
+    return answer
+
+
+class Curve(_Columned, _answers.CurveAnswer):
     """A family of curves, its points as columns of numbers.
 
     Every column of its points is an attribute: ``curve.pressure_mpa``, ``curve.contraction``, ``curve.force_n``, ``curve.volume_mm3``, …
@@ -29,19 +69,7 @@ class Curve(_answers.CurveAnswer):
     say why. ``curve.grid("force_n")`` has one row for each curve.
     """
 
-    __slots__ = ("_points",)
-    _points: Table
-
-    @classmethod
-    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Curve:
-        head, columns = _native.curve(request, heard)
-        curve = cls(head, (command, request))
-        object.__setattr__(curve, "_points", Table(columns))
-        return curve
-
-    def to_table(self) -> Table:
-        """The points as a table."""
-        return self._points
+    __slots__ = ()
 
     @property
     def points(self) -> list[_answers.PointRow]:  # type: ignore[override]
@@ -53,35 +81,32 @@ class Curve(_answers.CurveAnswer):
         values: NDArray[np.float64] = np.asarray(self._points[column])
         return values.reshape(-1, len(self._points) // max(1, len(np.unique(self._points["fixed"])) if not self.fixed else len(self.fixed)))
 
-    def __getattr__(self, name: str) -> Any:
-        if not name.startswith("_") and name not in self._data and name in self._points:
-            return self._points[name]
-        return super().__getattr__(name)
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._points.columns})
-
-    def _key(self) -> Any:
-        return super()._key(), self._points.to_csv()
-
     def to_dict(self) -> dict[str, Any]:
         """Plain dicts and lists, the points as rows."""
         return {**super().to_dict(), "points": self._points.rows()}
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _curve, (self._data, self._asked, self._points)
-
     def __repr__(self) -> str:
         return f"Curve({self.test}, model={self.model!r}, {len(self.fixed or [])} curves, {len(self._points)} points)"
 
-    def _repr_html_(self) -> str:
-        return f"<p>{escape(repr(self))}</p>{self._points._repr_html_()}"
 
+class Plan(_Columned, _answers.PlanAnswer):
+    """A plan that was computed, its points as columns: ``plan.pressure_mpa``, ``plan.force_n``, ``plan.status``, … ``fit(plan)`` makes a
+    formula of them.
+    """
 
-def _curve(data: dict[str, Any], asked: Any, points: Table) -> Curve:
-    curve = Curve(data, asked)
-    object.__setattr__(curve, "_points", points)
-    return curve
+    __slots__ = ()
+
+    @property
+    def table(self) -> _answers.TextFile:  # type: ignore[override]
+        """The points as the text of a file (CSV)."""
+        return _answers.TextFile({**self._data["table"], "text": self._points.to_csv()})
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain dicts and lists, the points as the text of a file."""
+        return {**super().to_dict(), "table": self.table.to_dict()}
+
+    def __repr__(self) -> str:
+        return f"Plan({self.muscles} muscles, {self._data['points']} points, {self.failed} failed)"
 
 
 class Design(_answers.DesignAnswer):
@@ -146,6 +171,13 @@ class Fitted(_Plain, _answers.FitAnswer):
         text = json.dumps({n: v for n, v in self._data.items() if n not in ("tables", "figures")}, ensure_ascii=False, indent=2)
         return Formula(text + "\n", str(self._data["name"]))
 
+    def table(self, name: str) -> Table:
+        """One of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""
+        held = {table["name"]: table for table in self._data.get("tables") or []}
+        if name not in held:
+            raise KeyError(f"{name}: there is {', '.join(held) or 'no table'}")
+        return Table(dict(zip(held[name]["header"], zip(*held[name]["rows"]))))
+
 
 class Identification(_Plain, _answers.IdentifyAnswer):
     """Constants found in measured points, with their errors. Its table has one row for each constant."""
@@ -168,7 +200,7 @@ class RubberFit(_Plain, _answers.RubberFitAnswer):
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
         from ._errors import NoAnswerError
-        from ._muscle import Rubber
+        from ._parts import Rubber
 
         name = law or self.recommended
         if name is None:
