@@ -411,7 +411,7 @@ def reference(all_schemas: dict[str, Any]) -> str:
     import ast
 
     out = ["# Python reference\n", "Written by `python/generate.py` from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
-    parts = [("Objects", ["_muscle.py", "_parts.py", "_model.py", "_formula.py", "_campaign.py", "_table.py"]), ("Commands", ["_commands.py"]), ("Answers", ["_results.py", "_record.py"]),
+    parts = [("Objects", ["_muscle.py", "_parts.py", "_model.py", "_formula.py", "_campaign.py", "_table.py"]), ("Commands", ["_commands.py"]), ("Answers", ["_columns.py", "_results.py", "_record.py"]),
              ("Exceptions", ["_problem.py", "_errors.py"]), ("For JAX and PyTorch", ["jax.py", "torch.py"])]
     for title, files in parts:
         out.append(f"## {title}\n")

@@ -199,21 +199,22 @@ class Model:
         if errors not in ("raise", "nan"):
             raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
-        slopes = jac is not False and bool(jac) or bool(names)
+        slopes = bool(names) or bool(jac)
         a, b = array(*first), array(*second)
         if a.shape != b.shape:
             a, b = np.broadcast_arrays(a, b)
-        width = 1 + (2 if slopes else 0) + len(names)
+        width = 3 + len(names) if slopes else 1
         if a.size > _MOST // width:
             raise MemoryError(f"{a.size} points are more than memory holds")
-        out = np.empty((*a.shape, width))
+        out = np.empty((*a.shape, width) if slopes else a.shape)
         if progress is None:
             self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", None)
         else:
             with listening(progress, wanted) as heard:
                 self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", heard)
-        value = out[..., 0] if a.shape else float(out[0])
-        return (value, out[..., 1:]) if slopes else value
+        if slopes:
+            return out[..., 0] if a.shape else float(out[0]), out[..., 1:]
+        return out if a.shape else float(out)
 
     def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Any) -> Curve:
         """A family of curves by this model; the arguments are those of :func:`curve`."""

@@ -134,7 +134,7 @@ def test_a_plan_is_columns(root: Path) -> None:
     plan = mk.plan({"name": "small.toml", "text": PLAN})
     assert plan._data["points"] == len(plan.to_table()) == 8 and plan.failed == 0 and plan.muscles == 2
     assert plan.to_arrow()["force_n"].chunk(0).buffers()[1].address == plan.force_n.ctypes.data
-    own = mk.Muscle(outer_diameter_mm=40, wall_mm=1).model().force([[0.1], [0.2]], [0.0, 0.1])
+    own = mk.Muscle(outer_diameter_mm=40, wall_mm=1).model().force([0.1, 0.2], [[0.0], [0.1]])
     assert np.allclose(plan.force_n[:4], own.ravel(), rtol=1e-9)
     # What the command line writes is the same table, to the last bit.
     text = mk.ask("plan", {"plan": {"name": "small.toml", "text": PLAN}})["table"]
