@@ -78,7 +78,7 @@ def test_a_formula_of_a_plan_in_memory(root: Path) -> None:
     """A data frame of points is fitted as its file is, bit by bit."""
     path = root / "data/campaign/paper.csv"
     frame = pl.DataFrame(numbers(read(path)))
-    points = {"pressure_mpa": np.linspace(0.05, 0.25, 5)[:, None], "contraction": np.linspace(0.0, 0.2, 5)}
+    points: dict[str, Any] = {"pressure_mpa": np.linspace(0.05, 0.25, 5)[:, None], "contraction": np.linspace(0.0, 0.2, 5)}
     assert np.array_equal(*(mk.fit(table).formula.model().force(**points) for table in (frame, path)))
 
 
