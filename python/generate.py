@@ -44,11 +44,11 @@ POSITIONAL: dict[str, list[str]] = {
 }
 DEFAULTS = {("curve", "test"): '"isobaric"', ("simulate", "test"): '"isobaric"', ("sweep", "muscles"): "100"}
 # The answers that have a class of their own around what is generated, by command.
-OWN_CLASS = {"curve": "Curve", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
+OWN_CLASS = {"curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
 # The list of an answer that is its table.
 ROWS = {
     "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases", "compare": "models",
-    "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "models": "models", "plan": "table",
+    "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "models": "models",
     "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "rubber-show": "fits",
 }
 # Texts of a user's own kind; everything else is told by the suffix of its name.
@@ -178,6 +178,8 @@ def field_type(types: Types, name: str, schema: dict[str, Any]) -> str:
         kind = kind.replace("FileLike", "TableLike")
         if kind == "list[TableLike]":
             return "TableLike | Sequence[TableLike] | None"
+    if name == "muscles" and kind == "list[FileLike]":
+        return "Mapping[str, MuscleLike] | Sequence[FileLike] | None"
     if name == "formulas" or name == "file":
         kind = kind.replace("FileLike", "FormulaLike")
     if name == "rubber":
@@ -346,14 +348,14 @@ def commands(all_schemas: dict[str, Any]) -> str:
     out = [
         HEAD.format("Every command as a function, and those of a muscle as its methods."),
         "from __future__ import annotations\n",
-        "from collections.abc import Sequence",
+        "from collections.abc import Mapping, Sequence",
         "from typing import TYPE_CHECKING, Any, Literal\n",
         "from ._ask import Progress, answered\n",
         "if TYPE_CHECKING:",
         "    from . import _answers, _results",
         "    from ._formula import Formula",
         "    from ._inputs import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, TableLike",
-        "    from ._muscle import Braid, Rubber\n\n",
+        "    from ._parts import Braid, Rubber\n\n",
     ]
     names_of_all = []
     methods = ["class MuscleCommands:", '    """What a muscle is asked: every command that takes one."""', "", "    __slots__ = ()", ""]
@@ -409,7 +411,7 @@ def reference(all_schemas: dict[str, Any]) -> str:
     import ast
 
     out = ["# Python reference\n", "Written by `python/generate.py` from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
-    parts = [("Objects", ["_muscle.py", "_model.py", "_formula.py", "_campaign.py", "_table.py"]), ("Commands", ["_commands.py"]), ("Answers", ["_results.py", "_record.py"]),
+    parts = [("Objects", ["_muscle.py", "_parts.py", "_model.py", "_formula.py", "_campaign.py", "_table.py"]), ("Commands", ["_commands.py"]), ("Answers", ["_columns.py", "_results.py", "_record.py"]),
              ("Exceptions", ["_problem.py", "_errors.py"]), ("For JAX and PyTorch", ["jax.py", "torch.py"])]
     for title, files in parts:
         out.append(f"## {title}\n")

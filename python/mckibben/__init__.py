@@ -23,9 +23,9 @@ if TYPE_CHECKING:
     from ._errors import *
     from ._formula import Formula as Formula
     from ._model import Model as Model
-    from ._muscle import Braid as Braid
     from ._muscle import Muscle as Muscle
-    from ._muscle import Rubber as Rubber
+    from ._parts import Braid as Braid
+    from ._parts import Rubber as Rubber
     from ._record import Record as Record
     from ._table import Table as Table
 
@@ -37,9 +37,9 @@ _PLACES = {
     "Campaign": "_campaign",
     "Formula": "_formula",
     "Model": "_model",
-    "Braid": "_muscle",
+    "Braid": "_parts",
     "Muscle": "_muscle",
-    "Rubber": "_muscle",
+    "Rubber": "_parts",
     "Record": "_record",
     "Table": "_table",
 }

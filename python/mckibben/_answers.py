@@ -4261,7 +4261,6 @@ class PlanAnswer(Record):
     __slots__ = ()
     _fields_ = ('table', 'muscles', 'points', 'failed')
     _nested_ = {'table': 'TextFile'}
-    _rows_ = 'table'
     table: TextFile
     muscles: int
     points: int

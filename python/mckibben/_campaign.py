@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from . import _answers, _native, _plain
+from . import _answers, _files, _native
 from ._ask import Progress, listening
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ class Campaign:
 
     def __init__(self, output: str | PathLike[str], plan: FileLike | None = None) -> None:
         object.__setattr__(self, "_output", os.fspath(output))
-        object.__setattr__(self, "_plan", None if plan is None else _plain.text(plan))
+        object.__setattr__(self, "_plan", None if plan is None else _files.text(plan))
 
     @property
     def output(self) -> str:

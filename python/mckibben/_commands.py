@@ -5,7 +5,7 @@ Written by python/generate.py from docs/schema; do not edit.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal
 
 from ._ask import Progress, answered
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from . import _answers, _results
     from ._formula import Formula
     from ._inputs import Choice, FileLike, FormulaLike, MuscleLike, Number, Numbers, TableLike
-    from ._muscle import Braid, Rubber
+    from ._parts import Braid, Rubber
 
 
 def braid_list(
@@ -91,6 +91,7 @@ def compare(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -149,6 +150,8 @@ def compare(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -178,7 +181,7 @@ def compare(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
+    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
 
 
 def contraction(
@@ -195,6 +198,7 @@ def contraction(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -239,6 +243,8 @@ def contraction(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -283,7 +289,7 @@ def contraction(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def curve(
@@ -299,6 +305,7 @@ def curve(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -347,6 +354,8 @@ def curve(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -402,7 +411,7 @@ def curve(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
+    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
 
 
 def design(
@@ -645,6 +654,7 @@ def force(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -687,6 +697,8 @@ def force(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -726,7 +738,7 @@ def force(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def formula_show(
@@ -772,6 +784,7 @@ def identify(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -823,6 +836,8 @@ def identify(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -885,13 +900,13 @@ def identify(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
+    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
 
 
 def joint(
     joint: FileLike | None = None,
     *,
-    muscles: Sequence[FileLike] | None = None,
+    muscles: Mapping[str, MuscleLike] | Sequence[FileLike] | None = None,
     model: str | Formula | None = None,
     formulas: Sequence[FormulaLike] | None = None,
     mesh: str | None = None,
@@ -991,7 +1006,7 @@ def motion(
     muscle: MuscleLike | None = None,
     tables: TableLike | Sequence[TableLike] | None = None,
     joint: FileLike | None = None,
-    muscles: Sequence[FileLike] | None = None,
+    muscles: Mapping[str, MuscleLike] | Sequence[FileLike] | None = None,
     model: str | Formula | None = None,
     formulas: Sequence[FormulaLike] | None = None,
     mesh: str | None = None,
@@ -1064,6 +1079,7 @@ def muscle_show(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1102,6 +1118,8 @@ def muscle_show(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1141,14 +1159,14 @@ def muscle_show(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa}, "MuscleShowAnswer")  # type: ignore[no-any-return]
+    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa}, "MuscleShowAnswer")  # type: ignore[no-any-return]
 
 
 def plan(
     plan: FileLike | None = None,
     *,
     progress: Progress = None,
-) -> _answers.PlanAnswer:
+) -> _results.Plan:
     """A plan to be computed.
 
     Parameters
@@ -1160,7 +1178,7 @@ def plan(
 
     Returns
     -------
-    PlanAnswer
+    Plan
         Its table.
 
     Raises
@@ -1168,7 +1186,7 @@ def plan(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("plan", {"plan": plan}, "PlanAnswer", progress)  # type: ignore[no-any-return]
+    return answered("plan", {"plan": plan}, "Plan", progress)  # type: ignore[no-any-return]
 
 
 def pressure(
@@ -1185,6 +1203,7 @@ def pressure(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1227,6 +1246,8 @@ def pressure(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1266,7 +1287,7 @@ def pressure(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def rubber_fit(
@@ -1410,6 +1431,7 @@ def shape(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1447,6 +1469,8 @@ def shape(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1476,7 +1500,7 @@ def shape(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
+    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
 
 
 def simulate(
@@ -1492,6 +1516,7 @@ def simulate(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1536,6 +1561,8 @@ def simulate(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1584,7 +1611,7 @@ def simulate(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
+    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
 
 
 def study(
@@ -1599,6 +1626,7 @@ def study(
     strand_diameter_mm: Number | None = None,
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
+    seating_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1638,6 +1666,8 @@ def study(
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
     stiffness
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    seating_mm : mm
+        What both ends together give way under a pull, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1679,7 +1709,7 @@ def study(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
+    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
 
 
 def sweep(

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 
 from . import _native, _plain
+from ._arrays import array
 from ._ask import Progress, listening
 
 if TYPE_CHECKING:
@@ -22,22 +23,6 @@ if TYPE_CHECKING:
 
 # A list of pairs has so many places at most: what a machine could address.
 _MOST = 2**47
-
-
-def _array(name: str, value: Any) -> Array:
-    """Numbers in the unit of a name, without a copy where they are such already."""
-    if type(value) is np.ndarray and value.dtype == np.float64:
-        return value
-    if isinstance(value, str):
-        several = ".." in value or "," in value
-        return np.asarray(_plain.numbers(name, value) if several else _plain.number(name, value))
-    value = _plain.unpinted(name, value)
-    if isinstance(value, (list, tuple)) and any(isinstance(v, str) or hasattr(v, "magnitude") for v in value):
-        value = _plain.numbers(name, value)
-    array = np.asarray(value)
-    if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: numbers, a text with its unit or quantities of pint, not {array.dtype}")
-    return np.asarray(array, dtype=np.float64)
 
 
 class Model:
@@ -214,21 +199,22 @@ class Model:
         if errors not in ("raise", "nan"):
             raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
-        slopes = jac is not False and bool(jac) or bool(names)
-        a, b = _array(*first), _array(*second)
+        slopes = bool(names) or bool(jac)
+        a, b = array(*first), array(*second)
         if a.shape != b.shape:
             a, b = np.broadcast_arrays(a, b)
-        width = 1 + (2 if slopes else 0) + len(names)
+        width = 3 + len(names) if slopes else 1
         if a.size > _MOST // width:
             raise MemoryError(f"{a.size} points are more than memory holds")
-        out = np.empty((*a.shape, width))
+        out = np.empty((*a.shape, width) if slopes else a.shape)
         if progress is None:
             self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", None)
         else:
             with listening(progress, wanted) as heard:
                 self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", heard)
-        value = out[..., 0] if a.shape else float(out[0])
-        return (value, out[..., 1:]) if slopes else value
+        if slopes:
+            return out[..., 0] if a.shape else float(out[0]), out[..., 1:]
+        return out if a.shape else float(out)
 
     def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Any) -> Curve:
         """A family of curves by this model; the arguments are those of :func:`curve`."""

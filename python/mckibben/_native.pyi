@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, final
 
-__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_text", "muscle_with", "parameters", "quantity", "read_formula", "read_table", "read_text", "report_html", "values"]
+__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "values"]
 
 VERSION: Final[str]
 """
@@ -104,6 +104,11 @@ def muscle_with(text: "str", values: "dict[str, float]") -> str:
 def parameters(text: str) -> list[tuple[str, float, str]]:
     """
     Constants and measures of a muscle by which a model has derivatives, with their values and units.
+    """
+
+def plan(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> "tuple[dict[str, typing.Any], dict[str, typing.Any]]":
+    """
+    A plan that was computed: what is said of all of it, and its points as columns.
     """
 
 def quantity(text: str, kind: str, field: str | None = None) -> float:

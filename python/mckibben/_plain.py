@@ -2,95 +2,24 @@
 
 from __future__ import annotations
 
-import math
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from . import _native
+from ._files import beside, formula, table, text
+from ._quantity import kind_of, number, numbers
 
-# What a name's end says of its quantity, and the unit inside as pint writes it.
-KINDS = [
-    ("_n_per_mm", "stiffness", "N/mm"),
-    ("_nm_per_rad", "angular-stiffness", "N*m/rad"),
-    ("_n_s_per_m", "damping", "N*s/m"),
-    ("_mpa", "pressure", "MPa"),
-    ("_mm2", "area", "mm**2"),
-    ("_mm", "length", "mm"),
-    ("_deg", "angle", "deg"),
-    ("_nm", "torque", "N*m"),
-    ("_n", "force", "N"),
-    ("_s", "time", "s"),
-]
-RATIOS = {"contraction", "contractions", "max_strand_strain", "modulus"}
 LISTS = {"pressures_mpa", "contractions", "forces_n", "angles_deg", "outer_diameters_mm", "walls_mm", "hold_out_mm", "strand_length_per_turn_mm"}
 TEXTS = {"muscle", "muscles", "joint", "drive", "plan"}
 TABLES = {"data", "table", "tables", "load_tables"}
 FORMULAS = {"formulas", "file"}
 MUSCLE_FIELDS = [
     "muscle", "outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa",
-    "stiffness", "end_factor", "cone_factor", "strand_length_mm", "turns",
+    "stiffness", "seating_mm", "end_factor", "cone_factor", "strand_length_mm", "turns",
 ]
 # Fields of `design` that may be an interval.
 CHOICES = {"outer_diameter_mm", "wall_mm", "angle_deg", "length_mm", "radius_mm"}
-
-
-def kind_of(name: str) -> tuple[str, str] | None:
-    """The kind of quantity of a field, and its unit inside."""
-    if name in RATIOS:
-        return "ratio", "dimensionless"
-    if name == "stiffness":
-        return "stiffness", "N/mm"
-    return next(((kind, unit) for end, kind, unit in KINDS if name.endswith(end)), None)
-
-
-def wrong(field: str, message: str, hint: str = "") -> Exception:
-    """A quantity that is none."""
-    from ._errors import QuantityError
-
-    return QuantityError(message, kind="quantity", hint=hint, field=field)
-
-
-def number(name: str, value: Any) -> float:
-    """A number in the unit of its name."""
-    kind = kind_of(name)
-    if isinstance(value, str):
-        if kind is None:
-            raise wrong(name, f'"{value}" is a text, and this is a plain number')
-        return _native.quantity(value, kind[0], name)
-    value = unpinted(name, value)
-    if isinstance(value, bool) or not hasattr(value, "__float__"):
-        raise TypeError(f"{name}: a number, a text with its unit or a quantity of pint, not {type(value).__name__}")
-    if getattr(value, "shape", ()) != ():
-        raise TypeError(f"{name}: one number, not an array; for arrays ask a model: muscle.model(…).force(pressures, contractions)")
-    out = float(value)
-    if not math.isfinite(out):
-        raise wrong(name, f"{out} is not a finite number")
-    return out
-
-
-def unpinted(name: str, value: Any) -> Any:
-    """The magnitude of a quantity of pint in the unit inside; anything else as it is."""
-    if not (hasattr(value, "magnitude") and hasattr(value, "to")):
-        return value
-    kind = kind_of(name)
-    try:
-        return value.to(kind[1] if kind else "dimensionless").magnitude
-    except Exception as error:
-        raise wrong(name, f"{value} is not in a unit of {kind[1] if kind else 'a plain number'}: {error}") from None
-
-
-def numbers(name: str, value: Any) -> list[Any]:
-    """Several numbers; lists of lists stay such."""
-    if isinstance(value, str):
-        kind = kind_of(name)
-        return _native.values(value, kind[0] if kind else "ratio", name)
-    value = unpinted(name, value)
-    if hasattr(value, "tolist"):
-        value = value.tolist()
-    if not isinstance(value, Iterable) or isinstance(value, (bytes, Mapping)):
-        return [number(name, value)]
-    return [numbers(name, item) if isinstance(item, (list, tuple)) else number(name, item) for item in value]
 
 
 def field(name: str, value: Any, *, within: str = "") -> Any:
@@ -100,8 +29,8 @@ def field(name: str, value: Any, *, within: str = "") -> Any:
     if name in TEXTS:
         return [text(v) for v in value] if name == "muscles" else text(value)
     if name in TABLES:
-        many = name in ("tables", "load_tables")
-        return [table(v) for v in value] if many else table(value)
+        many = name in ("tables", "load_tables") or within == "identify"
+        return [table(v) for v in (value if isinstance(value, (list, tuple)) else [value])] if many else table(value)
     if name in FORMULAS:
         return [formula(v) for v in value] if name == "formulas" else formula(value)
     if isinstance(value, Mapping):
@@ -134,44 +63,6 @@ def rest(value: Any) -> Any:
     return value
 
 
-def text(value: Any) -> dict[str, str]:
-    """A file that was written by hand."""
-    if hasattr(value, "to_toml"):
-        return {"name": "muscle", "text": value.to_toml()}
-    if isinstance(value, Mapping):
-        return {"name": str(value["name"]), "text": str(value["text"])}
-    path = os.fspath(value)
-    return {"name": path, "text": _native.read_text(path)}
-
-
-def formula(value: Any) -> dict[str, str]:
-    """The file of a formula."""
-    if hasattr(value, "to_json"):
-        return {"name": value.name, "text": value.to_json()}
-    if isinstance(value, Mapping):
-        return {"name": str(value["name"]), "text": str(value["text"])}
-    path = os.fspath(value)
-    return {"name": path, "text": _native.read_formula(path)}
-
-
-def table(value: Any) -> dict[str, str]:
-    """A table: a path, a text, a data frame, or columns by name."""
-    if isinstance(value, (str, os.PathLike)):
-        path = os.fspath(value)
-        return {"name": path, "text": _native.read_table(path)}
-    if isinstance(value, Mapping) and set(value) == {"name", "text"}:
-        return {"name": str(value["name"]), "text": str(value["text"])}
-    if hasattr(value, "write_csv"):
-        return {"name": "data", "text": value.write_csv()}
-    if hasattr(value, "to_csv"):
-        return {"name": "data", "text": value.to_csv(index=False)}
-    if isinstance(value, Mapping):
-        from ._table import Table
-
-        return {"name": "data", "text": Table.from_columns(dict(value)).to_csv()}
-    raise TypeError(f"a table is a path, a data frame or columns by name, not {type(value).__name__}")
-
-
 def models(values: dict[str, Any]) -> None:
     """Formulas among the names of models are handed over as files."""
     given = values.get("model")
@@ -199,29 +90,6 @@ def models(values: dict[str, Any]) -> None:
         values["formulas"] = files
 
 
-def beside(values: dict[str, Any]) -> None:
-    """The files that a joint or drive file names, which lie beside it."""
-    drive = values.get("drive")
-    if isinstance(drive, (str, os.PathLike)):
-        file, folder = text(drive), os.path.dirname(os.fspath(drive))
-        subject, name, tables = _native.drive_files(file["name"], file["text"])
-        values["drive"] = file
-        path = os.path.join(folder, name)
-        if subject == "joint" and values.get("joint") is None:
-            values["joint"] = path
-        elif subject == "muscle" and values.get("muscle") is None:
-            values["muscle"] = {**text(path), "name": name}
-        if values.get("tables") is None and tables:
-            values["tables"] = [{**table(os.path.join(folder, t)), "name": t} for t in tables]
-    joint = values.get("joint")
-    if isinstance(joint, (str, os.PathLike)):
-        file, folder = text(joint), os.path.dirname(os.fspath(joint))
-        values["joint"] = file
-        if values.get("muscles") is None:
-            names = dict.fromkeys(_native.joint_files(file["name"], file["text"]))
-            values["muscles"] = [{**text(os.path.join(folder, name)), "name": name} for name in names]
-
-
 def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
     """The request of a command."""
     values = {name: value for name, value in values.items() if value is not None}
@@ -230,10 +98,6 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
     if not isinstance(values.get("rubber", ""), str) or not isinstance(values.get("braid", ""), str):
         muscle = {name: values.pop(name) for name in MUSCLE_FIELDS if name in values}
         values["muscle"] = {"name": "muscle", "text": muscle_text(muscle)}
-    if command == "identify" and "data" in values:
-        data = values.pop("data")
-        values["data"] = [table(item) for item in (data if isinstance(data, (list, tuple)) else [data])]
-        return {**{n: field(n, v, within=command) for n, v in values.items() if n != "data"}, "data": values["data"]}
     return {name: field(name, value, within=command) for name, value in values.items()}
 
 

@@ -119,8 +119,6 @@ class Record:
         if self._rows_ is None:
             raise AttributeError(f"{type(self).__name__} holds no table")
         held = self._data.get(self._rows_)
-        if isinstance(held, str):
-            return Table.from_csv(held)
         return Table.from_columns(held) if isinstance(held, dict) else Table.from_rows(held or [])
 
     def to_pandas(self) -> Any:

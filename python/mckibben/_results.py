@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _answers, _native
+from ._columns import Curve as Curve
+from ._columns import Plan as Plan
 from ._record import Record
 from ._table import Table
 
@@ -16,72 +18,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from ._formula import Formula
-    from ._muscle import Muscle, Rubber
+    from ._muscle import Muscle
+    from ._parts import Rubber
 
 Heard = Callable[[int, int], object] | None
-
-
-class Curve(_answers.CurveAnswer):
-    """A family of curves, its points as columns of numbers.
-
-    Every column of its points is an attribute: ``curve.pressure_mpa``, ``curve.contraction``, ``curve.force_n``, ``curve.volume_mm3``, …
-    are NumPy arrays over all points, curve after curve; a point without an answer is NaN, and ``curve.status`` and ``curve.cause``
-    say why. ``curve.grid("force_n")`` has one row for each curve.
-    """
-
-    __slots__ = ("_points",)
-    _points: Table
-
-    @classmethod
-    def _asked_for(cls, command: str, request: dict[str, Any], heard: Heard) -> Curve:
-        head, columns = _native.curve(request, heard)
-        curve = cls(head, (command, request))
-        object.__setattr__(curve, "_points", Table(columns))
-        return curve
-
-    def to_table(self) -> Table:
-        """The points as a table."""
-        return self._points
-
-    @property
-    def points(self) -> list[_answers.PointRow]:  # type: ignore[override]
-        """The points as records, which are made anew each time; the columns are faster."""
-        return [_answers.PointRow(row) for row in self._points.rows()]
-
-    def grid(self, column: str) -> NDArray[np.float64]:
-        """A column with one row for each curve."""
-        values: NDArray[np.float64] = np.asarray(self._points[column])
-        return values.reshape(-1, len(self._points) // max(1, len(np.unique(self._points["fixed"])) if not self.fixed else len(self.fixed)))
-
-    def __getattr__(self, name: str) -> Any:
-        if not name.startswith("_") and name not in self._data and name in self._points:
-            return self._points[name]
-        return super().__getattr__(name)
-
-    def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self._points.columns})
-
-    def _key(self) -> Any:
-        return super()._key(), self._points.to_csv()
-
-    def to_dict(self) -> dict[str, Any]:
-        """Plain dicts and lists, the points as rows."""
-        return {**super().to_dict(), "points": self._points.rows()}
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return _curve, (self._data, self._asked, self._points)
-
-    def __repr__(self) -> str:
-        return f"Curve({self.test}, model={self.model!r}, {len(self.fixed or [])} curves, {len(self._points)} points)"
-
-    def _repr_html_(self) -> str:
-        return f"<p>{escape(repr(self))}</p>{self._points._repr_html_()}"
-
-
-def _curve(data: dict[str, Any], asked: Any, points: Table) -> Curve:
-    curve = Curve(data, asked)
-    object.__setattr__(curve, "_points", points)
-    return curve
 
 
 class Design(_answers.DesignAnswer):
@@ -146,6 +86,13 @@ class Fitted(_Plain, _answers.FitAnswer):
         text = json.dumps({n: v for n, v in self._data.items() if n not in ("tables", "figures")}, ensure_ascii=False, indent=2)
         return Formula(text + "\n", str(self._data["name"]))
 
+    def table(self, name: str) -> Table:
+        """One of the intermediate tables that ``fit(…, tables=True)`` asks for, by its name."""
+        held = {table["name"]: table for table in self._data.get("tables") or []}
+        if name not in held:
+            raise KeyError(f"{name}: there is {', '.join(held) or 'no table'}")
+        return Table(dict(zip(held[name]["header"], zip(*held[name]["rows"]))))
+
 
 class Identification(_Plain, _answers.IdentifyAnswer):
     """Constants found in measured points, with their errors. Its table has one row for each constant."""
@@ -168,7 +115,7 @@ class RubberFit(_Plain, _answers.RubberFitAnswer):
     def rubber(self, law: str | None = None) -> Rubber:
         """A law with its constants; the recommended one where none is named."""
         from ._errors import NoAnswerError
-        from ._muscle import Rubber
+        from ._parts import Rubber
 
         name = law or self.recommended
         if name is None:

@@ -18,8 +18,9 @@ def _column(values: Any) -> Any:
     """A column: an array of float64, int64 or bool, or a list of texts. Missing numbers are NaN."""
     if isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype.kind in "fiub":
         kind = {"f": np.float64, "b": np.bool_}.get(values.dtype.kind, np.int64)
-        return np.ascontiguousarray(values, dtype=kind)
-    values = list(values)
+        # Its own: what the caller writes later must not change it.
+        return np.array(values, dtype=kind)
+    values = [None if isinstance(v, float) and v != v else v for v in values]
     known = [v for v in values if v is not None]
     if known and all(isinstance(v, (bool, np.bool_)) for v in known) and len(known) == len(values):
         return np.array(values, dtype=np.bool_)
@@ -44,10 +45,32 @@ class Table:
         lengths = {len(values) for values in held.values()}
         if len(lengths) > 1:
             raise ValueError(f"columns of different length: {sorted(lengths)}")
-        for values in held.values():
+        self._hold(held)
+
+    def _hold(self, columns: dict[str, Any]) -> None:
+        for values in columns.values():
             if isinstance(values, np.ndarray):
                 values.flags.writeable = False
-        object.__setattr__(self, "_columns", held)
+        object.__setattr__(self, "_columns", columns)
+
+    @classmethod
+    def _of(cls, columns: dict[str, Any]) -> Table:
+        """The table of columns that are nobody else's, as they lie."""
+        table = object.__new__(cls)
+        table._hold(columns)
+        return table
+
+    @classmethod
+    def of(cls, data: Any) -> Table:
+        """The table of a data frame (pandas, Polars, Arrow, any that has ``__arrow_c_stream__``), of an answer, or of columns by name, in
+        which a single value stands for all rows.
+        """
+        from ._frames import columns_of
+        from ._record import Record
+
+        if isinstance(data, Record):
+            return data.to_table()
+        return data if isinstance(data, Table) else cls(columns_of(data))
 
     @classmethod
     def from_columns(cls, columns: Mapping[str, Any]) -> Table:
@@ -137,14 +160,19 @@ class Table:
     def __setattr__(self, name: str, value: object) -> None:
         raise AttributeError(f"a table does not change: {name}")
 
+    def _key(self) -> Any:
+        # Zeros without a sign.
+        kept = [(v.dtype.char, (v + 0).tobytes()) if isinstance(v, np.ndarray) else tuple(v) for v in self._columns.values()]
+        return tuple(zip(self._columns, kept))
+
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Table) and self.to_csv() == other.to_csv()
+        return isinstance(other, Table) and self._key() == other._key()
 
     def __hash__(self) -> int:
-        return hash(("Table", self.to_csv()))
+        return hash(("Table", self._key()))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Table, (self._columns,)
+        return Table._of, (self._columns,)
 
     def __repr__(self) -> str:
         return f"Table({len(self)} rows: {', '.join(self._columns)})"

@@ -57,9 +57,9 @@ def test_shapes_at_the_edge(thin: mk.Muscle) -> None:
 
 def test_numbers_that_are_there_are_not_copied(thin: mk.Muscle) -> None:
     p = np.linspace(0, 0.25, 1000)
-    from mckibben._model import _array
+    from mckibben._arrays import array
 
-    assert _array("pressure_mpa", p) is p
+    assert array("pressure_mpa", p) is p
 
 
 @pytest.mark.parametrize("name", [*MODELS, "chou-hannaford"])
@@ -89,6 +89,21 @@ def test_derivatives_by_constants_are_those_of_differences(name: str) -> None:
         high, low = (model.of(muscle.with_parameters({parameter: value + s * h})).force(0.2, [0.05, 0.1]) for s in (1, -1))
         # A change by a share is of the size of the pull at most: 2000 N.
         assert np.allclose(jac[:, 2 + i], (high - low) / (2 * h), rtol=1e-4, atol=1e-6 * 2000 / value), parameter
+
+
+@pytest.mark.parametrize("name", ["fe", "universal", "thick-wall"])
+def test_ends_that_give_way(thin: mk.Muscle, name: str) -> None:
+    """Identities: F(P, ε) = F₀(P, ε + δ/L0) of ends that hold, and ∂F/∂δ = (1/L0) ∂F/∂ε."""
+    seated = thin.replace(seating_mm="1.6 mm")
+    assert seated == mk.Muscle(outer_diameter_mm=50, wall_mm=1, seating_mm=1.6) != thin and seated.replace(seating_mm=0).model(name).force(0.2, 0.1) == thin.model(name).force(0.2, 0.1)
+    assert mk.Muscle.from_toml(seated.to_toml()) == seated and seated.parameters["terminals.seating"] == 1.6
+    e = np.array([0.0, 0.1])
+    force, jac = seated.model(name).force(0.2, e, jac=["terminals.seating"])
+    assert np.allclose(force, thin.model(name).force(0.2, e + 1.6 / 285), rtol=1e-9)
+    assert np.allclose(jac[:, 2], jac[:, 1] / 285, rtol=1e-6)
+    assert mk.force(seated, 0.2, 0.1, model=name).force_n == pytest.approx(mk.force(thin, 0.2, 0.1, model=name, seating_mm=1.6).force_n, rel=1e-12)
+    with pytest.raises(mk.MuscleError):
+        thin.replace(seating_mm=300)
 
 
 def test_a_slack_muscle_pulls_nothing_and_pushes_where_it_is_asked_to(thin: mk.Muscle) -> None:

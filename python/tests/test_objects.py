@@ -78,6 +78,18 @@ def test_a_muscle_is_its_file(things: dict[str, Any], tmp_path: Path) -> None:
     assert mk.Muscle(muscle, rubber="dragon-skin-30").rubber == "dragon-skin-30"
 
 
+def test_constants_are_numbers_of_any_kind() -> None:
+    """Equal rubbers have one hash, however their constants were written."""
+    rubbers = [mk.Rubber("mooney-rivlin", c10=value, c01=0) for value in (1, 1.0, np.float32(1), np.int64(1), np.array(1.0))]
+    assert len(set(rubbers)) == 1 and rubbers[0].c10 == 1.0
+    ogden = mk.Rubber("ogden", mu=np.array([0.4, 0.01]), alpha=[2, 5])
+    assert ogden.mu == (0.4, 0.01) and hash(ogden) == hash(copy.deepcopy(ogden)) and mk.Muscle(rubber=ogden).force(0.2, 0.1, model="thick-wall").force_n > 0
+    assert mk.Braid(28, strands=int(np.int64(48)), strand_area_mm2=0.3, strand_modulus_mpa=2500) == mk.Braid("28 deg", strands=48, strand_area_mm2=0.3, strand_modulus_mpa=2500.0)
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    assert mk.Rubber("gent", mu=200 * unit.kPa, jm=30 * unit.dimensionless) == mk.Rubber("gent", mu=0.2, jm=30)
+
+
 def test_words_for_people(things: dict[str, Any]) -> None:
     assert repr(things["muscle"]).startswith("Muscle(outer_diameter_mm=50, wall_mm=1, length_mm=285, angle_deg=28")
     assert repr(things["rubber"]) == "Rubber(law='mooney-rivlin', c10='120 kPa', c01=0.0)"

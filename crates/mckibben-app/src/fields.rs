@@ -66,6 +66,9 @@ pub struct MuscleFields {
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,
+    /// What both ends together give way under a pull, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seating_mm: Option<f64>,
     /// Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_factor: Option<f64>,

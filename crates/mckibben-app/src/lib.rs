@@ -78,7 +78,7 @@ pub use identify::*;
 pub use joint::*;
 pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
-    BoundModel, Column, CurveColumns, Many, NoList, Pairs, Unanswered, Wanted as WantedOfPoint,
+    AnswerColumns, BoundModel, Column, Many, NoList, Pairs, Unanswered, Wanted as WantedOfPoint,
     curve_columns, with_parameters,
 };
 pub use mckibben_motion::{Event, Subject};

@@ -38,6 +38,7 @@ impl MuscleFields {
         if let Some(name) = &self.rubber {
             tube.rubber = rubber(name)?;
         }
+        terminals.seating_mm = self.seating_mm.or(terminals.seating_mm);
         if let Some(k) = self.end_factor {
             terminals.end_factor = Some(EndFactor::Constant(k));
         }

@@ -44,6 +44,7 @@ const FIELDS: &[&str] = &[
     "strand_diameter_mm",
     "strand_modulus_mpa",
     "stiffness",
+    "seating_mm",
     "end_factor",
     "cone_factor",
     "strand_length_mm",

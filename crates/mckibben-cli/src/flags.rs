@@ -65,6 +65,9 @@ pub struct MuscleFlags {
     pub braid: Option<String>,
     #[command(flatten)]
     pub strands: StrandFlags,
+    /// What both ends together give way under a pull [0mm]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub seating: Option<String>,
     /// Empirical end factor k of Tondu & Lopez, for tondu-lopez and thick-wall
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub end_factor: Option<String>,
@@ -179,6 +182,7 @@ impl MuscleFlags {
             strand_diameter_mm: self.strands.diameter_mm()?,
             strand_modulus_mpa: self.strands.modulus_mpa()?,
             stiffness: self.strands.stiffness()?,
+            seating_mm: length("--seating", &self.seating)?,
             end_factor: ratio("--end-factor", self.end_factor.as_deref())?,
             cone_factor: ratio("--cone-factor", self.cone_factor.as_deref())?,
             strand_length_mm: length("--strand-length", &self.strand_length)?,

@@ -7,7 +7,7 @@
 
 mod arrow;
 mod ask;
-mod curve;
+mod columns;
 mod error;
 mod files;
 mod model;
@@ -27,7 +27,7 @@ mod _native {
     #[pymodule_export]
     use crate::ask::{ask, choice, quantity, values};
     #[pymodule_export]
-    use crate::curve::curve;
+    use crate::columns::{curve, plan};
     #[pymodule_export]
     use crate::files::{drive_files, joint_files, read_formula, read_table, read_text};
     #[pymodule_export]

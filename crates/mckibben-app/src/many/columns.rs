@@ -1,4 +1,4 @@
-//! Curves as columns of numbers, named as the keys of their points.
+//! Answers with many points as columns of numbers, named as the keys of their points; curves so.
 
 use crate::curve::{CurveRequest, curve_by_curve};
 use crate::problem::{Problem, ProblemKind};
@@ -20,12 +20,12 @@ pub enum Column {
     Texts(Vec<Option<String>>),
 }
 
-/// A family of curves.
+/// An answer with its points as columns.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CurveColumns {
+pub struct AnswerColumns {
     /// The answer as JSON has it, without its points.
     pub head: Value,
-    /// The points, curve after curve, column by column; columns without any number are left out.
+    /// The points, column by column.
     pub columns: Vec<(&'static str, Column)>,
 }
 
@@ -53,11 +53,11 @@ const NUMBERS: [(&str, Read); 15] = [
 /// Bytes of a point in all columns.
 const POINT_BYTES: f64 = 250.0;
 
-/// A family of curves as columns.
+/// A family of curves as columns, curve after curve; columns without any number are left out.
 ///
 /// # Errors
 /// As [`curve`](crate::curve); and where no point has an answer, the gravest reason.
-pub fn curve_columns(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveColumns, Problem> {
+pub fn curve_columns(request: &CurveRequest, progress: &dyn Progress) -> Result<AnswerColumns, Problem> {
     let mut table = Table::default();
     let budget = progress.budget();
     let mut answer = curve_by_curve(request, progress, &mut |curve: Curve| {
@@ -73,7 +73,7 @@ pub fn curve_columns(request: &CurveRequest, progress: &dyn Progress) -> Result<
     if let Some(map) = head.as_object_mut() {
         map.shift_remove("points");
     }
-    Ok(CurveColumns { head, columns: table.columns() })
+    Ok(AnswerColumns { head, columns: table.columns() })
 }
 
 #[derive(Default)]

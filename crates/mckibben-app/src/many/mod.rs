@@ -5,6 +5,7 @@
 //! [`force`](crate::force), [`pressure`](crate::pressure) and [`contraction`](crate::contraction) answer for it: the range is
 //! checked, a muscle that would have to push is slack.
 
+mod asked;
 mod columns;
 mod pairs;
 mod point;
@@ -12,7 +13,8 @@ mod slopes;
 #[cfg(test)]
 mod tests;
 
-pub use columns::{Column, CurveColumns, curve_columns};
+pub use asked::{Many, NoList, Unanswered, Wanted};
+pub use columns::{AnswerColumns, Column, curve_columns};
 pub use pairs::Pairs;
 pub use slopes::with_parameters;
 
@@ -35,61 +37,6 @@ const BLOCK: usize = 1024;
 const SHARE_OF_POLYNOMIALS: usize = 64 * BLOCK;
 /// Points of finite elements that are worked on together: neighbours share their equilibria.
 const BLOCK_OF_ELEMENTS: usize = 32;
-
-/// What is asked of each pair of numbers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Wanted {
-    /// F in N, of P in MPa and ε.
-    Force,
-    /// P in MPa, of F in N and ε.
-    Pressure,
-    /// ε, of F in N and P in MPa.
-    Contraction,
-}
-
-/// What becomes of a point without an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unanswered {
-    /// The first one ends the work with its reason.
-    Refused,
-    /// Its numbers are NaN.
-    NotANumber,
-}
-
-/// How many points are asked.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Many {
-    /// What.
-    pub wanted: Wanted,
-    /// Also the derivatives by both numbers of a pair.
-    pub slopes: bool,
-    /// Also the derivatives by these constants and measures of the muscle, all others held.
-    pub parameters: Vec<Target>,
-    /// Points without an answer.
-    pub unanswered: Unanswered,
-}
-
-impl Many {
-    /// Numbers of a point in the output: the answer, then the derivatives.
-    pub fn width(&self) -> usize {
-        1 + if self.slopes { 2 } else { 0 } + self.parameters.len()
-    }
-}
-
-/// Why a list has no answer: the point that has none, and its reason.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NoList {
-    /// The point's place in the list, from 0; none where the list itself is at fault.
-    pub index: Option<usize>,
-    /// The reason.
-    pub problem: Problem,
-}
-
-impl From<Problem> for NoList {
-    fn from(problem: Problem) -> Self {
-        Self { index: None, problem }
-    }
-}
 
 /// A model bound to its muscle.
 pub struct BoundModel {

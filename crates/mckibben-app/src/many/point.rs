@@ -5,7 +5,7 @@ use crate::point::{finite, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::{contraction_at, force_on, pressure_at};
 use mckibben::answer;
-use mckibben::model::{ModelError, Workspace};
+use mckibben::model::{ModelError, Workspace, hang, outside};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
@@ -49,27 +49,21 @@ impl BoundModel {
             return false;
         }
         // No muscle shortens by its whole length: the same bounds as those of a single question.
-        // A count goes through many numbers at a time, a search through one; what is no number is outside.
-        let outside = |v: f64, (low, high): (f64, f64)| !((v >= low - 1e-12) & (v <= high + 1e-12));
         let (pressures, contractions) = if self.options.extrapolate {
             ((f64::NEG_INFINITY, f64::INFINITY), (-1.0 + 1e-9, 1.0 - 1e-9))
         } else {
             (self.range.pressure_mpa, (self.range.contraction.0, self.range.contraction.1.min(1.0 - 1e-9)))
         };
         let own = self.options.extrapolate || self.range.muscle.is_empty() && self.range.make.is_empty();
-        let points = p.iter().zip(e);
-        let count = points.map(|(&p, &e)| u64::from(outside(p, pressures) | outside(e, contractions)));
-        if !own || count.sum::<u64>() > 0 {
+        let far = |list: &[f64], (low, high): (f64, f64)| outside(list, low - 1e-12, high + 1e-12) > 0;
+        if !own || far(p, pressures) || far(e, contractions) {
             return false;
         }
         if self.model.forces_n(workspace, p, e, out).is_err() {
             return false;
         }
-        let (area, pushes) = (self.outer_area_mm2(), self.options.two_sided);
-        for (force, &p) in out.iter_mut().zip(p) {
-            let none = (force.abs() <= ROUNDING * p * area) | (*force < 0.0) & !pushes;
-            *force = if none { 0.0 } else { *force };
-        }
+        let push_n = if self.options.two_sided { f64::NEG_INFINITY } else { 0.0 };
+        hang(out, p, push_n, ROUNDING * self.outer_area_mm2());
         true
     }
 

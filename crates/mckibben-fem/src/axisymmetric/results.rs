@@ -48,7 +48,7 @@ pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> 
     let (d, s) = (&body.discretisation, &body.state);
     let l = d.layout;
     let outer = |j: usize| d.mesh.node(2 * l.through, j)[0] + s.u[l.at(j) + 4 * l.through];
-    let bulge = (0..=2 * l.along).map(outer).fold(0.0, f64::max);
+    let bulge = (0..l.along).map(|slab| highest([0, 1, 2].map(|a| outer(2 * slab + a)))).fold(0.0, f64::max);
     let largest = tensions(d, s).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
     let all = 2.0 * std::f64::consts::PI * (2.0 * muscle.strand_lay().radius_mm) * cos * largest;
@@ -68,6 +68,13 @@ pub fn response(body: &mut Body, muscle: &Muscle) -> Result<Response, FemError> 
         middle_stretch: Some(middle_stretch(d, s)),
         max_stretch: Some(largest_stretch(d, s).value),
     })
+}
+
+/// The highest place of the quadratic edge of an element through its three nodes, which may lie between them.
+fn highest([a, b, c]: [f64; 3]) -> f64 {
+    let (slope, bend) = (0.5 * (c - a), a - 2.0 * b + c);
+    let between = if bend < 0.0 && slope.abs() < -bend { b - 0.5 * slope * slope / bend } else { b };
+    between.max(a).max(c)
 }
 
 /// Tension per width at every strand point.

@@ -139,7 +139,9 @@ fn elements_keep_their_volume_and_displacements_lead_back_to_rest() {
     }
     assert!((volume(&tube, &now) / at_rest - 1.0).abs() < 2e-3);
     let bulge = now.iter().map(|p| p[0].hypot(p[1])).fold(0.0, f64::max);
-    assert!((2.0 * bulge / response.bulged_diameter_mm.unwrap() - 1.0).abs() < 1e-13);
+    // The elements' own surface may rise between their nodes.
+    let short = 1.0 - 2.0 * bulge / response.bulged_diameter_mm.unwrap();
+    assert!((-1e-13..2e-4).contains(&short), "{short}");
 }
 
 /// A helix of length L0/cosθ0; a chord over the turn δ is shorter by the share sin²θ0 δ²/24 at most.

@@ -1,0 +1,75 @@
+"""Files and tables of a request: read where they are paths, else as they are given."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from . import _native
+
+
+def text(value: Any) -> dict[str, str]:
+    """A file that was written by hand."""
+    if hasattr(value, "to_toml"):
+        return {"name": "muscle", "text": value.to_toml()}
+    if isinstance(value, Mapping):
+        return {"name": str(value["name"]), "text": str(value["text"])}
+    path = os.fspath(value)
+    return {"name": path, "text": _native.read_text(path)}
+
+
+def formula(value: Any) -> dict[str, str]:
+    """The file of a formula."""
+    if hasattr(value, "to_json"):
+        return {"name": value.name, "text": value.to_json()}
+    if isinstance(value, Mapping):
+        return {"name": str(value["name"]), "text": str(value["text"])}
+    path = os.fspath(value)
+    return {"name": path, "text": _native.read_formula(path)}
+
+
+def table(value: Any) -> dict[str, str]:
+    """A table: a path, a text, a data frame, an answer, or columns by name."""
+    if isinstance(value, (str, os.PathLike)):
+        path = os.fspath(value)
+        return {"name": path, "text": _native.read_table(path)}
+    if isinstance(value, Mapping) and set(value) == {"name", "text"}:
+        return {"name": str(value["name"]), "text": str(value["text"])}
+    from ._table import Table
+
+    # Numbers with as many digits as it takes to read back the same.
+    return {"name": "data", "text": Table.of(value).to_csv()}
+
+
+def beside(values: dict[str, Any]) -> None:
+    """The files that a joint or drive file names: those that are given by name, the others from beside it."""
+    drive = values.get("drive")
+    if drive is not None:
+        file, folder = text(drive), _folder(drive)
+        subject, name, tables = _native.drive_files(file["name"], file["text"])
+        values["drive"] = file
+        if subject == "joint" and values.get("joint") is None and folder is not None:
+            values["joint"] = os.path.join(folder, name)
+        elif subject == "muscle" and (values.get("muscle") is not None or folder is not None):
+            values["muscle"] = {**text(values.get("muscle") or os.path.join(folder or "", name)), "name": name}
+        if values.get("tables") is None and tables and folder is not None:
+            values["tables"] = [{**table(os.path.join(folder, t)), "name": t} for t in tables]
+        elif isinstance(values.get("tables"), Mapping):
+            values["tables"] = [{**table(of), "name": str(t)} for t, of in values["tables"].items()]
+    joint, muscles = values.get("joint"), values.get("muscles")
+    if joint is not None and (muscles is None or isinstance(muscles, Mapping)):
+        file, folder, given = text(joint), _folder(joint), muscles or {}
+        values["joint"] = file
+        names = dict.fromkeys(_native.joint_files(file["name"], file["text"]))
+        if unknown := [name for name in given if name not in names]:
+            from ._errors import UsageError
+
+            raise UsageError(f"{file['name']} names {', '.join(names)}, not {unknown[0]}", kind="usage", field="muscles")
+        there = [name for name in names if name in given or folder is not None]
+        values["muscles"] = [{**text(given[name] if name in given else os.path.join(folder or "", name)), "name": name} for name in there]
+
+
+def _folder(value: Any) -> str | None:
+    """Where a file lies; None where it is given as its text."""
+    return os.path.dirname(os.fspath(value)) if isinstance(value, (str, os.PathLike)) else None
