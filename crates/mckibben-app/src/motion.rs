@@ -354,7 +354,13 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         runs.push(MotionRun::of(value.clone(), &motion, moved.joint.is_some(), bandwidth_hz));
     }
     let summaries: Vec<MuscleSummary> = moved.models.iter().map(|m| m.muscle().into()).collect();
-    let said = moved.models.iter().flat_map(|m| m.muscle().warnings());
+    let contact = |m: &mckibben::muscle::Muscle| m.friction().is_some_and(|f| f.lever_mm > 0.0);
+    let left_out = moved
+        .models
+        .iter()
+        .any(|m| contact(m.muscle()))
+        .then(|| "a drive has the friction C·P^β alone: friction.lever is not used".to_owned());
+    let said = moved.models.iter().flat_map(|m| m.muscle().warnings()).chain(left_out);
     let warnings = Warning::gravest(&said.map(Warning::from).collect::<Vec<_>>());
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };

@@ -8,7 +8,7 @@ use mckibben_motion::*;
 use std::io::Write;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let friction = Friction { coefficient: 15.0, exponent: 0.7 };
+    let friction = Friction::power_law(15.0, 0.7);
     let tube = Tube { outer_diameter_mm: 20.0, wall_mm: 1.5, length_mm: 220.0, ..Tube::prototype() };
     let muscle =
         Muscle::new(tube, Braid { angle_deg: 24.0, ..Braid::paper() }, Terminals::default(), Some(friction))?;

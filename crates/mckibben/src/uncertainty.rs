@@ -267,7 +267,7 @@ mod tests {
         };
         let (ideal, thick) = (of(&Ideal::new(&m), w), of(&ThickWall::new(&m), w));
         assert!(ideal > thick, "{ideal} {thick}");
-        let known = m.with_friction(Some(Friction { coefficient: 20.0, exponent: 0.6 })).unwrap();
+        let known = m.with_friction(Some(Friction::power_law(20.0, 0.6))).unwrap();
         assert!(of(&ThickWall::new(&known), w) < thick);
     }
 }

@@ -124,8 +124,16 @@ fn as_text(m: &Muscle, u: &Units) -> String {
         understood.push(("give of both ends", mm(seating)));
     }
     if let Some(f) = m.friction() {
-        let text = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
-        understood.push(("friction", text));
+        let rule = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
+        let contact = format!("of the strands' contact, μw {}", mm(f.lever_mm));
+        understood.push((
+            "friction",
+            match (f.coefficient > 0.0, f.lever_mm > 0.0) {
+                (true, true) => format!("{rule}, and {contact}"),
+                (false, true) => contact,
+                _ => rule,
+            },
+        ));
     }
     let derived = [
         ("inner diameter", mm(m.inner_diameter_mm())),

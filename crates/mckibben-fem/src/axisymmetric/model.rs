@@ -190,6 +190,15 @@ impl ForceModel for Axisymmetric {
         names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
     }
 
+    fn pivoting_n_per_mm(
+        &self,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        Ok(self.contact(workspace, pressure_mpa, contraction)?.pivoting_n_per_mm)
+    }
+
     fn pressure_under_load(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         simulation::pressure(self, workspace, force_n, contraction)
     }

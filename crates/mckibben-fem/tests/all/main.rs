@@ -5,6 +5,7 @@
 mod answers;
 mod axisymmetric;
 mod branches;
+mod contact;
 mod identify;
 mod lay;
 mod measured;

@@ -28,7 +28,23 @@ pub(super) fn friction<M: ForceModel + ?Sized>(model: &M, direction: Direction) 
     model.muscle().friction().filter(|_| !direction.is_mean())
 }
 
-/// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± C P^β.
+/// The friction that counts, in N, signed.
+fn friction_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    (pressure_mpa, contraction): (f64, f64),
+    direction: Direction,
+) -> Result<f64, ModelError> {
+    let Some(friction) = friction(model, direction) else { return Ok(0.0) };
+    let rule = friction.force_n(pressure_mpa, direction);
+    if friction.lever_mm == 0.0 || pressure_mpa.is_nan() || pressure_mpa <= 0.0 {
+        return Ok(rule);
+    }
+    let pivoting = model.pivoting_n_per_mm(workspace, pressure_mpa, contraction)?;
+    Ok(rule + direction.sign() * friction.lever_mm * pivoting)
+}
+
+/// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± (C P^β + μw G).
 ///
 /// # Errors
 /// The model's.
@@ -41,8 +57,16 @@ pub fn response_on<M: ForceModel + ?Sized>(
 ) -> Result<Response, ModelError> {
     let mut response = model.response(workspace, pressure_mpa, contraction)?;
     if let Some(friction) = friction(model, direction) {
-        response.force_n += friction.force_n(pressure_mpa, direction);
-        let slope = friction.slope_mm2(pressure_mpa, direction);
+        /// Of the pressure, for differences of G.
+        const STEP: f64 = 1e-4;
+        response.force_n += friction_n(model, workspace, (pressure_mpa, contraction), direction)?;
+        let mut slope = friction.slope_mm2(pressure_mpa, direction);
+        if friction.lever_mm > 0.0 && pressure_mpa > 0.0 {
+            let mut of = |p: f64| model.pivoting_n_per_mm(workspace, p, contraction);
+            let h = STEP * pressure_mpa;
+            let by_pressure = (of(pressure_mpa + h)? - of(pressure_mpa - h)?) / (2.0 * h);
+            slope += direction.sign() * friction.lever_mm * by_pressure;
+        }
         response.force_per_pressure_mm2 = response.force_per_pressure_mm2.map(|f| f + slope);
     }
     Ok(response)
@@ -60,7 +84,7 @@ pub fn force_on<M: ForceModel + ?Sized>(
     direction: Direction,
 ) -> Result<f64, ModelError> {
     let force_n = model.force_n(workspace, pressure_mpa, contraction)?;
-    Ok(force_n + friction(model, direction).map_or(0.0, |f| f.force_n(pressure_mpa, direction)))
+    Ok(force_n + friction_n(model, workspace, (pressure_mpa, contraction), direction)?)
 }
 
 /// K = ∂F/∂L in N/mm of a response: the model's, or by differences of its pull where it does not state it.
@@ -89,7 +113,14 @@ pub fn source_of<M: ForceModel + ?Sized>(model: &M, direction: Direction) -> Str
         (_, Direction::Contraction) => "branch of shortening",
         (_, Direction::Elongation) => "branch of lengthening",
     };
-    format!("{}; braid friction C·P^β (Tondu 2012), {branch}", model.source())
+    let friction = match friction(model, direction) {
+        Some(f) if f.lever_mm > 0.0 && f.coefficient > 0.0 => {
+            "C·P^β (Tondu 2012) and of the strands' contact"
+        }
+        Some(f) if f.lever_mm > 0.0 => "of the strands' contact",
+        _ => "C·P^β (Tondu 2012)",
+    };
+    format!("{}; braid friction {friction}, {branch}", model.source())
 }
 
 #[cfg(test)]
@@ -101,7 +132,7 @@ mod tests {
     #[test]
     fn the_branches_lie_on_both_sides_of_the_mean() {
         let m = Muscle::prototype();
-        let friction = Friction { coefficient: 40.0, exponent: 0.7 };
+        let friction = Friction::power_law(40.0, 0.7);
         let m = m.with_friction(Some(friction)).unwrap();
         let (model, w) = (Ideal::new(&m), &mut Workspace::new());
         let (p, e, h) = (0.2, 0.1, 1e-6);
@@ -115,5 +146,34 @@ mod tests {
             let slope = (force(p + h) - force(p - h)) / (2.0 * h);
             assert!((slope / response.force_per_pressure_mm2.unwrap() - 1.0).abs() < 1e-6);
         }
+    }
+
+    /// Rigid strands, no rubber to speak of: pc = P, G = (4π/3) P r cotθ; slopes by differences.
+    #[test]
+    fn friction_from_contact_has_the_half_width_of_an_infinitely_long_muscle() {
+        use crate::model::ThickWall;
+        use crate::muscle::{Braid, BraidStiffness, Rubber, Tube};
+        use crate::rubber::{Law, NeoHookean};
+        let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 1e-9 }));
+        let m = Muscle::prototype();
+        let m = m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
+        let braid = Braid { stiffness: BraidStiffness::Inextensible, ..m.braid().clone() };
+        let friction = Friction { coefficient: 0.0, exponent: 0.0, lever_mm: 0.7 };
+        let m = m.with_braid(braid).unwrap().with_friction(Some(friction)).unwrap();
+        let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
+        for (p, e) in [(0.2, 0.0), (0.3, 0.2)] {
+            let cos = (1.0 - e) * 28f64.to_radians().cos();
+            let sin = (1.0 - cos * cos).sqrt();
+            let r = 15.0 * sin / 28f64.to_radians().sin();
+            let half = 0.7 * 4.0 * std::f64::consts::PI / 3.0 * p * r * cos / sin;
+            let mut at = |p: f64, d: Direction| force_on(&model, w, p, e, d).unwrap();
+            let loop_n = at(p, Direction::Elongation) - at(p, Direction::Contraction);
+            assert!((loop_n / (2.0 * half) - 1.0).abs() < 1e-6, "{loop_n} {half}");
+            let h = 1e-6;
+            let slope = (at(p + h, Direction::Contraction) - at(p - h, Direction::Contraction)) / (2.0 * h);
+            let response = response_on(&model, w, p, e, Direction::Contraction).unwrap();
+            assert!((slope / response.force_per_pressure_mm2.unwrap() - 1.0).abs() < 1e-6);
+        }
+        assert!(source_of(&model, Direction::Contraction).contains("strands' contact"));
     }
 }

@@ -52,6 +52,7 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
         Target::Seating => muscle.terminals().seating_mm?,
         Target::EndFactor => muscle.terminals().end_factor.map_or(1.0, |k| k.at(0.0)),
         Target::FrictionCoefficient => friction?.coefficient,
+        Target::FrictionLever => Some(friction?.lever_mm).filter(|l| *l > 0.0)?,
         Target::FrictionExponent => friction.map_or(FRICTION_EXPONENT, |f| f.exponent),
         Target::ContractionOffset => 0.0,
     })
@@ -92,13 +93,12 @@ impl Candidate {
                 Target::Length => tube.length_mm = v,
                 Target::Seating => terminals.seating_mm = Some(v),
                 Target::EndFactor => terminals.end_factor = Some(EndFactor::Constant(v)),
-                Target::FrictionCoefficient | Target::FrictionExponent => {
-                    let mut f =
-                        friction.unwrap_or(Friction { coefficient: 0.0, exponent: FRICTION_EXPONENT });
-                    if target == Target::FrictionCoefficient {
-                        f.coefficient = v;
-                    } else {
-                        f.exponent = v;
+                Target::FrictionCoefficient | Target::FrictionExponent | Target::FrictionLever => {
+                    let mut f = friction.unwrap_or(Friction::power_law(0.0, FRICTION_EXPONENT));
+                    match target {
+                        Target::FrictionCoefficient => f.coefficient = v,
+                        Target::FrictionLever => f.lever_mm = v,
+                        _ => f.exponent = v,
                     }
                     friction = Some(f);
                 }

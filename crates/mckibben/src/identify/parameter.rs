@@ -39,17 +39,19 @@ pub enum Target {
     FrictionCoefficient,
     /// β of it.
     FrictionExponent,
+    /// μw of friction from contact.
+    FrictionLever,
     /// What must be added to the contractions of the data: their zero is not the length at rest.
     ContractionOffset,
 }
 
 use Target::{
-    Angle, ContractionOffset, Crimp, EndFactor, FrictionCoefficient, FrictionExponent, Law, Length, Modulus,
-    OuterDiameter, Seating, SleeveDiameter, Stiffness, StiffnessExponent, Thickness, Wall,
+    Angle, ContractionOffset, Crimp, EndFactor, FrictionCoefficient, FrictionExponent, FrictionLever, Law,
+    Length, Modulus, OuterDiameter, Seating, SleeveDiameter, Stiffness, StiffnessExponent, Thickness, Wall,
 };
 
 /// Names that do not depend on the law; some have a second spelling.
-const NAMES: [(&str, Target); 21] = [
+const NAMES: [(&str, Target); 22] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
@@ -68,6 +70,7 @@ const NAMES: [(&str, Target); 21] = [
     ("friction.c", FrictionCoefficient),
     ("friction.exponent", FrictionExponent),
     ("friction.beta", FrictionExponent),
+    ("friction.lever", FrictionLever),
     ("contraction_offset", ContractionOffset),
     ("stiffness", Stiffness),
     ("end-factor", EndFactor),
@@ -167,7 +170,7 @@ impl Target {
             Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
             Stiffness => "N/mm",
             Angle => "deg",
-            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter => "mm",
+            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter | FrictionLever => "mm",
             FrictionCoefficient => "N/MPa^β",
             _ => "",
         }
@@ -178,7 +181,9 @@ impl Target {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
             Angle => Dimension::Angle,
-            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter => Dimension::Length,
+            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter | FrictionLever => {
+                Dimension::Length
+            }
             _ => Dimension::Ratio,
         }
     }

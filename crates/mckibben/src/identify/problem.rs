@@ -227,6 +227,10 @@ impl<'a, B: Build> Problem<'a, B> {
         if follows && self.free.iter().any(|t| t.is_geometry()) {
             return false;
         }
+        // Friction from contact depends on all that is sought.
+        if candidate.muscle().friction().is_some_and(|f| f.lever_mm > 0.0) {
+            return false;
+        }
         let names = self.names(&candidate);
         let probe = || {
             let point = self.points.first()?;
@@ -266,6 +270,7 @@ impl<'a, B: Build> Problem<'a, B> {
                 }
                 Target::FrictionCoefficient
                 | Target::FrictionExponent
+                | Target::FrictionLever
                 | Target::ContractionOffset
                 | Target::Seating => {}
                 other => add(other.name(muscle)),
@@ -317,7 +322,8 @@ impl<'a, B: Build> Problem<'a, B> {
             Target::FrictionExponent if p > 0.0 => {
                 friction.map_or(0.0, |f| sign * f.coefficient * p.powf(f.exponent) * p.ln())
             }
-            Target::FrictionCoefficient | Target::FrictionExponent => 0.0,
+            // Its contact changes with everything: differences are taken.
+            Target::FrictionCoefficient | Target::FrictionExponent | Target::FrictionLever => 0.0,
             // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
             Target::ContractionOffset => here.by_contraction,
             // F₀(P, ε + δ/L0).

@@ -70,6 +70,7 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
             }
             // Inside of its bounds, and small beside the muscle.
             Target::Seating => Some(2e-3 * muscle.length_mm()),
+            Target::FrictionLever => Some(1.0),
             Target::Thickness => Some(0.02 * muscle.outer_diameter_mm()),
             Target::SleeveDiameter => Some(1.01 * muscle.outer_diameter_mm()),
             Target::Crimp => Some(0.005),

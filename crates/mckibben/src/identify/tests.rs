@@ -124,7 +124,7 @@ fn values(m: &Muscle, names: &[&str], points: &[DataPoint]) -> Vec<f64> {
 #[test]
 fn known_constants_come_back_from_exact_points() {
     let yeoh = Law::Yeoh(Yeoh { c10_mpa: 0.15, c20_mpa: 0.01, c30_mpa: 0.0 });
-    let rubbing = Friction { coefficient: 25.0, exponent: 0.7 };
+    let rubbing = Friction::power_law(25.0, 0.7);
     let with = |m: &Muscle| {
         let (tube, braid) = (m.tube().clone(), m.braid().clone());
         Muscle::new(tube, braid, m.terminals().clone(), Some(rubbing)).unwrap()

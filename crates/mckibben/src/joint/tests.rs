@@ -58,7 +58,7 @@ fn a_muscle_beyond_its_free_contraction_hangs_slack() {
 
 #[test]
 fn friction_lies_on_both_sides_of_the_mean() {
-    let friction = crate::muscle::Friction { coefficient: 40.0, exponent: 0.7 };
+    let friction = crate::muscle::Friction::power_law(40.0, 0.7);
     let muscles = [25.0, -25.0].map(|radius_mm| JointMuscle {
         muscle: Muscle::prototype().with_friction(Some(friction)).unwrap(),
         path: Path::Pulley { radius_mm },

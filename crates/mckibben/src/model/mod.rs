@@ -114,6 +114,20 @@ pub trait ForceModel: Send + Sync {
         strands_on_the_tube(self.name(), self.muscle()).into_iter().collect()
     }
 
+    /// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction ratio: what friction of their crossings
+    /// makes of μw ([`Friction`](crate::muscle::Friction)). Of the infinitely long muscle, where the model has no contact of its own.
+    ///
+    /// # Errors
+    /// [`ModelError`] where there is no answer.
+    fn pivoting_n_per_mm(
+        &self,
+        _: &mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<f64, ModelError> {
+        ThickWall::new(self.muscle()).pivoting(pressure_mpa, contraction)
+    }
+
     /// Everything it knows at a pressure in MPa and a contraction ratio; does not look at [`ForceModel::range`].
     ///
     /// # Errors

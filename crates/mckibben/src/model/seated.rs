@@ -129,6 +129,10 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
         names.iter().map(one).collect::<Option<Vec<f64>>>().map(Ok)
     }
 
+    fn pivoting_n_per_mm(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<f64, ModelError> {
+        self.inner.pivoting_n_per_mm(workspace, p, self.between(e)).map_err(|error| self.told(error))
+    }
+
     fn exact_pressure(&self, force_n: f64, e: f64) -> Option<f64> {
         self.inner.exact_pressure(force_n, self.between(e))
     }

@@ -122,6 +122,18 @@ impl ThickWall {
         Ok(pressure_mpa - w.r / (2.0 * PI * s.r * l))
     }
 
+    /// G of the strands' contact in N/mm: (4π/3) pc r cotθ for strands that do not stretch.
+    pub(super) fn pivoting(&self, pressure_mpa: f64, contraction: f64) -> Result<f64, ModelError> {
+        let (l, _, _) = self.stretch(pressure_mpa, contraction);
+        let s = self.state(pressure_mpa, l)?;
+        let (rb, stretch) = (s.r + self.offset, 1.0 + s.strain);
+        let (sin, cos) = (self.sin2.sqrt() * rb / (self.rs * stretch), self.cos2.sqrt() * l / stretch);
+        // pc dA per length at rest, both families: 2 q λf sin²θ/rb · 2π Rs, N·T = 4π Rs cosθ0 q.
+        let pressed = s.tension / self.cos2.sqrt() * stretch * sin * sin / rb;
+        let turning = sin * cos * (s.r_by[0] / rb - 1.0 / l);
+        Ok(2.0 / 3.0 * pressed * turning.abs())
+    }
+
     /// λ = 1 − kε with the end factor of the terminals, dλ/dε, dλ/dP.
     fn stretch(&self, p: f64, contraction: f64) -> (f64, f64, f64) {
         match self.muscle.terminals().end_factor {

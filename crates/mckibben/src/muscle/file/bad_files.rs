@@ -187,6 +187,26 @@ const BAD: &[(&str, usize, &str)] = &[
     ("[braid]\nstrand_strength = \"40 N\"", 2, "braid.strand_strength = \"40 N\": needs braid.strands"),
     ("[braid]\nstrand_length = 340", 2, "braid.turns is missing; a strand measured on the muscle has both"),
     ("[braid]\nturns = 2", 2, "braid.strand_length is missing"),
+    ("[braid]\nthickness = -0.3", 2, "braid.thickness = -0.3: is -0.3 mm; it must not be below zero"),
+    (
+        "[braid]\nthickness = 40",
+        2,
+        "it must be below the tube's outer diameter of 30 mm (both layers of strands",
+    ),
+    (
+        "[braid]\ndiameter = 29",
+        2,
+        "braid.diameter = 29: is 29 mm, but the tube has an outer diameter of 30 mm",
+    ),
+    ("[braid]\ncrimp = 0", 2, "braid.crimp = 0: is 0; it must be above zero"),
+    ("[braid]\ncrimp_stiffness = 0.1", 2, "braid.crimp is missing"),
+    (
+        "[braid]\ncrimp = \"1%\"\ncrimp_stiffness = 1.1",
+        3,
+        "the share of the strands' stiffness that they have before they are straight",
+    ),
+    ("[braid]\nstiffness = \"inextensible\"\ncrimp = \"1%\"", 3, "needs strands with a stiffness"),
+    ("[friction]\nlever = -1", 2, "friction.lever = -1: is -1 mm; it must not be below zero"),
     // A named sleeve.
     (
         "[braid]\nname = \"nfl-18\"",

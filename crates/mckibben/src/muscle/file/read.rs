@@ -13,7 +13,7 @@ const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", 
 /// The two factors belong to a model; these are their keys of before.
 const TERMINALS: &[&str] = &["insertion", "seating", "end_factor", "cone_factor"];
 const MODELS: &[&str] = &["tondu-lopez", "conical-ends"];
-const FRICTION: &[&str] = &["coefficient", "exponent"];
+const FRICTION: &[&str] = &["coefficient", "exponent", "lever"];
 
 /// Every key of a muscle file, dotted; tells a key in the wrong table from one that means nothing anywhere.
 pub(super) static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
@@ -59,6 +59,7 @@ const KEYS: &[&str] = &[
     "model.conical-ends.cone_factor",
     "friction.coefficient",
     "friction.exponent",
+    "friction.lever",
 ];
 
 /// Reads the text of a muscle file.
@@ -155,9 +156,11 @@ fn end_factor(section: &Section<'_>, path: &'static str) -> Result<Option<EndFac
 fn friction(section: &Section<'_>) -> Result<Option<Friction>, FileError> {
     section.only(FRICTION, &ALL)?;
     let needs = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
+    let lever = section.quantity("lever", Dimension::Length)?;
+    let lever_mm = lever.unwrap_or(0.0);
     match (section.number("coefficient")?, section.number("exponent")?) {
-        (None, None) => Ok(None),
-        (Some(coefficient), Some(exponent)) => Ok(Some(Friction { coefficient, exponent })),
+        (None, None) => Ok(lever.map(|lever_mm| Friction { lever_mm, ..Friction::power_law(0.0, 0.0) })),
+        (Some(coefficient), Some(exponent)) => Ok(Some(Friction { coefficient, exponent, lever_mm })),
         (Some(_), None) => Err(section.missing("exponent", Some("coefficient"), needs)),
         (None, Some(_)) => Err(section.missing("coefficient", Some("exponent"), needs)),
     }

@@ -98,11 +98,11 @@ prop_compose! {
             (-0.4..2.0, 0.5..2.0).prop_map(|(a, b)| EndFactor::OfPressure { a, b }),
         ]),
         cone_factor in prop::option::of(0.0..0.3),
-        friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0))),
+        friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)])),
     ) -> Muscle {
         let tube = Tube { outer_diameter_mm, wall_mm: share * outer_diameter_mm / 2.0, length_mm, rubber };
         let terminals = Terminals { insertion_mm, seating_mm, end_factor, cone_factor };
-        let friction = friction.map(|(coefficient, exponent)| Friction { coefficient, exponent });
+        let friction = friction.map(|(coefficient, exponent, lever_mm)| Friction { coefficient, exponent, lever_mm });
         Muscle::new(tube, braid, terminals, friction).unwrap()
     }
 }
@@ -198,7 +198,7 @@ fn every_key_is_understood() {
         cone_factor: Some(0.0),
     };
     assert_eq!(muscle.terminals(), &terminals);
-    assert_eq!(muscle.friction(), Some(&Friction { coefficient: 61.0, exponent: 0.57 }));
+    assert_eq!(muscle.friction(), Some(&Friction::power_law(61.0, 0.57)));
     // A count beside a stiffness only informs; dotted keys and inline tables are TOML like any other.
     let muscle = parse_muscle("braid.stiffness = \"inextensible\"\nbraid.strands = 96\n").unwrap();
     assert_eq!(muscle.braid().stiffness, BraidStiffness::Inextensible);

@@ -33,12 +33,15 @@ pub fn to_toml(muscle: &Muscle) -> String {
     }
     if let Some(friction) = muscle.friction() {
         out.table("friction");
-        out.key(
-            "coefficient",
-            &number(friction.coefficient),
-            "C in N/MPa^β: half-width C·P^β of the hysteresis",
-        );
-        out.key("exponent", &number(friction.exponent), "β");
+        if friction.coefficient > 0.0 || friction.exponent > 0.0 || friction.lever_mm == 0.0 {
+            let comment = "C in N/MPa^β: half-width C·P^β of the hysteresis";
+            out.key("coefficient", &number(friction.coefficient), comment);
+            out.key("exponent", &number(friction.exponent), "β");
+        }
+        if friction.lever_mm > 0.0 {
+            let comment = "μw: coefficient of friction times lever of the strands' crossings";
+            out.key("lever", &quantity(friction.lever_mm, "mm"), comment);
+        }
     }
     if muscle.terminals().end_factor.is_some() {
         out.table("model.tondu-lopez");
