@@ -13,8 +13,8 @@ use crate::words::number;
 use mckibben::answer::Options;
 use mckibben::budget::Resource;
 use mckibben::identify::{
-    Fitted, Identification, Identified, IdentifyError, Parameter, ParameterError, Request, Spread, Target,
-    identify_default, identify_with,
+    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Spread,
+    Target, identify_default, identify_with, try_laws,
 };
 use mckibben::least_squares::{EstimateError, Loss};
 use mckibben::measured::{
@@ -71,6 +71,8 @@ pub struct IdentifyRequest {
     pub bounds: Vec<String>,
     /// How residuals count.
     pub loss: LossWord,
+    /// Every law of the rubber is tried, with all of its constants free beside what else is.
+    pub laws: bool,
     /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
@@ -134,6 +136,9 @@ pub struct IdentifyAnswer {
     pub muscle_file: String,
     /// The points, with what the model makes of them.
     pub points: Vec<IdentifiedPoint>,
+    /// What the points say of each law of the rubber, the one that they prefer first; empty where it was not asked.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub laws: Vec<LawRow>,
     /// What does not fit together, is not identifiable, or should be measured.
     pub warnings: Vec<String>,
     /// The figure, where it was asked for.
@@ -142,6 +147,52 @@ pub struct IdentifyAnswer {
     /// What was found, muscle and all.
     #[serde(skip)]
     pub found: Identification,
+}
+
+/// What the points say of a law of the rubber.
+#[derive(Debug, Clone, Serialize, JsonSchema)]
+pub struct LawRow {
+    /// The law.
+    pub law: String,
+    /// What was free, with its value and error.
+    pub parameters: Vec<Identified>,
+    /// Root mean square of the residuals, N.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rms_n: Option<f64>,
+    /// AICc less that of the preferred law: 10 is decided where the errors of the points are independent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub aicc_difference: Option<f64>,
+    /// Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1 where it does not.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub neighbour_correlation: Option<f64>,
+    /// What makes its constants implausible, or why there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<String>,
+}
+
+impl LawRow {
+    fn of(trial: LawTrial, best: f64) -> Self {
+        let LawTrial { law, found, aicc, neighbours, doubt } = trial;
+        let law = law.to_owned();
+        match found {
+            Ok(found) => Self {
+                law,
+                rms_n: Some(found.rms_n),
+                aicc_difference: Some(aicc - best),
+                neighbour_correlation: Some(neighbours),
+                parameters: found.parameters,
+                doubt,
+            },
+            Err(error) => Self {
+                law,
+                parameters: vec![],
+                rms_n: None,
+                aicc_difference: None,
+                neighbour_correlation: None,
+                doubt: Some(error.to_string()),
+            },
+        }
+    }
 }
 
 /// A point, with what the model makes of it.
@@ -233,6 +284,18 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     } else {
         identify_with(&asked, build, progress)?
     };
+    let laws = if request.laws {
+        let sought: Vec<Parameter> = found
+            .parameters
+            .iter()
+            .map(|p| free.iter().find(|q| q.target == p.target).copied().unwrap_or(Parameter::free(p.target)))
+            .collect();
+        let trials = try_laws(&Request { free: &sought, ..asked }, build, progress)?;
+        let best = trials.first().map_or(0.0, |t| t.aicc);
+        trials.into_iter().map(|t| LawRow::of(t, best)).collect()
+    } else {
+        vec![]
+    };
     // Constants that were found hold for the stretches of the points; those that were kept for those of their data.
     let kept = found.muscle.tube().rubber == muscle.tube().rubber;
     let beyond = if kept { beyond_data(&found, &model) } else { None };
@@ -258,6 +321,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         slack_points: found.slack.len(),
         muscle: summary,
         points: found.points.iter().map(IdentifiedPoint::from).collect(),
+        laws,
         warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
         figure,
         found,

@@ -99,6 +99,9 @@ pub struct IdentifyArgs {
         help_heading = "Parameters"
     )]
     pub bounds: Vec<String>,
+    /// Try every law of the rubber with its constants free, and say which the points prefer
+    #[arg(long, help_heading = "Parameters")]
+    pub laws: bool,
     /// How residuals count
     #[arg(long, value_parser = word::<LossWord>(), default_value = "squares", help_heading = "Parameters")]
     pub loss: LossWord,
@@ -184,6 +187,7 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
         free: args.free.clone(),
         fix: args.fix.clone(),
         bounds: args.bounds.clone(),
+        laws: args.laws,
         loss: if args.robust { LossWord::Huber } else { args.loss },
         figure: args.plot.plot.as_ref().map(|_| units(args)),
     })

@@ -9,6 +9,7 @@
 mod advice;
 mod candidate;
 mod error;
+mod laws;
 mod parameter;
 mod problem;
 mod result;
@@ -18,6 +19,7 @@ mod unasked;
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
 pub use candidate::{Candidate, own_value};
 pub use error::IdentifyError;
+pub use laws::{LawTrial, try_laws};
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
 pub use result::{Fitted, Identification, Identified, Spread};

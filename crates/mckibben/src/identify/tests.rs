@@ -437,3 +437,46 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     };
     assert!(told(&noisy(&points[..PLACES.len()], 0.5, 3)) && !told(&points));
 }
+
+/// Points of a Gent muscle, rounded to 0.1 N: the law that made them is preferred, its constants come back, and the errors of neighbours are
+/// independent with it alone.
+#[test]
+fn of_all_laws_the_points_prefer_the_one_that_made_them() {
+    use crate::rubber::Gent;
+    let m = soft();
+    let law = |law: Law| {
+        let tube = m.tube().clone();
+        m.with_tube(Tube { rubber: Rubber::of(law), ..tube }).unwrap()
+    };
+    let truth = law(Law::Gent(Gent { mu_mpa: 0.35, jm: 6.0 }));
+    let model = ThickWall::new(&truth);
+    let mut points = vec![];
+    for pressure_mpa in [0.1, 0.2, 0.3, 0.4] {
+        for i in 0..12 {
+            let contraction = 0.02 * f64::from(i);
+            let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, contraction).unwrap();
+            let force_n = 0.1 * (10.0 * force_n).round();
+            let branch = Direction::Mean;
+            points.push(DataPoint::of(MeasuredPoint { pressure_mpa, contraction, force_n, branch }));
+        }
+    }
+    let free = [Parameter::free(Target::Modulus)];
+    let (muscle, loss) = (&m, Loss::Squares);
+    let request = Request { muscle, free: &free, fixed: &[], points: &points, loss, two_sided: false };
+    let build = |m: &Muscle| Ok(Box::new(ThickWall::new(m)) as Box<dyn ForceModel>);
+    let trials = try_laws(&request, build, &crate::progress::Silent).unwrap();
+    assert_eq!(trials.len(), Law::KINDS.iter().filter(|k| !k.is_sum).count());
+    let best = &trials[0];
+    assert_eq!(best.law, "gent");
+    let found = best.found.as_ref().unwrap();
+    assert!((found.parameters[0].value - 0.35).abs() < found.parameters[0].half_width);
+    assert!((found.parameters[1].value - 6.0).abs() < found.parameters[1].half_width);
+    let plain = trials.iter().find(|t| t.law == "neo-hookean").unwrap();
+    assert!(
+        best.neighbours.abs() < 0.4 && plain.neighbours > 0.8,
+        "{} {}",
+        best.neighbours,
+        plain.neighbours
+    );
+    assert!(plain.aicc - best.aicc > 100.0);
+}

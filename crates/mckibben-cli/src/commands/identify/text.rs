@@ -53,11 +53,46 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
             force(s.mean_n)
         ));
     }
+    if !answer.laws.is_empty() {
+        out.push_str(&laws(answer, &force));
+    }
     if !answer.warnings.is_empty() {
         out.push('\n');
     }
     for note in &answer.warnings {
         out.push_str(&format!("- {note}\n"));
+    }
+    out
+}
+
+/// Law by law, the preferred one first.
+fn laws(answer: &IdentifyAnswer, force: &dyn Fn(f64) -> String) -> String {
+    let header = ["law", "constants", "rms", "ΔAICc", "neighbours"];
+    let dash = || "–".to_owned();
+    let rows = answer.laws.iter().map(|row| {
+        let constants = row.parameters.iter().filter_map(|p| {
+            let name = p.name.strip_prefix("tube.material.")?;
+            let (value, bar) = with_error_bar(p);
+            Some(format!("{name} {value} ± {bar}"))
+        });
+        vec![
+            row.law.clone(),
+            constants.collect::<Vec<_>>().join(", "),
+            row.rms_n.map_or_else(dash, force),
+            row.aicc_difference.map_or_else(dash, |d| format!("{d:.0}")),
+            row.neighbour_correlation.map_or_else(dash, |r| format!("{r:.2}")),
+        ]
+    });
+    let mut out = format!("\n{}", table(&header, rows.collect()));
+    for row in &answer.laws {
+        if let Some(doubt) = &row.doubt {
+            out.push_str(&format!("  {}: {doubt}\n", row.law));
+        }
+    }
+    if answer.laws.iter().filter_map(|row| row.neighbour_correlation).any(|r| r > 0.5) {
+        out.push_str(
+            "  neighbouring points err together: differences of AICc decide less than they seem to\n",
+        );
     }
     out
 }
