@@ -47,7 +47,7 @@ DEFAULTS = {("curve", "test"): '"isobaric"', ("simulate", "test"): '"isobaric"',
 OWN_CLASS = {"curve": "Curve", "plan": "Plan", "design": "Design", "fit": "Fitted", "shape": "Shape", "identify": "Identification", "rubber-fit": "RubberFit"}
 # The list of an answer that is its table.
 ROWS = {
-    "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases", "compare": "models",
+    "simulate": "points", "design": "candidates", "joint": "points", "study": "points", "validate": "cases", "measured": "results", "compare": "models",
     "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "models": "models",
     "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "rubber-show": "fits",
 }
@@ -237,7 +237,7 @@ def signature(types: Types, command: str, request: dict[str, Any], method: bool)
 
 
 LONG = {
-    "design", "joint", "motion", "study", "simulate", "validate", "sweep", "compare", "identify", "fit", "fit-report", "plan", "rubber-fit",
+    "design", "joint", "motion", "study", "simulate", "validate", "measured", "sweep", "compare", "identify", "fit", "fit-report", "plan", "rubber-fit",
     "curve",
 }
 MUSCLE_FIELDS: list[str] = []

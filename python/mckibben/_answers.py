@@ -1737,6 +1737,145 @@ class MaterialSummary(Record):
     note: str | None
 
 
+class MeasuredBin(Record):
+    """What a fit leaves of points of about one contraction.
+
+    Attributes
+    ----------
+    from
+        From this contraction ratio,
+    to
+        to less than this.
+    points
+        How many points.
+    bias_n : N
+        Mean of measured less computed in N.
+    rms_n : N
+        Root mean square in N.
+    """
+
+    __slots__ = ()
+    _fields_ = ('from', 'to', 'points', 'bias_n', 'rms_n')
+    to: float
+    points: int
+    bias_n: float
+    rms_n: float
+
+
+class MeasuredCase(Record):
+    """A measured muscle.
+
+    Attributes
+    ----------
+    name
+        Name of its folder.
+    title
+        Which muscle.
+    source
+        Who measured it.
+    terms
+        On what terms the points may be used.
+    known
+        What is known of the muscle.
+    unknown
+        What is not.
+    points
+        Points that pull.
+    fits
+        What was fitted.
+    """
+
+    __slots__ = ()
+    _fields_ = ('name', 'title', 'source', 'terms', 'known', 'unknown', 'points', 'fits')
+    _nested_ = {'fits': 'MeasuredFit'}
+    name: str
+    title: str
+    source: str
+    terms: str
+    known: str
+    unknown: str
+    points: int
+    fits: list[MeasuredFit]
+
+
+class MeasuredFit(Record):
+    """What was fitted to which points, and what was found.
+
+    Attributes
+    ----------
+    fit
+        Its name.
+    fitted_to
+        Its points: `all`, `nothing`, or their lengths, pressures or contractions.
+    parameters
+        What was found, with its error.
+    """
+
+    __slots__ = ()
+    _fields_ = ('fit', 'fitted_to', 'parameters')
+    _nested_ = {'parameters': 'Identified'}
+    fit: str
+    fitted_to: str
+    parameters: list[Identified]
+
+
+class MeasuredResult(Record):
+    """What a fit leaves of some points: measured less computed.
+
+    Attributes
+    ----------
+    case
+        Name of the case's folder.
+    fit
+        Name of the fit.
+    fitted_to
+        The points it was fitted to.
+    of
+        The points that are compared.
+    blind
+        Whether nothing was fitted to them.
+    points
+        How many: means of the two branches of the hysteresis, and points without a branch.
+    rms_n : N
+        Root mean square of the differences in N.
+    largest_n : N
+        Largest difference in N.
+    bias_n : N
+        Mean of measured less computed in N.
+    rms_of_blocked
+        `rms_n` over the largest blocked force of these points.
+    held
+        Share of the points that the ± of `fe` holds; null where there are none.
+    branch_points
+        How many points of single branches there are.
+    branch_held
+        Share of these that the ± with its part for friction holds; null where there are none.
+    unanswered
+        Points without an answer of `fe`.
+    by_contraction
+        The same by contraction ratio.
+    """
+
+    __slots__ = ()
+    _fields_ = ('case', 'fit', 'fitted_to', 'of', 'blind', 'points', 'rms_n', 'largest_n', 'bias_n', 'rms_of_blocked', 'held', 'branch_points', 'branch_held', 'unanswered', 'by_contraction')
+    _nested_ = {'by_contraction': 'MeasuredBin'}
+    case: str
+    fit: str
+    fitted_to: str
+    of: str
+    blind: bool
+    points: int
+    rms_n: float
+    largest_n: float
+    bias_n: float
+    rms_of_blocked: float
+    held: float | None
+    branch_points: int
+    branch_held: float | None
+    unanswered: int
+    by_contraction: list[MeasuredBin]
+
+
 class ModeError(Record):
     """How well a law follows one of the tests.
 
@@ -4004,6 +4143,31 @@ class JointAnswer(Record):
     points: list[JointRow]
     map: JointMap | None
     warnings: list[str]
+    figure: Figure | None
+
+
+class MeasuredAnswer(Record):
+    """The dossiers of measured muscles.
+
+    Attributes
+    ----------
+    model
+        The model.
+    cases
+        The muscles.
+    results
+        What is left of their points, fit by fit.
+    figure
+        The figure, where it was asked for.
+    """
+
+    __slots__ = ()
+    _fields_ = ('model', 'cases', 'results', 'figure')
+    _nested_ = {'cases': 'MeasuredCase', 'results': 'MeasuredResult', 'figure': 'Figure'}
+    _rows_ = 'results'
+    model: str
+    cases: list[MeasuredCase]
+    results: list[MeasuredResult]
     figure: Figure | None
 
 

@@ -976,6 +976,36 @@ def joint(
     return answered("joint", {"joint": joint, "muscles": muscles, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "angles_deg": angles_deg, "torque_nm": torque_nm, "stiffness_nm_per_rad": stiffness_nm_per_rad, "max_pressure_mpa": max_pressure_mpa, "map": map, "extrapolate": extrapolate, "figure": figure}, "JointAnswer", progress)  # type: ignore[no-any-return]
 
 
+def measured(
+    *,
+    cases: Sequence[dict[str, Any]] | None = None,
+    figure: str | None = None,
+    progress: Progress = None,
+) -> _answers.MeasuredAnswer:
+    """Measured muscles, each with what is known of it and what is to be fitted.
+
+    Parameters
+    ----------
+    cases
+        The folders of the muscles; those that are built in where there are none.
+    figure
+        The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    progress
+        True for a progress bar (tqdm, where it is installed), or a function that is called with (done, total).
+
+    Returns
+    -------
+    MeasuredAnswer
+        The dossiers of measured muscles.
+
+    Raises
+    ------
+    MckibbenError
+        One of its classes says why there is no answer.
+    """
+    return answered("measured", {"cases": cases, "figure": figure}, "MeasuredAnswer", progress)  # type: ignore[no-any-return]
+
+
 def models(
     model: str | Formula | None = None,
 ) -> _answers.ModelsAnswer:
@@ -2414,4 +2444,4 @@ class MuscleCommands:
         return answered("study", {"muscle": self, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
 
 
-__all__ = ["braid_list", "braid_show", "compare", "contraction", "curve", "design", "fit_report", "fit", "force", "formula_show", "identify", "joint", "models", "motion", "muscle_show", "plan", "pressure", "rubber_fit", "rubber_list", "rubber_show", "shape", "simulate", "study", "sweep", "units", "validate"]
+__all__ = ["braid_list", "braid_show", "compare", "contraction", "curve", "design", "fit_report", "fit", "force", "formula_show", "identify", "joint", "measured", "models", "motion", "muscle_show", "plan", "pressure", "rubber_fit", "rubber_list", "rubber_show", "shape", "simulate", "study", "sweep", "units", "validate"]

@@ -32,6 +32,15 @@ tube.wall_thickness = "1 mm"
 contractions = "0..0.1:0.1"
 pressures = "0.1..0.2:0.1 MPa"
 """
+
+
+def bench(root: Path) -> dict[str, str]:
+    """The files of a measured muscle."""
+    folder = root / "examples/measured/bench"
+    files = {"case": "case.toml", "muscle": "muscle.toml", "points": "points.csv"}
+    return {"name": "bench", **{name: (folder / file).read_text("utf-8") for name, file in files.items()}}
+
+
 # A call for every command of the package; `root` is the repository.
 CALLS: dict[str, Callable[[Path], Any]] = {
     "braid_list": lambda root: mk.braid_list(),
@@ -46,6 +55,7 @@ CALLS: dict[str, Callable[[Path], Any]] = {
     "formula_show": lambda root: mk.formula_show(mk.fit(root / "data/campaign/paper.csv").formula),
     "identify": lambda root: mk.identify(root / "examples/bench.toml", root / "examples/bench.csv", model="thick-wall"),
     "joint": lambda root: mk.joint(root / "examples/elbow.toml", pressures_mpa=[[0.2, 0.1]], angles_deg=[0.0, 10.0], model="universal"),
+    "measured": lambda root: mk.measured(cases=[bench(root)]),
     "models": lambda root: mk.models(),
     "motion": lambda root: mk.motion(root / "examples/drive.toml", model="universal"),
     "muscle_show": lambda root: mk.muscle_show(**MUSCLE, model="ideal"),

@@ -53,6 +53,7 @@ const FIGURES: [(&str, &str); 14] = [
     ("elbow-step.svg", "motion examples/forearm-drive.toml"),
     ("rubber-treloar.svg", "rubber fit data/treloar/tension.csv --up-to 3"),
     ("rubber-silicone.svg", "rubber fit data/silicones/dragon_skin_30.csv --up-to 200%"),
+    ("measured.svg", "validate --measured"),
     ("identify_bench.svg", "identify examples/bench.toml --data examples/bench.csv"),
     (
         "identify_tondu2012.svg",

@@ -39,6 +39,7 @@ mod identify;
 mod joint;
 mod load;
 mod many;
+mod measured;
 mod model;
 mod models;
 mod motion;
@@ -82,6 +83,7 @@ pub use many::{
     curve_columns, with_parameters,
 };
 pub use mckibben_motion::{Event, Subject};
+pub use measured::*;
 pub use model::{Model, ModelEntry, Purpose};
 pub use models::*;
 pub use motion::*;

@@ -3,11 +3,11 @@
 //! `cargo run --release -p mckibben-fem --example calibration`
 
 use mckibben::progress::Silent;
+use mckibben_fem::validation::case::CASES;
 use mckibben_fem::validation::coverage::residuals;
-use mckibben_fem::validation::sets::SETS;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    for set in &SETS {
+    for set in CASES.iter() {
         let all = residuals(set, &Silent)?;
         for mean in [true, false] {
             let list: Vec<_> = all.iter().filter(|r| r.branch.is_mean() == mean).collect();
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
             println!(
                 "{} ({}), {} points",
-                set.name,
+                set.title,
                 if mean { "mean" } else { "single branches" },
                 list.len()
             );

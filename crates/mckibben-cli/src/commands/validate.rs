@@ -1,16 +1,20 @@
 //! `validate`: verification and validation, each with its table.
 
+mod measured;
+
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::{Format, OutputFlags};
+use crate::flags::{Format, OutputFlags, PlotFlag};
 use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
 use crate::progress::Bar;
 use clap::Args;
-use mckibben_app::{Case, CaseKind, CaseMeasure, SweepAnswer, SweepRequest, ValidateRequest};
+use mckibben_app::{Case, CaseKind, CaseMeasure, ProblemKind, SweepAnswer, SweepRequest, ValidateRequest};
+use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
   mckibben validate
-  mckibben validate --sweep 50";
+  mckibben validate --sweep 50
+  mckibben validate --measured --only dmsp-20-300";
 
 /// `validate`.
 #[derive(Debug, Args)]
@@ -24,6 +28,14 @@ pub struct ValidateArgs {
     /// Seed of the random muscles
     #[arg(long, default_value_t = 1, requires = "sweep")]
     pub seed: u64,
+    /// Instead: what is known of each measured muscle, what was fitted, and what fe leaves of its points, blind predictions apart; of the muscles in DIR, a folder each, or of those built in
+    #[arg(long, value_name = "DIR", num_args = 0..=1, conflicts_with_all = ["sweep", "all"])]
+    pub measured: Option<Option<PathBuf>>,
+    /// Of these folders only
+    #[arg(long, value_name = "NAME", value_delimiter = ',', requires = "measured")]
+    pub only: Vec<String>,
+    #[command(flatten)]
+    pub plot: PlotFlag,
     #[command(flatten)]
     pub output: OutputFlags,
 }
@@ -36,6 +48,17 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
         let answer = mckibben_app::sweep(&request, &Bar::new("muscles"))?;
         show(&answer, format, "", || sweep_text(&answer), path)?;
         return Ok(if answer.ok() { 0 } else { NO_ANSWER });
+    }
+    if let Some(folder) = &args.measured {
+        return measured::run(args, folder.as_deref(), format);
+    }
+    if args.plot.plot.is_some() {
+        let message = "--plot draws the measured muscles: it goes with --measured";
+        return Err(Failure::input(
+            ProblemKind::Usage,
+            message,
+            "mckibben validate --measured --plot FILE.svg",
+        ));
     }
     let answer = mckibben_app::validate(&ValidateRequest { all: args.all }, &Bar::new("groups of cases"))?;
     show(&answer, format, "cases", || as_text(&answer.cases), path)?;

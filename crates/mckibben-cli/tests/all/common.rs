@@ -81,6 +81,7 @@ fn schema_name(words: &[&str]) -> Option<String> {
     Some(match *first {
         "curve" if words.contains(&"--study") => "study".into(),
         "validate" if words.contains(&"--sweep") => "sweep".into(),
+        "validate" if words.contains(&"--measured") => "measured".into(),
         "muscle" | "rubber" | "braid" | "formula" => format!("{first}-{second}"),
         "campaign" if ["show", "merge"].contains(second) => format!("campaign-{second}"),
         "fit" if words.contains(&"--report") => "fit-report".into(),

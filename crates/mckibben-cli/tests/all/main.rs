@@ -14,6 +14,7 @@ mod formulas;
 mod fuzz_cli;
 mod identify;
 mod joint;
+mod measured;
 mod motion;
 mod rubber_fit;
 mod serve;

@@ -1,14 +1,14 @@
 //! How far the finite elements are from measured pulls, and what share of the measured points the ± covers.
 
-use super::sets::{MeasuredSet, SETS};
+use super::case::{CASES, Case};
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
 use crate::verification::{Kind, Measure, Row};
 use mckibben::budget::Exceeded;
-use mckibben::identify::{IdentifyError, Parameter, Request, identify_with};
+use mckibben::identify::{IdentifyError, Request, identify_with};
 use mckibben::least_squares::Loss;
 use mckibben::measured::{DataPoint, mean_of_data};
-use mckibben::model::{ForceModel, ModelError, Workspace};
+use mckibben::model::{ForceModel, ModelError, Workspace, seated};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::uncertainty::{measured_n, with_friction_n};
@@ -16,6 +16,8 @@ use mckibben::uncertainty::{measured_n, with_friction_n};
 /// One measured point beside what finite elements say of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Residual {
+    /// ε.
+    pub contraction: f64,
     /// ε over the ideal muscle's largest contraction.
     pub contraction_share: f64,
     /// (measured − computed) over the blocked force at the same pressure.
@@ -50,7 +52,7 @@ pub const COVERAGE: f64 = 0.95;
 /// [`FemError::Exceeded`] where the caller wanted it to end.
 pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     let mut rows = vec![];
-    for set in &SETS {
+    for set in CASES.iter() {
         let all = residuals(set, progress);
         if progress.cancelled() {
             return Err(FemError::Exceeded(Exceeded::Cancelled));
@@ -67,10 +69,10 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
             let what = if mean { "points" } else { "points of single branches" };
             let error = ours.map(|share| (COVERAGE - share).max(0.0));
             rows.push(Row {
-                name: format!("{}: {} {what} within the ± of fe", set.name, of.len()),
+                name: format!("{}: {} {what} within the ± of fe", set.title, of.len()),
                 kind: Kind::Validation,
                 measure: Measure::Share,
-                source: set.source,
+                source: &set.source,
                 reference: COVERAGE,
                 ours,
                 error,
@@ -83,65 +85,72 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
 }
 
 /// The rms of what a set's identified muscle leaves of the means of the branches, beside its largest blocked force.
-fn rms(set: &MeasuredSet, all: &[Residual]) -> Row {
+fn rms(set: &'static Case, all: &[Residual]) -> Row {
     let of: Vec<&Residual> = all.iter().filter(|r| r.branch.is_mean()).collect();
     let blocked_n = of.iter().map(|r| r.blocked_n).fold(0.0, f64::max);
     let squares: f64 = of.iter().map(|r| (r.of_blocked * r.blocked_n).powi(2)).sum();
     let ours = (!of.is_empty()).then(|| (squares / of.len() as f64).sqrt());
     let error = ours.map(|rms| rms / blocked_n);
-    let free = set.muscle().map(|m| set.free.iter().map(|t| t.name(&m)).collect::<Vec<_>>());
+    let fit = set.fits.first();
+    let free = fit.map(|f| f.free.iter().map(|p| p.target.name(&f.muscle)).collect::<Vec<_>>());
+    let tolerance = set.rms_of_blocked.unwrap_or(0.0);
     Row {
         name: format!(
             "{}: fe, {} points, {} identified",
-            set.name,
+            set.title,
             of.len(),
             free.unwrap_or_default().join(" and ")
         ),
         kind: Kind::Validation,
         measure: Measure::Rms,
-        source: set.source,
+        source: &set.source,
         reference: blocked_n,
         ours,
         error,
-        tolerance: set.rms_of_blocked,
-        ok: error.is_some_and(|e| e <= set.rms_of_blocked),
+        tolerance,
+        ok: error.is_some_and(|e| e <= tolerance),
     }
 }
 
-fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(Box::new(Axisymmetric::new(muscle)?))
+/// Finite elements, with ends that give way where the muscle says so.
+///
+/// # Errors
+/// [`ModelError`] of a muscle that they do not have.
+pub fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+    Ok(seated(Box::new(Axisymmetric::new(muscle)?)))
 }
 
-/// Identifies a muscle from the mean of its branches, and compares all its points with it.
+/// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.
 ///
 /// # Errors
 /// [`IdentifyError`].
-pub fn residuals(set: &MeasuredSet, progress: &dyn Progress) -> Result<Vec<Residual>, IdentifyError> {
-    let Some(muscle) = set.muscle() else { return Ok(vec![]) };
-    let points = set.points();
-    let mean = mean_of_data(&points);
-    let free: Vec<Parameter> = set.free.iter().copied().map(Parameter::free).collect();
+pub fn residuals(set: &Case, progress: &dyn Progress) -> Result<Vec<Residual>, IdentifyError> {
+    let Some(fit) = set.fits.first() else { return Ok(vec![]) };
+    let mean = mean_of_data(&set.points);
     let request = Request {
-        muscle: &muscle,
-        free: &free,
+        muscle: &fit.muscle,
+        free: &fit.free,
         fixed: &[],
         points: &mean,
         loss: Loss::Squares,
         two_sided: false,
     };
     let found = identify_with(&request, elements, progress)?.muscle;
-    let single = points.iter().filter(|p| p.at.branch != Direction::Mean);
-    let all: Vec<&DataPoint> = mean.iter().chain(single).collect();
+    let single = set.points.iter().filter(|p| p.at.branch != Direction::Mean);
+    // A point whose other branch is missing stands in both lists.
+    let mean = mean.iter().filter(|p| p.at.branch.is_mean());
+    let all: Vec<&DataPoint> = mean.chain(single).collect();
     Ok(all.into_iter().filter_map(|p| residual(&found, p)).collect())
 }
 
-fn residual(muscle: &Muscle, point: &DataPoint) -> Option<Residual> {
+pub(super) fn residual(muscle: &Muscle, point: &DataPoint) -> Option<Residual> {
     let muscle = point.section.apply(muscle).ok()?;
     let (model, w) = (elements(&muscle).ok()?, &mut Workspace::new());
     let pressure_mpa = point.at.pressure_mpa;
     let blocked_n = model.force_n(w, pressure_mpa, 0.0).ok()?;
     let force_n = model.force_n(w, pressure_mpa, point.at.contraction).ok()?;
     Some(Residual {
+        contraction: point.at.contraction,
         contraction_share: point.at.contraction / muscle.max_ideal_contraction(),
         of_blocked: (point.at.force_n - force_n.max(0.0)) / blocked_n,
         branch: point.at.branch,

@@ -4,11 +4,12 @@
 //! (2012) 225–253, Fig. 3: outer diameter 14 mm, wall about 0.49 mm, length 300 mm, rayon; the rubber is not stated, so that
 //! its modulus is fitted. Models are held against the mean of the two hysteresis branches. A row's reference is the
 //! largest measured force, its value the rms error in N, its error their ratio. Further rows do the same for every measured muscle
-//! ([`sets`]) with what is not stated of it identified from its own points, beside its blocked force, and say what share of its points
-//! the ± of the finite elements holds ([`coverage`]).
+//! ([`case`]) with what is not stated of it identified from its own points, beside its blocked force, and say what share of its points
+//! the ± of the finite elements holds ([`coverage`]); the dossier of each ([`dossier`]) tells them apart by fit, and what was predicted blind.
 
+pub mod case;
 pub mod coverage;
-pub mod sets;
+pub mod dossier;
 
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
@@ -25,7 +26,7 @@ use mckibben::progress::Progress;
 use mckibben::rubber::{Law, NeoHookean};
 
 const SOURCE: &str = "Tondu 2012 [tondu2012], Fig. 3, mean of the branches";
-const POINTS: &str = include_str!("../../data/tondu2012/static_force_20deg.csv");
+const POINTS: &str = include_str!("../../data/measured/tondu2012/points.csv");
 
 type Build = fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>;
 

@@ -1,20 +1,18 @@
 //! The measured muscles that the crate carries are those of the repository.
 
-use std::fs;
+use mckibben_fem::validation::case::built_in;
 use std::path::Path;
 
 #[test]
 fn the_crates_copies_are_the_files_in_data() {
-    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("data");
-    let repository = own.join("../../../data");
-    let mut compared = 0;
-    for folder in fs::read_dir(&own).unwrap().flatten().filter(|f| f.path().is_dir()) {
-        for file in fs::read_dir(folder.path()).unwrap().flatten() {
-            let path = file.path();
-            let theirs = repository.join(path.strip_prefix(&own).unwrap());
-            assert_eq!(fs::read(&path).unwrap(), fs::read(&theirs).unwrap(), "{}", theirs.display());
-            compared += 1;
-        }
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data");
+    for (name, original) in [
+        ("tondu2012", "tondu2012/static_force_20deg"),
+        ("dmsp-20-300", "martens_boblan_2017/DMSP-20-300"),
+        ("dmsp-10-250", "martens_boblan_2017/DMSP-10-250"),
+        ("dmsp-10-hose", "festo_dmsp10/force_map"),
+    ] {
+        let original = std::fs::read_to_string(repository.join(format!("{original}.csv"))).unwrap();
+        assert!(built_in().iter().any(|f| f.name == name && f.points == original), "{name}");
     }
-    assert_eq!(compared, 4);
 }
