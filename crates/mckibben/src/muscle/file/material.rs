@@ -5,11 +5,13 @@ use super::read::ALL;
 use super::source::{Section, WordOr};
 use crate::muscle::{Bulk, MuscleError, Rubber};
 use crate::nearest::nearest;
+use crate::rubber::over_time::OgdenRoxburgh;
 use crate::rubber::{Constant, Law, LawKind, NEEDS_ALL, foreign, library, one_of_all};
 use crate::units::Dimension;
 
 /// Keys beside the constants. `name` and `fitted_to_stretch` keep the origin of a fitted rubber.
-const COMMON: &[&str] = &["law", "bulk_modulus", "name", "fitted_to_stretch"];
+const COMMON: &[&str] = &["law", "bulk_modulus", "name", "fitted_to_stretch", "softening", "conditioned"];
+
 pub(super) fn read(tube: &Section<'_>) -> Result<Rubber, FileError> {
     let material = tube.section("material", "tube.material")?;
     let name = tube.text("rubber", "the name of a rubber in quotes, such as \"dragon-skin-30\"")?;
@@ -42,6 +44,8 @@ fn own(section: &Section<'_>) -> Result<Rubber, FileError> {
         law: law_of(section, kind)?,
         bulk: bulk(section)?,
         fitted_to_stretch: fitted_to_stretch(section)?,
+        softening: softening(section)?,
+        conditioned_mpa: section.quantity("conditioned", Dimension::Pressure)?,
     };
     // Constants that are written are those of this muscle, also where they are the library's for another one.
     if library::follows(&rubber) {
@@ -59,6 +63,20 @@ fn fitted_to_stretch(section: &Section<'_>) -> Result<Option<f64>, FileError> {
         }
         stretch => Ok(stretch),
     }
+}
+
+fn softening(section: &Section<'_>) -> Result<Option<OgdenRoxburgh>, FileError> {
+    let table = section.section("softening", "tube.material.softening")?;
+    if !table.is_written() {
+        return Ok(None);
+    }
+    table.only(&["r", "m", "beta"], &ALL)?;
+    let missing = |key| table.missing(key, None, "softening is { r = 1.5, m = \"0.05 MPa\", beta = 0.1 }");
+    Ok(Some(OgdenRoxburgh {
+        r: table.number("r")?.ok_or_else(|| missing("r"))?,
+        m_mpa: table.quantity("m", Dimension::Pressure)?.ok_or_else(|| missing("m"))?,
+        beta: table.number("beta")?.unwrap_or(0.0),
+    }))
 }
 
 fn law_of(section: &Section<'_>, kind: &LawKind) -> Result<Law, FileError> {

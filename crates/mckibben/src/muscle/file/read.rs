@@ -34,6 +34,8 @@ const KEYS: &[&str] = &[
     "tube.material.law",
     "tube.material.bulk_modulus",
     "tube.material.fitted_to_stretch",
+    "tube.material.softening",
+    "tube.material.conditioned",
     "braid.name",
     "braid.angle",
     "braid.stiffness",

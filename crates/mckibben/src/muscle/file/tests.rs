@@ -1,5 +1,6 @@
 use super::*;
 use crate::muscle::*;
+use crate::rubber::over_time::OgdenRoxburgh;
 use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh, library};
 use proptest::prelude::*;
 
@@ -36,8 +37,22 @@ fn rubber() -> impl Strategy<Value = Rubber> {
         .collect();
     let bulk = prop_oneof![Just(Bulk::Incompressible), number(1.0, 3000.0).prop_map(Bulk::Modulus)];
     let name = prop::option::of("[ -~äµ\n\"\\\\]{0,12}");
-    let own = (name, law(), bulk, prop::option::of(1.0..9.0))
-        .prop_map(|(name, law, bulk, fitted_to_stretch)| Rubber { name, law, bulk, fitted_to_stretch });
+    let softening = (1.0..9.0, number(1e-6, 0.5), number(0.0, 1.0))
+        .prop_map(|(r, m_mpa, beta)| OgdenRoxburgh { r, m_mpa, beta });
+    let memory = prop_oneof![
+        Just((None, None)),
+        (softening, prop::option::of(number(1e-3, 2.0))).prop_map(|(s, conditioned)| (Some(s), conditioned)),
+    ];
+    let own = (name, law(), bulk, prop::option::of(1.0..9.0), memory).prop_map(
+        |(name, law, bulk, fitted_to_stretch, (softening, conditioned_mpa))| Rubber {
+            name,
+            law,
+            bulk,
+            fitted_to_stretch,
+            softening,
+            conditioned_mpa,
+        },
+    );
     prop_oneof![prop::sample::select(named), own]
 }
 
@@ -162,6 +177,8 @@ fn every_key_is_understood() {
         mu = ["620 kPa", 0.0012, "-0.0098 MPa"]
         alpha = [1.3, 5, -2.0]
         bulk_modulus = "1.5 GPa"
+        softening = { r = 1.5, m = "50 kPa" }
+        conditioned = "2.5 bar"
         [braid]
         angle = "28 deg"
         strands = 48
@@ -183,7 +200,12 @@ fn every_key_is_understood() {
     )
     .unwrap();
     let terms = vec![(0.62, 1.3), (0.0012, 5.0), (-0.0098, -2.0)];
-    let rubber = Rubber { bulk: Bulk::Modulus(1500.0), ..Rubber::of(Law::Ogden(Ogden { terms })) };
+    let rubber = Rubber {
+        bulk: Bulk::Modulus(1500.0),
+        softening: Some(OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 }),
+        conditioned_mpa: Some(0.25),
+        ..Rubber::of(Law::Ogden(Ogden { terms }))
+    };
     assert_eq!(muscle.tube().rubber, rubber);
     let strands = Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: Some(40.0) };
     assert_eq!(muscle.braid().strands, Some(strands));

@@ -120,6 +120,15 @@ impl Text {
                 "largest stretch of the data behind the constants",
             );
         }
+        if let Some(s) = rubber.softening {
+            let (r, m, beta) = (number(s.r), quantity(s.m_mpa, "MPa"), number(s.beta));
+            let table = format!("{{ r = {r}, m = {m}, beta = {beta} }}");
+            self.key("softening", &table, "of rubber that was stretched before (Ogden & Roxburgh 1999)");
+        }
+        if let Some(pressure_mpa) = rubber.conditioned_mpa {
+            let comment = "cycled at this pressure, from rest length to free contraction";
+            self.key("conditioned", &quantity(pressure_mpa, "MPa"), comment);
+        }
     }
 
     fn braid(&mut self, braid: &Braid, outer_diameter_mm: f64) {
