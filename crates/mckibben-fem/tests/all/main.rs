@@ -5,6 +5,7 @@
 mod answers;
 mod axisymmetric;
 mod branches;
+mod conditioned;
 mod identify;
 mod lay;
 mod measured;
