@@ -1,3 +1,5 @@
+//! Contact of the strands and the pivoting friction that follows, of a muscle file.
+
 use mckibben::model::Workspace;
 use mckibben::muscle::file::read_muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;
