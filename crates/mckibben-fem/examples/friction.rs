@@ -3,9 +3,10 @@
 use mckibben::model::Workspace;
 use mckibben::muscle::file::read_muscle;
 use mckibben_fem::axisymmetric::Axisymmetric;
-fn main() {
-    let m = read_muscle(std::env::args().nth(1).unwrap()).unwrap();
-    let fe = Axisymmetric::new(&m).unwrap();
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let m = read_muscle(std::env::args().nth(1).ok_or("which muscle file?")?)?;
+    let fe = Axisymmetric::new(&m)?;
     let w = &mut Workspace::new();
     for p in [0.1, 0.2, 0.3, 0.4, 0.5] {
         for i in 0..=30 {
@@ -16,4 +17,5 @@ fn main() {
             }
         }
     }
+    Ok(())
 }

@@ -33,8 +33,8 @@ impl<L: PlaneLaw> Softened<'_, L> {
                 for j in 0..3 {
                     s.rr[i][j] = eta * s.rr[i][j] + slope * r[i] * r[j];
                 }
-                for j in 0..2 {
-                    s.rz[i][j] = eta * s.rz[i][j] + slope * r[i] * z[j];
+                for (k, z) in s.rz[i].iter_mut().zip(z) {
+                    *k = eta * *k + slope * r[i] * z;
                 }
             }
             for i in 0..2 {
