@@ -53,6 +53,9 @@ pub enum MuscleError {
     /// Softening constants that make no rubber.
     #[error("tube.material.softening: {0}")]
     Softening(OverTimeError),
+    /// A series that makes no rubber.
+    #[error("tube.material.prony: {0}")]
+    Relaxation(OverTimeError),
     /// A muscle that was cycled, of a rubber that does not soften.
     #[error(
         "tube.material.conditioned is {pressure_mpa} MPa, but the rubber has no tube.material.softening: give its r, m and beta, or leave the pressure out"
@@ -186,6 +189,7 @@ impl MuscleError {
                 return constant.into_iter().chain(["tube.material".into()]).collect();
             }
             MuscleError::Softening(_) => vec!["tube.material.softening"],
+            MuscleError::Relaxation(_) => vec!["tube.material.prony"],
             MuscleError::ConditionedWithoutSoftening { .. } => vec!["tube.material.conditioned"],
             MuscleError::Sleeve(SleeveError::OutOfRange { .. } | SleeveError::NoContraction { .. }) => {
                 vec!["braid.name", "tube.outer_diameter"]

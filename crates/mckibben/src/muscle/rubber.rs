@@ -1,7 +1,7 @@
 //! The rubber of a tube: a law, its bulk behaviour, and where the constants come from.
 
 use super::error::{MuscleError, positive};
-use crate::rubber::over_time::OgdenRoxburgh;
+use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
 use crate::rubber::{Law, MooneyRivlin};
 use serde::{Deserialize, Serialize};
 
@@ -82,6 +82,9 @@ pub struct Rubber {
     /// finite elements of the section have it.
     #[serde(rename = "conditioned", default, skip_serializing_if = "Option::is_none")]
     pub conditioned_mpa: Option<f64>,
+    /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every model; [`Rubber::held`] is the one of later.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prony: Option<Prony>,
 }
 
 impl Rubber {
@@ -103,7 +106,17 @@ impl Rubber {
             fitted_to_stretch: None,
             softening: None,
             conditioned_mpa: None,
+            prony: None,
         }
+    }
+
+    /// This rubber after it was held: the law with what is left of its moduli ([`Prony::held`]), without the series. Softening keeps its
+    /// shape: its m, an energy, goes with the law. A bulk modulus stays.
+    #[must_use]
+    pub fn held(self, held: Held) -> Self {
+        let Some(prony) = self.prony else { return self };
+        let softening = self.softening.map(|s| OgdenRoxburgh { m_mpa: prony.left(held) * s.m_mpa, ..s });
+        Self { law: prony.held(&self.law, held), softening, prony: None, ..self }
     }
 
     /// Whether this is the paper's rubber, unchanged.
@@ -116,7 +129,7 @@ impl Rubber {
         self.softening.zip(self.conditioned_mpa)
     }
 
-    pub(super) fn check(&self) -> Result<(), MuscleError> {
+    pub(crate) fn check(&self) -> Result<(), MuscleError> {
         self.law.clone().validated()?;
         if let Some(softening) = self.softening {
             softening.validated().map_err(MuscleError::Softening)?;
@@ -126,6 +139,9 @@ impl Rubber {
             if self.softening.is_none() {
                 return Err(MuscleError::ConditionedWithoutSoftening { pressure_mpa });
             }
+        }
+        if let Some(prony) = self.prony.clone() {
+            prony.validated().map_err(MuscleError::Relaxation)?;
         }
         match self.bulk {
             Bulk::Incompressible => Ok(()),

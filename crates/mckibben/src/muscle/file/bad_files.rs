@@ -55,6 +55,29 @@ const BAD: &[(&str, usize, &str)] = &[
         5,
         "is 0 MPa; it must be above zero",
     ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.6, 2], [0.5, 20]]",
+        4,
+        "below 1: what is left is the rubber at rest",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.2, 0]]",
+        4,
+        "a branch's time constant in s is 0; it must be above zero",
+    ),
+    ("[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [0.2, 2]", 4, "pairs of a share and a time"),
+    ("[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[1.2, 2]]\nheld = \"long\"", 4, "below 1"),
+    ("[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nheld = \"long\"", 4, "tube.material.prony"),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.2, 2]]\nheld = \"for ever\"",
+        5,
+        "\"long\", or a time",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.2, 2]]\nheld = \"-1 s\"",
+        5,
+        "is -1 s; it must not be below zero",
+    ),
     ("[braid]\nstiffness = \"0 N/mm\"", 2, "braid.stiffness = \"0 N/mm\": is 0 N/mm; it must be above zero"),
     ("[terminals]\ninsertion = -1", 2, "terminals.insertion = -1: is -1 mm; it must not be below zero"),
     (

@@ -36,6 +36,8 @@ const KEYS: &[&str] = &[
     "tube.material.fitted_to_stretch",
     "tube.material.softening",
     "tube.material.conditioned",
+    "tube.material.prony",
+    "tube.material.held",
     "braid.name",
     "braid.angle",
     "braid.stiffness",
