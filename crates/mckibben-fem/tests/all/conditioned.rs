@@ -1,8 +1,9 @@
 //! Muscles whose rubber was stretched before, as a user meets them.
 
 use mckibben::model::{ForceModel, ModelKind, Response, ThickWall, Workspace};
+use mckibben::muscle::file::read_muscle;
 use mckibben::muscle::{Bulk, Muscle, Rubber, Tube};
-use mckibben::rubber::over_time::{OgdenRoxburgh, Softened};
+use mckibben::rubber::over_time::{Held, OgdenRoxburgh, Prony, Softened};
 use mckibben::rubber::{Law, NeoHookean, Ogden, RubberLaw, Yeoh};
 use mckibben_fem::FemError;
 use mckibben_fem::axisymmetric::{Axisymmetric, Body, Discretisation, Ends, Memory, Mesh, Problem};
@@ -152,4 +153,39 @@ fn a_pressure_at_which_no_muscle_was_cycled_is_refused() {
         error.contains("1000000 MPa") && error.contains("state another tube.material.conditioned"),
         "{error}"
     );
+}
+
+/// At length and pressure held for long the rubber of the muscle bears 1 − Σg of its stresses: the muscle pulls harder and at constant pull
+/// creeps to the free contraction of the softer rubber. Strands and pressure do not relax.
+#[test]
+fn a_held_muscle_is_one_of_softer_rubber() {
+    let prony = Some(Prony::from(vec![(0.2, 2.0), (0.1, 180.0)]));
+    let m = muscle(yeoh(), Some(0.25));
+    let tube = |rubber| m.with_tube(Tube { rubber, ..m.tube().clone() }).unwrap();
+    let relaxing = Rubber { prony, ..m.tube().rubber.clone() };
+    let at_once = Axisymmetric::new(&tube(relaxing.clone())).unwrap();
+    assert_eq!(at(&at_once, 0.2, 0.1), at(&Axisymmetric::new(&m).unwrap(), 0.2, 0.1));
+    let long = Axisymmetric::new(&tube(relaxing.held(Held::Long))).unwrap();
+    assert!(at(&long, 0.2, 0.1).force_n > at(&at_once, 0.2, 0.1).force_n);
+    let free = |m: &Axisymmetric| m.free_contraction(&mut Workspace::new(), 0.2).unwrap();
+    assert!(free(&long) > free(&at_once) + 0.005);
+}
+
+/// The table of docs/rubber.md, by the muscles in `examples`. A regression.
+#[test]
+fn the_page_prints_what_the_examples_give() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let page = std::fs::read_to_string(format!("{root}/docs/rubber.md")).unwrap();
+    let mut missing = vec![];
+    for name in ["first-inflation", "tenth-inflation", "held"] {
+        let model = Axisymmetric::new(&read_muscle(format!("{root}/examples/{name}.toml")).unwrap()).unwrap();
+        let free = 100.0 * model.free_contraction(&mut Workspace::new(), 0.15).unwrap();
+        let points = [(0.25, 0.0), (0.25, 0.1), (0.25, 0.2), (0.15, 0.1)];
+        let pulls = points.map(|(p, e)| format!("{:.0}", at(&model, p, e).force_n)).join(" | ");
+        let row = format!("| `{name}.toml` | {pulls} | {free:.1} |");
+        if !page.contains(&row) {
+            missing.push(row);
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
 }
