@@ -43,11 +43,21 @@ pub enum FemError {
     },
     /// A part of the muscle that three-dimensional elements do not have.
     #[error(
-        "three-dimensional elements have no {key}: their strands are trusses on the tube's surface; take fe, or leave the key out"
+        "three-dimensional elements have no {key}: their strands are trusses on the tube's surface, their rubber is that of a first inflation; take fe, or leave the key out"
     )]
     NotInBricks {
         /// Key of the muscle file.
         key: &'static str,
+    },
+    /// A muscle that was cycled where it has no equilibrium.
+    #[error(
+        "the muscle cannot have been cycled at {pressure_mpa} MPa between rest length and free contraction: {reason}; state another tube.material.conditioned"
+    )]
+    Conditioning {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// Why one of the two states was not found.
+        reason: Box<FemError>,
     },
     /// More unknowns than there is memory for.
     #[error("mesh: there is not enough memory for {unknowns} unknowns; take fewer elements")]
@@ -149,6 +159,7 @@ impl From<FemError> for ModelError {
             FemError::Mesh { .. }
             | FemError::Element { .. }
             | FemError::NotInBricks { .. }
+            | FemError::Conditioning { .. }
             | FemError::TooLarge { .. } => Self::Elements { reason: error.to_string() },
             FemError::Exceeded(exceeded) => Self::Exceeded(exceeded),
             FemError::Force { .. } | FemError::OutOfReach { .. } => {

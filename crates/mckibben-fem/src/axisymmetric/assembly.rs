@@ -1,8 +1,10 @@
 //! Forces, volume defects and tangent of the whole body.
 
 use super::discretisation::{BraidSpec, Discretisation};
+use super::memory::Memory;
 use crate::element::plane::{self, PlaneLaw, PlaneVisitor};
 use crate::element::q2::{MODES, NODES, PADDED};
+use crate::element::softened::Softened;
 use crate::element::solid::{self, Contribution, Row, Unknowns};
 use crate::element::strand::STRAND_POINTS;
 use crate::load::cavity::volume;
@@ -207,7 +209,14 @@ fn solid<L: PlaneLaw, const TANGENT: bool>(
     }
     u.p.copy_from_slice(&s.u[pressure..pressure + MODES]);
     let c = &mut w.element;
-    if !solid::contribute::<L, TANGENT>(geometry, &u, law, d.compliance, c) {
+    let upright = match &d.memory {
+        None => solid::contribute::<L, TANGENT>(geometry, &u, law, d.compliance, c),
+        Some(Memory { softening, seen_mpa }) => {
+            let law = Softened { law, softening: *softening, seen_mpa: &seen_mpa[index] };
+            solid::contribute::<_, TANGENT>(geometry, &u, &law, d.compliance, c)
+        }
+    };
+    if !upright {
         return Err(Stopped::Inverted { element: index, smallest_j: c.smallest_j });
     }
     totals.smallest_j = totals.smallest_j.min(c.smallest_j);

@@ -1,6 +1,7 @@
 //! A tube under a braid, divided into elements: everything that does not change while it deforms.
 
 use super::layout::Layout;
+use super::memory::Memory;
 use super::mesh::Mesh;
 use crate::FemError;
 use crate::element::q2::{Geometry, NODES};
@@ -85,6 +86,8 @@ pub struct Discretisation {
     pub section: f64,
     /// Shear modulus in MPa.
     pub shear: f64,
+    /// What rubber that softens has seen; `None` on a first inflation.
+    pub memory: Option<Memory>,
 }
 
 /// Nodes of element `i` of slab `e`, in the element's order.
@@ -138,6 +141,7 @@ impl Discretisation {
             radius,
             section: std::f64::consts::PI * (radius * radius - inner * inner),
             shear,
+            memory: None,
             mesh,
             problem,
         })

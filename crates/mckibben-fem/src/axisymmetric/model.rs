@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::discretisation::{Discretisation, Problem};
+use super::memory::Memory;
 use super::mesh::{Mesh, MeshSpec};
 use super::{results, sensitivity};
 use crate::FemError;
@@ -45,16 +46,20 @@ impl Axisymmetric {
     /// The model of a muscle with a mesh that is said.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh.
+    /// [`FemError`] where the numbers give no valid mesh; [`FemError::Conditioning`] of a muscle that was cycled at a pressure at which it has
+    /// no equilibrium.
     pub fn with_mesh(muscle: &Muscle, spec: &MeshSpec) -> Result<Self, FemError> {
         let tube = muscle.tube();
         let half = 0.5 * tube.length_mm;
         let division = spec.resolve(tube.outer_radius_mm(), tube.wall_mm, half)?;
         let mesh = Mesh::tube(tube.inner_radius_mm(), tube.outer_radius_mm(), half, division);
+        let thick_wall = Arc::new(ThickWall::new(muscle));
+        let mut discretisation = Discretisation::new(mesh, Problem::of(muscle))?;
+        discretisation.memory = Memory::of(muscle, &discretisation, &thick_wall)?;
         Ok(Self {
             id: ModelId::new(),
-            discretisation: Arc::new(Discretisation::new(mesh, Problem::of(muscle))?),
-            thick_wall: Arc::new(ThickWall::new(muscle)),
+            discretisation: Arc::new(discretisation),
+            thick_wall,
             default: if *spec == MeshSpec::default() { None } else { Some(Box::new(Self::new(muscle)?)) },
             muscle: muscle.clone(),
         })
@@ -105,7 +110,7 @@ impl MuscleBody for Body {
     }
 
     fn sensitivities(&mut self, muscle: &Muscle) -> Result<Vec<Sensitivity>, FemError> {
-        sensitivity::all(self, muscle)
+        if self.discretisation.memory.is_some() { Ok(vec![]) } else { sensitivity::all(self, muscle) }
     }
 }
 
@@ -174,6 +179,10 @@ impl ForceModel for Axisymmetric {
         contraction: f64,
         names: &[String],
     ) -> Option<Result<Vec<f64>, ModelError>> {
+        // What the rubber has seen goes by the constants as well.
+        if self.discretisation.memory.is_some() {
+            return None;
+        }
         let mut known = || {
             let c = self.continuation(workspace)?;
             c.reach(pressure_mpa, contraction)?;

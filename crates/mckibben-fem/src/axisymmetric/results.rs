@@ -18,6 +18,9 @@ use mckibben::muscle::Muscle;
 /// [`FemError::Force`] where the tangent is singular.
 pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> {
     let response = response(body, muscle)?;
+    // What the rubber has seen goes by the constants as well: of a conditioned muscle none are known.
+    let conditioned = body.discretisation.memory.is_some();
+    let sensitivities = if conditioned { vec![] } else { sensitivity::all(body, muscle)? };
     let (d, s) = (&body.discretisation, &body.state);
     let rest_volume = muscle.rest_volume_mm3();
     let totals = body.totals;
@@ -33,7 +36,7 @@ pub fn solution(body: &mut Body, muscle: &Muscle) -> Result<Solution, FemError> 
         energies,
         unstable_directions: body.unstable_directions(),
         smallest_j: totals.smallest_j,
-        sensitivities: sensitivity::all(body, muscle)?,
+        sensitivities,
         response,
     })
 }
@@ -160,7 +163,7 @@ fn middle_stretch(d: &Discretisation, s: &State) -> f64 {
 }
 
 /// Nodes at rest and displacements of every element, from the middle to the terminal.
-fn elements<'a>(
+pub(super) fn elements<'a>(
     d: &'a Discretisation,
     s: &'a State,
 ) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> + 'a {

@@ -9,13 +9,15 @@ use super::model::Axisymmetric;
 use super::results::strands;
 use crate::FemError;
 use crate::element::plane::{self, Gradient, PlaneLaw, PlaneVisitor};
-use crate::element::q2::{GAUSS2, GAUSS3, Geometry, MODES, NODES, Point, point, quadratic};
+use crate::element::q2::{GAUSS2, GAUSS3, Geometry, MODES, NODES, POINTS, Point, point, quadratic};
+use crate::element::softened::Softened;
 use crate::element::solid::{Unknowns, gradient};
 use crate::results::StrandState;
 use crate::simulation::Discretised;
 use crate::solver::body::State;
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
+use mckibben::rubber::over_time::OgdenRoxburgh;
 
 /// A node of the section.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -161,7 +163,9 @@ impl PlaneVisitor for Nodes<'_> {
             for e in 0..l.through {
                 let rest = nodes(&d.mesh, slab, e);
                 let u = unknowns(d, s, slab, e);
-                let stress = stresses(&d.elements[slab * l.through + e], &rest, &u, law);
+                let index = slab * l.through + e;
+                let seen = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
+                let stress = stresses(&d.elements[index], &rest, &u, law, seen);
                 for a in 0..NODES {
                     let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
                     let Some(p) = point(&rest, x, y, 1.0) else { continue };
@@ -206,11 +210,15 @@ fn unknowns(d: &Discretisation, s: &State, slab: usize, element: usize) -> Unkno
 /// Pressure in the rubber at local coordinates. Its modes are linear in (R, Z), which are biquadratic in the local
 /// coordinates: nine integration points hold all of it.
 fn pressure(points: &[Point], u: &Unknowns, xi: f64, eta: f64) -> f64 {
+    between(points.iter().map(|p| u.p.iter().zip(p.psi).map(|(p, psi)| p * psi).sum()), xi, eta)
+}
+
+/// At local coordinates what has these values at the nine integration points.
+fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
     let outermost = GAUSS3[2].0;
     let ((x, _), (y, _)) = (quadratic(xi / outermost), quadratic(eta / outermost));
     let mut sum = 0.0;
-    for (k, p) in points.iter().enumerate() {
-        let value: f64 = u.p.iter().zip(p.psi).map(|(p, psi)| p * psi).sum();
+    for (k, value) in values.enumerate() {
         sum += x[k % 3] * y[k / 3] * value;
     }
     sum
@@ -222,12 +230,20 @@ fn stresses<L: PlaneLaw>(
     rest: &[[f64; 2]; NODES],
     u: &Unknowns,
     law: &L,
+    seen: Option<(OgdenRoxburgh, &[f64; POINTS])>,
 ) -> [[f64; 4]; 4] {
     std::array::from_fn(|k| {
         let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
         let Some(at) = point(rest, xi, eta, 1.0) else { return [0.0; 4] };
         let f = gradient(&at, u);
-        let first = law.stress::<false>(&f, pressure(&geometry.points, u, xi, eta));
+        let p = pressure(&geometry.points, u, xi, eta);
+        let first = match seen {
+            None => law.stress::<false>(&f, p),
+            Some((softening, seen_mpa)) => {
+                let here = between(seen_mpa.iter().copied(), xi, eta);
+                Softened { law, softening, seen_mpa }.after::<false>(here, &f, p)
+            }
+        };
         let (Gradient { a, b, c, d, t }, j) = (f, f.volume());
         let [pa, pb, pt] = first.r;
         let [pc, pd] = first.z;

@@ -5,6 +5,7 @@ pub mod hexahedron;
 pub mod lanes;
 pub mod plane;
 pub mod q2;
+pub mod softened;
 pub mod solid;
 pub mod spatial;
 pub mod spatial_stretches;

@@ -85,6 +85,12 @@ struct Phi {
 pub trait PlaneLaw {
     /// Stress at F, and the tangent where `TANGENT`; `p` multiplies J − 1.
     fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress;
+
+    /// The same at an integration point of an element, for rubber that is not alike everywhere.
+    #[inline(always)]
+    fn stress_at<const TANGENT: bool>(&self, _point: usize, f: &Gradient, p: f64) -> Stress {
+        self.stress::<TANGENT>(f, p)
+    }
 }
 
 /// x^(−1/3). Rubber keeps its volume: near 1 a series and two Newton steps y(4 − x y³)/3 are exact to rounding and take

@@ -138,7 +138,7 @@ fn run<L: PlaneLaw, const TANGENT: bool>(
         out.rz = [zero; NODES];
         out.zz = [zero; NODES];
     }
-    for point in &geometry.points {
+    for (index, point) in geometry.points.iter().enumerate() {
         let f = gradient(point, u);
         let (area, weight) = (f.section(), point.volume);
         let j = area * f.t;
@@ -148,7 +148,7 @@ fn run<L: PlaneLaw, const TANGENT: bool>(
             return false;
         }
         let pressure = u.p[0] + u.p[1] * point.psi[1] + u.p[2] * point.psi[2];
-        let s = law.stress::<TANGENT>(&f, pressure);
+        let s = law.stress_at::<TANGENT>(index, &f, pressure);
         out.energy += weight * s.w;
         for k in 0..MODES {
             out.g[k] += weight * point.psi[k] * (j - 1.0);

@@ -5,6 +5,7 @@
 mod answers;
 mod axisymmetric;
 mod branches;
+mod conditioned;
 mod contact;
 mod identify;
 mod lay;

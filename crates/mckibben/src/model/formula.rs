@@ -85,7 +85,8 @@ impl ForceModel for FormulaModel {
 
     fn notes(&self, _: &Workspace) -> Vec<String> {
         let left_out = super::strands_on_the_tube(&self.formula.name, &self.muscle);
-        self.formula.seal.warning(&self.formula.name).into_iter().chain(left_out).collect()
+        let first = super::first_inflation(&self.formula.name, &self.muscle);
+        self.formula.seal.warning(&self.formula.name).into_iter().chain(left_out).chain(first).collect()
     }
 
     fn accuracy(&self) -> Accuracy {

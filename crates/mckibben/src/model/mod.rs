@@ -82,6 +82,13 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
     })
 }
 
+/// What a model leaves out of the rubber that takes it as on its first inflation.
+fn first_inflation(model: &str, muscle: &Muscle) -> Option<String> {
+    muscle.tube().rubber.conditioned().map(|_| {
+        format!("{model} takes the rubber as on its first inflation: tube.material.conditioned not used")
+    })
+}
+
 /// Gauss–Legendre points and weights on [−1, 1].
 pub(crate) fn gauss(points: usize) -> &'static [(f64, f64)] {
     quadrature::rule(points)
@@ -111,7 +118,8 @@ pub trait ForceModel: Send + Sync {
 
     /// Sentences that belong into the warnings of any answer of this model.
     fn notes(&self, _: &Workspace) -> Vec<String> {
-        strands_on_the_tube(self.name(), self.muscle()).into_iter().collect()
+        let (name, muscle) = (self.name(), self.muscle());
+        strands_on_the_tube(name, muscle).into_iter().chain(first_inflation(name, muscle)).collect()
     }
 
     /// G = (2/3) ∫ pc |dθ/dL| dA in N/mm of the strands' contact at a pressure in MPa and a contraction ratio: what friction of their crossings

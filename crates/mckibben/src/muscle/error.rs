@@ -1,6 +1,7 @@
 //! Why parts do not make a muscle.
 
 use crate::rubber::LawError;
+use crate::rubber::over_time::OverTimeError;
 use crate::sleeve::SleeveError;
 use std::borrow::Cow;
 use thiserror::Error;
@@ -49,6 +50,20 @@ pub enum MuscleError {
     /// Rubber constants that make no law.
     #[error("tube.material: {0}")]
     Rubber(#[from] LawError),
+    /// Softening constants that make no rubber.
+    #[error("tube.material.softening: {0}")]
+    Softening(OverTimeError),
+    /// A series that makes no rubber.
+    #[error("tube.material.prony: {0}")]
+    Relaxation(OverTimeError),
+    /// A muscle that was cycled, of a rubber that does not soften.
+    #[error(
+        "tube.material.conditioned is {pressure_mpa} MPa, but the rubber has no tube.material.softening: give its r, m and beta, or leave the pressure out"
+    )]
+    ConditionedWithoutSoftening {
+        /// The pressure in MPa at which it was cycled.
+        pressure_mpa: f64,
+    },
     /// A named sleeve that is not known, does not fit, or does not say enough.
     #[error("braid: {0}")]
     Sleeve(#[from] SleeveError),
@@ -173,6 +188,9 @@ impl MuscleError {
                 let constant = error.constant().map(|name| Cow::from(format!("tube.material.{name}")));
                 return constant.into_iter().chain(["tube.material".into()]).collect();
             }
+            MuscleError::Softening(_) => vec!["tube.material.softening"],
+            MuscleError::Relaxation(_) => vec!["tube.material.prony"],
+            MuscleError::ConditionedWithoutSoftening { .. } => vec!["tube.material.conditioned"],
             MuscleError::Sleeve(SleeveError::OutOfRange { .. } | SleeveError::NoContraction { .. }) => {
                 vec!["braid.name", "tube.outer_diameter"]
             }

@@ -1,6 +1,7 @@
 //! The rubber of a tube: a law, its bulk behaviour, and where the constants come from.
 
 use super::error::{MuscleError, positive};
+use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
 use crate::rubber::{Law, MooneyRivlin};
 use serde::{Deserialize, Serialize};
 
@@ -74,6 +75,16 @@ pub struct Rubber {
     /// Largest stretch of the data the constants were fitted to, where it is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fitted_to_stretch: Option<f64>,
+    /// How rubber that was stretched before is softer, where it is known. The law is that of the first loading.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub softening: Option<OgdenRoxburgh>,
+    /// Pressure in MPa at which the muscle was cycled before, between rest length and free contraction; `None` on its first inflation. The
+    /// finite elements of the section have it.
+    #[serde(rename = "conditioned", default, skip_serializing_if = "Option::is_none")]
+    pub conditioned_mpa: Option<f64>,
+    /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every model; [`Rubber::held`] is the one of later.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prony: Option<Prony>,
 }
 
 impl Rubber {
@@ -82,24 +93,56 @@ impl Rubber {
     pub fn paper() -> Self {
         Self {
             name: Some("paper".into()),
-            law: Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.112, c01_mpa: 0.0 }),
-            bulk: Bulk::Incompressible,
-            fitted_to_stretch: None,
+            ..Self::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.112, c01_mpa: 0.0 }))
         }
     }
 
     /// An unnamed incompressible rubber.
     pub fn of(law: Law) -> Self {
-        Self { name: None, law, bulk: Bulk::Incompressible, fitted_to_stretch: None }
+        Self {
+            name: None,
+            law,
+            bulk: Bulk::Incompressible,
+            fitted_to_stretch: None,
+            softening: None,
+            conditioned_mpa: None,
+            prony: None,
+        }
+    }
+
+    /// This rubber after it was held: the law with what is left of its moduli ([`Prony::held`]), without the series. Softening keeps its
+    /// shape: its m, an energy, goes with the law. A bulk modulus stays.
+    #[must_use]
+    pub fn held(self, held: Held) -> Self {
+        let Some(prony) = self.prony else { return self };
+        let softening = self.softening.map(|s| OgdenRoxburgh { m_mpa: prony.left(held) * s.m_mpa, ..s });
+        Self { law: prony.held(&self.law, held), softening, prony: None, ..self }
     }
 
     /// Whether this is the paper's rubber, unchanged.
     pub fn is_paper(&self) -> bool {
-        self.law == Self::paper().law && self.bulk == Bulk::Incompressible
+        self.law == Self::paper().law && self.bulk == Bulk::Incompressible && self.conditioned().is_none()
     }
 
-    pub(super) fn check(&self) -> Result<(), MuscleError> {
+    /// How a muscle that was cycled before is softer, and the pressure in MPa at which it was; `None` on a first inflation.
+    pub fn conditioned(&self) -> Option<(OgdenRoxburgh, f64)> {
+        self.softening.zip(self.conditioned_mpa)
+    }
+
+    pub(crate) fn check(&self) -> Result<(), MuscleError> {
         self.law.clone().validated()?;
+        if let Some(softening) = self.softening {
+            softening.validated().map_err(MuscleError::Softening)?;
+        }
+        if let Some(pressure_mpa) = self.conditioned_mpa {
+            positive("tube.material.conditioned", pressure_mpa, "MPa")?;
+            if self.softening.is_none() {
+                return Err(MuscleError::ConditionedWithoutSoftening { pressure_mpa });
+            }
+        }
+        if let Some(prony) = self.prony.clone() {
+            prony.validated().map_err(MuscleError::Relaxation)?;
+        }
         match self.bulk {
             Bulk::Incompressible => Ok(()),
             Bulk::Modulus(k) => positive("tube.material.bulk_modulus", k, "MPa"),

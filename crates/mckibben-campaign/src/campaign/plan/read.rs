@@ -42,6 +42,10 @@ pub(super) fn plan(text: &str) -> Result<Plan, FileError> {
     let sampling = sampling(&root.section("sampling", "sampling")?)?;
     let axes = vary::axes(&root, &base, &sampling, &ALL)?;
     let testing = testing(&root.section("test", "test")?)?;
+    if base.tube().rubber.conditioned().is_some() {
+        let why = "is not kept in a table, whose muscles are on their first inflation: leave it out";
+        return Err(source.error("tube.material.conditioned", Problem::Said(why.into())));
+    }
     if sampling != Sampling::Factorial && axes.is_empty() {
         let why = format!("a {} plan needs something to vary: add [vary]", sampling.name());
         return Err(source.error("sampling.method", Problem::Said(why)));

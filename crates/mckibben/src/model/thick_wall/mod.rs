@@ -185,12 +185,13 @@ impl ForceModel for ThickWall {
     }
 
     fn notes(&self, _: &Workspace) -> Vec<String> {
-        match self.muscle.tube().rubber.bulk {
-            Bulk::Incompressible => vec![],
+        let bulk = match self.muscle.tube().rubber.bulk {
+            Bulk::Incompressible => None,
             Bulk::Modulus(_) => {
-                vec!["thick-wall takes the rubber as incompressible; its bulk modulus is not used".into()]
+                Some("thick-wall takes the rubber as incompressible; its bulk modulus is not used".into())
             }
-        }
+        };
+        bulk.into_iter().chain(super::first_inflation("thick-wall", &self.muscle)).collect()
     }
 
     fn response(

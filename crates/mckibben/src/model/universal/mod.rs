@@ -194,6 +194,7 @@ impl ForceModel for Universal {
         if self.muscle.terminals().end_factor.is_some() {
             notes.push(format!("{} computes the ends; the end factor is not used", self.name()));
         }
+        notes.extend(super::first_inflation(self.name(), &self.muscle));
         notes
     }
 

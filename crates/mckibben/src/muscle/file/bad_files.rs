@@ -29,6 +29,55 @@ const BAD: &[(&str, usize, &str)] = &[
     ),
     ("[braid]\nangle = \"60 deg\"", 2, "braid.angle = \"60 deg\": is 60 deg; a muscle that contracts needs"),
     ("[braid]\nangle = 0", 2, "between 0 and 54.7356 deg"),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nsoftening = { r = 0.8, m = 0.05 }",
+        4,
+        "r is 0.8; it must be 1 or above",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nsoftening = { r = 1.5 }",
+        4,
+        "tube.material.softening.m",
+    ),
+    ("[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nsoftening = 1.5", 4, "expected a table of keys"),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nsoftening = { r = 1.5, m = 0.05, s = 1 }",
+        4,
+        "tube.material.softening.s: unknown key",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nconditioned = \"2.5 bar\"",
+        4,
+        "the rubber has no tube.material.softening",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nsoftening = { r = 1.5, m = 0.05 }\nconditioned = \"0 bar\"",
+        5,
+        "is 0 MPa; it must be above zero",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.6, 2], [0.5, 20]]",
+        4,
+        "below 1: what is left is the rubber at rest",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.2, 0]]",
+        4,
+        "a branch's time constant in s is 0; it must be above zero",
+    ),
+    ("[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [0.2, 2]", 4, "pairs of a share and a time"),
+    ("[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[1.2, 2]]\nheld = \"long\"", 4, "below 1"),
+    ("[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nheld = \"long\"", 4, "tube.material.prony"),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.2, 2]]\nheld = \"for ever\"",
+        5,
+        "\"long\", or a time",
+    ),
+    (
+        "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nprony = [[0.2, 2]]\nheld = \"-1 s\"",
+        5,
+        "is -1 s; it must not be below zero",
+    ),
     ("[braid]\nstiffness = \"0 N/mm\"", 2, "braid.stiffness = \"0 N/mm\": is 0 N/mm; it must be above zero"),
     ("[terminals]\ninsertion = -1", 2, "terminals.insertion = -1: is -1 mm; it must not be below zero"),
     (

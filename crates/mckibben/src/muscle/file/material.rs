@@ -5,11 +5,14 @@ use super::read::ALL;
 use super::source::{Section, WordOr};
 use crate::muscle::{Bulk, MuscleError, Rubber};
 use crate::nearest::nearest;
+use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
 use crate::rubber::{Constant, Law, LawKind, NEEDS_ALL, foreign, library, one_of_all};
 use crate::units::Dimension;
 
 /// Keys beside the constants. `name` and `fitted_to_stretch` keep the origin of a fitted rubber.
-const COMMON: &[&str] = &["law", "bulk_modulus", "name", "fitted_to_stretch"];
+const COMMON: &[&str] =
+    &["law", "bulk_modulus", "name", "fitted_to_stretch", "softening", "conditioned", "prony", "held"];
+
 pub(super) fn read(tube: &Section<'_>) -> Result<Rubber, FileError> {
     let material = tube.section("material", "tube.material")?;
     let name = tube.text("rubber", "the name of a rubber in quotes, such as \"dragon-skin-30\"")?;
@@ -42,7 +45,21 @@ fn own(section: &Section<'_>) -> Result<Rubber, FileError> {
         law: law_of(section, kind)?,
         bulk: bulk(section)?,
         fitted_to_stretch: fitted_to_stretch(section)?,
+        softening: softening(section)?,
+        conditioned_mpa: section.quantity("conditioned", Dimension::Pressure)?,
+        prony: prony(section)?,
     };
+    if let Some(held) = held(section)? {
+        if rubber.prony.is_none() {
+            return Err(section.missing("prony", Some("held"), "it says how the rubber relaxes"));
+        }
+        // Before its stresses are taken as less, the series must be one.
+        rubber.check().map_err(|error| {
+            let key = "tube.material.prony".into();
+            section.error("prony", Problem::Muscle { error, key, default: None })
+        })?;
+        rubber = rubber.held(held);
+    }
     // Constants that are written are those of this muscle, also where they are the library's for another one.
     if library::follows(&rubber) {
         rubber.name = None;
@@ -59,6 +76,40 @@ fn fitted_to_stretch(section: &Section<'_>) -> Result<Option<f64>, FileError> {
         }
         stretch => Ok(stretch),
     }
+}
+
+fn softening(section: &Section<'_>) -> Result<Option<OgdenRoxburgh>, FileError> {
+    let table = section.section("softening", "tube.material.softening")?;
+    if !table.is_written() {
+        return Ok(None);
+    }
+    table.only(&["r", "m", "beta"], &ALL)?;
+    let missing = |key| table.missing(key, None, "softening is { r = 1.5, m = \"0.05 MPa\", beta = 0.1 }");
+    Ok(Some(OgdenRoxburgh {
+        r: table.number("r")?.ok_or_else(|| missing("r"))?,
+        m_mpa: table.quantity("m", Dimension::Pressure)?.ok_or_else(|| missing("m"))?,
+        beta: table.number("beta")?.unwrap_or(0.0),
+    }))
+}
+
+fn prony(section: &Section<'_>) -> Result<Option<Prony>, FileError> {
+    let expected = "pairs of a share and a time, such as [[0.2, \"2 s\"], [0.1, \"3 min\"]]";
+    let pairs = section.pairs("prony", (None, Some(Dimension::Time)), expected)?;
+    Ok(pairs.filter(|p| !p.is_empty()).map(Prony::from))
+}
+
+fn held(section: &Section<'_>) -> Result<Option<Held>, FileError> {
+    let expected = "\"long\", or a time such as \"10 min\"";
+    Ok(match section.word_or_quantity("held", &["long"], Dimension::Time, expected)? {
+        None => None,
+        Some(WordOr::Word(_)) => Some(Held::Long),
+        Some(WordOr::Quantity(time_s)) if time_s >= 0.0 => Some(Held::For(time_s)),
+        Some(WordOr::Quantity(time_s)) => {
+            let error = MuscleError::Negative { key: "tube.material.held", value: time_s, unit: "s" };
+            return Err(section
+                .error("held", Problem::Muscle { error, key: "tube.material.held".into(), default: None }));
+        }
+    })
 }
 
 fn law_of(section: &Section<'_>, kind: &LawKind) -> Result<Law, FileError> {

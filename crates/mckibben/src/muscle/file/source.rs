@@ -149,14 +149,13 @@ impl<'s> Section<'s> {
             if known.contains(&key) {
                 continue;
             }
-            // "thickness" of a tube is its wall_thickness, whatever else is called so.
-            let whole = || {
-                known.iter().find(|k| k.strip_suffix(key).is_some_and(|front| front.ends_with('_'))).copied()
-            };
+            // `thickness` in the tube is its `wall_thickness`, not that of the braid.
+            let last_word =
+                || known.iter().copied().find(|k| k.strip_suffix(key).is_some_and(|k| k.ends_with('_')));
             let elsewhere = || all.iter().find(|k| k.rsplit('.').next() == Some(key)).copied();
             let here = || nearest(key, known.iter().copied());
             let far = || all.iter().find(|k| nearest(key, k.rsplit('.').next()).is_some()).copied();
-            let suggestion = whole().or_else(elsewhere).or_else(here).or_else(far).map(str::to_string);
+            let suggestion = last_word().or_else(elsewhere).or_else(here).or_else(far).map(str::to_string);
             let problem = Problem::UnknownKey { suggestion, known: known.to_vec() };
             return Err(self.source.key_error(&self.dotted(&shortened(key)), span, problem));
         }

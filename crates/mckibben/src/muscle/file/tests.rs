@@ -1,5 +1,6 @@
 use super::*;
 use crate::muscle::*;
+use crate::rubber::over_time::{OgdenRoxburgh, Prony};
 use crate::rubber::{Gent, Law, MooneyRivlin, NeoHookean, Ogden, Yeoh, library};
 use proptest::prelude::*;
 
@@ -36,8 +37,25 @@ fn rubber() -> impl Strategy<Value = Rubber> {
         .collect();
     let bulk = prop_oneof![Just(Bulk::Incompressible), number(1.0, 3000.0).prop_map(Bulk::Modulus)];
     let name = prop::option::of("[ -~äµ\n\"\\\\]{0,12}");
-    let own = (name, law(), bulk, prop::option::of(1.0..9.0))
-        .prop_map(|(name, law, bulk, fitted_to_stretch)| Rubber { name, law, bulk, fitted_to_stretch });
+    let softening = (1.0..9.0, number(1e-6, 0.5), number(0.0, 1.0))
+        .prop_map(|(r, m_mpa, beta)| OgdenRoxburgh { r, m_mpa, beta });
+    let memory = prop_oneof![
+        Just((None, None)),
+        (softening, prop::option::of(number(1e-3, 2.0))).prop_map(|(s, conditioned)| (Some(s), conditioned)),
+    ];
+    let branch = (number(0.0, 0.3), number(1e-3, 1e5));
+    let prony = prop::option::of(prop::collection::vec(branch, 1..4).prop_map(Prony::from));
+    let own = (name, law(), bulk, prop::option::of(1.0..9.0), memory, prony).prop_map(
+        |(name, law, bulk, fitted_to_stretch, (softening, conditioned_mpa), prony)| Rubber {
+            name,
+            law,
+            bulk,
+            fitted_to_stretch,
+            softening,
+            conditioned_mpa,
+            prony,
+        },
+    );
     prop_oneof![prop::sample::select(named), own]
 }
 
@@ -162,6 +180,9 @@ fn every_key_is_understood() {
         mu = ["620 kPa", 0.0012, "-0.0098 MPa"]
         alpha = [1.3, 5, -2.0]
         bulk_modulus = "1.5 GPa"
+        softening = { r = 1.5, m = "50 kPa" }
+        conditioned = "2.5 bar"
+        prony = [[0.2, "2 s"], [0.1, "3 min"]]
         [braid]
         angle = "28 deg"
         strands = 48
@@ -183,7 +204,13 @@ fn every_key_is_understood() {
     )
     .unwrap();
     let terms = vec![(0.62, 1.3), (0.0012, 5.0), (-0.0098, -2.0)];
-    let rubber = Rubber { bulk: Bulk::Modulus(1500.0), ..Rubber::of(Law::Ogden(Ogden { terms })) };
+    let rubber = Rubber {
+        bulk: Bulk::Modulus(1500.0),
+        softening: Some(OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 }),
+        conditioned_mpa: Some(0.25),
+        prony: Some(Prony::from(vec![(0.2, 2.0), (0.1, 180.0)])),
+        ..Rubber::of(Law::Ogden(Ogden { terms }))
+    };
     assert_eq!(muscle.tube().rubber, rubber);
     let strands = Strands { count: 48, section: Some((0.3, 2500.0)), strength_n: Some(40.0) };
     assert_eq!(muscle.braid().strands, Some(strands));
@@ -327,4 +354,24 @@ fn constants_of_models_are_read_from_both_places_and_written_to_theirs() {
     let wrong = parse_muscle("[model.tondu-lopez]\nend_factor = -1\n").unwrap_err().to_string();
     assert!(wrong.contains("model.tondu-lopez.end_factor = -1"), "{wrong}");
     assert!(parse_muscle("[model.ideal]\nend_factor = 1\n").is_err());
+}
+
+/// A muscle that is held has what is left of its moduli: all at once, (1 − Σg) of them after long, and energies with them; the softening keeps
+/// its shape.
+#[test]
+fn a_held_muscle_has_what_is_left_of_its_moduli() {
+    let read = |held: &str| {
+        let text = format!(
+            "[tube.material]\nlaw = \"gent\"\nmu = 0.3\njm = 40\nprony = [[0.2, 2], [0.1, \"3 min\"]]\nsoftening = {{ r = 1.5, m = 0.05 }}\n{held}"
+        );
+        parse_muscle(&text).unwrap().tube().rubber.clone()
+    };
+    let (at_once, long) = (read(""), read("held = \"long\""));
+    assert_eq!(read("held = 0").law, at_once.law);
+    assert_eq!(long.law, Law::Gent(Gent { mu_mpa: 0.7 * 0.3, jm: 40.0 }));
+    assert_eq!(long.softening.unwrap().m_mpa, 0.7 * 0.05);
+    assert_eq!((long.prony, at_once.prony.is_some()), (None, true));
+    let left = 1.0 - 0.2 * (1.0 - (-30.0_f64).exp()) - 0.1 * (1.0 - (-1.0_f64 / 3.0).exp());
+    let Law::Gent(Gent { mu_mpa, .. }) = read("held = \"1 min\"").law else { panic!() };
+    assert!((mu_mpa / 0.3 - left).abs() < 1e-14);
 }

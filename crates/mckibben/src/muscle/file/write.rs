@@ -2,6 +2,7 @@
 
 use crate::muscle::{Braid, BraidStiffness, Bulk, EndFactor, Muscle, Rubber};
 use crate::rubber::library;
+use crate::rubber::over_time::Branch;
 use crate::sleeve::{self, Sleeve};
 use std::fmt::Write;
 
@@ -122,6 +123,21 @@ impl Text {
                 &number(stretch),
                 "largest stretch of the data behind the constants",
             );
+        }
+        if let Some(s) = rubber.softening {
+            let (r, m, beta) = (number(s.r), quantity(s.m_mpa, "MPa"), number(s.beta));
+            let table = format!("{{ r = {r}, m = {m}, beta = {beta} }}");
+            self.key("softening", &table, "of rubber that was stretched before (Ogden & Roxburgh 1999)");
+        }
+        if let Some(pressure_mpa) = rubber.conditioned_mpa {
+            let comment = "cycled at this pressure, from rest length to free contraction";
+            self.key("conditioned", &quantity(pressure_mpa, "MPa"), comment);
+        }
+        if let Some(prony) = rubber.prony.as_ref().filter(|p| !p.branches.is_empty()) {
+            let pair = |b: &Branch| format!("[{}, {}]", number(b.share), quantity(b.time_constant_s, "s"));
+            let pairs: Vec<String> = prony.branches.iter().map(pair).collect();
+            let comment = "shares of the stress that relax, and their time constants";
+            self.key("prony", &format!("[{}]", pairs.join(", ")), comment);
         }
     }
 

@@ -1,7 +1,7 @@
 //! From a name to a law: which one follows from the stretches that a muscle reaches.
 
 use super::{LibraryError, RubberEntry, RubberFit, Standing, Window, entry};
-use crate::muscle::{Bulk, Muscle, Rubber};
+use crate::muscle::{Muscle, Rubber};
 use crate::rubber::Law;
 
 /// Stretch for which a law is meant where there is no muscle: that of the prototype ([`Muscle::reach`]).
@@ -173,9 +173,8 @@ impl RubberEntry {
         let named = law.filter(|law| !self.windows.is_empty() || self.published_default() != Some(*law));
         Rubber {
             name: Some(named.map_or_else(|| self.name.clone(), |law| format!("{}:{law}", self.name))),
-            law: found.law.clone(),
-            bulk: Bulk::Incompressible,
             fitted_to_stretch: found.fitted_to_stretch,
+            ..Rubber::of(found.law.clone())
         }
     }
 }

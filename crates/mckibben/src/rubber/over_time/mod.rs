@@ -16,7 +16,7 @@ pub use bar::{Bar, TimePoint, read_history};
 pub use erf::{erf, erf_integral};
 pub use fit_prony::{PronyFit, fit_prony};
 pub use fit_softening::{SofteningFit, fit_softening};
-pub use prony::{Branch, Prony};
+pub use prony::{Branch, Held, Prony};
 pub use softening::{OgdenRoxburgh, Softened};
 
 use super::fit::TensionFitError;

@@ -1,6 +1,8 @@
 //! Relaxation: a Prony series over any law.
 
 use super::OverTimeError;
+use crate::rubber::Law;
+use serde::{Deserialize, Serialize};
 
 /// One branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,14 +25,53 @@ pub struct Branch {
 /// ```
 ///
 /// Held at a stretch that came at once, S = S0 [1 − Σ gᵢ (1 − e^(−t/τᵢ))], at last (1 − Σ gᵢ) S0. Linear in the stress: good where loops at
-/// different rates are alike in shape. Source: `simo1987`, without its damage.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// different rates are alike in shape. Source: `simo1987`, without its damage. As data (serde): a list of pairs, gᵢ and τᵢ in s.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(from = "Vec<(f64, f64)>", into = "Vec<(f64, f64)>")]
 pub struct Prony {
     /// The branches; none is a rubber without memory.
     pub branches: Vec<Branch>,
 }
 
+impl From<Vec<(f64, f64)>> for Prony {
+    fn from(pairs: Vec<(f64, f64)>) -> Self {
+        let branch = |(share, time_constant_s)| Branch { share, time_constant_s };
+        Self { branches: pairs.into_iter().map(branch).collect() }
+    }
+}
+
+impl From<Prony> for Vec<(f64, f64)> {
+    fn from(prony: Prony) -> Self {
+        prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect()
+    }
+}
+
+/// How long a muscle has been held as it is, after it came there at once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Held {
+    /// For a time in s.
+    For(f64),
+    /// So long that all branches have relaxed.
+    Long,
+}
+
 impl Prony {
+    /// What is left of a stress that came at once and was held so long.
+    pub fn left(&self, held: Held) -> f64 {
+        match held {
+            Held::For(time_s) => self.left_after(time_s),
+            Held::Long => self.long_time(),
+        }
+    }
+
+    /// The law whose stresses are what is left of those of the law at once.
+    ///
+    /// Exact at t → ∞, whatever went before, and for a deformation that came at once and stayed; between, where a muscle creeps or its
+    /// ends move, it leaves out that later strains are younger than earlier ones.
+    pub fn held(&self, law: &Law, held: Held) -> Law {
+        law.scaled(self.left(held))
+    }
+
     /// Checks the constants.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 use super::OverTimeError;
 use super::erf::{erf, erf_integral};
 use crate::rubber::{Biaxial, Principal, RubberLaw};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
 /// Softening constants.
@@ -20,14 +21,17 @@ use std::f64::consts::PI;
 ///
 /// The energy lost in a cycle from rest to W_m and back is ∫(1 − η) dW0 = (s/r) ∫₀^(W_m/s) erf. No permanent set, no rate: reloading goes
 /// back along the unloading. β = 0 is the law as it was published; β and the name `s` follow its form in finite-element programs.
-/// Source: `ogden1999`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Source: `ogden1999`. As data (serde): `r`, `m` in MPa, `beta`, as in muscle files.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct OgdenRoxburgh {
     /// r (–).
     pub r: f64,
     /// m in MPa.
+    #[serde(rename = "m")]
     pub m_mpa: f64,
     /// β (–).
+    #[serde(default)]
     pub beta: f64,
 }
 

@@ -255,3 +255,19 @@ fn constants_and_histories_that_make_no_sense_are_refused() {
         Err(OverTimeError::TooFew { .. })
     ));
 }
+
+/// What is left of the moduli is left of every stress: energies of all laws are linear in their moduli.
+#[test]
+fn a_held_law_has_what_is_left_of_every_stress() {
+    let prony = series();
+    for law in Law::examples() {
+        for held in [Held::For(0.0), Held::For(20.0), Held::Long] {
+            let (left, later) = (prony.left(held), prony.held(&law, held));
+            for stretch in [0.7, 1.2, 1.9] {
+                let (a, b) = (later.uniaxial_stress_mpa(stretch), left * law.uniaxial_stress_mpa(stretch));
+                assert!((a - b).abs() < 1e-13 * (1.0 + b.abs()), "{} {held:?}", law.name());
+            }
+        }
+    }
+    assert!((prony.left(Held::Long) - 0.65).abs() < 1e-15);
+}

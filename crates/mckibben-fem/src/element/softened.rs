@@ -1,0 +1,169 @@
+//! Rubber that was stretched before, in an axisymmetric state (Ogden & Roxburgh 1999 \[ogden1999\]).
+//!
+//! With W0(F) the isochoric energy of the law, W_m the largest that a point has seen and η = η(W0, W_m),
+//!
+//!   φ = ∫₀^W0 η dW,   ∂φ/∂F = η ∂W0/∂F,   ∂²φ/∂F∂F = η ∂²W0/∂F∂F + η′ ∂W0/∂F ⊗ ∂W0/∂F
+//!
+//! and p (J − 1) beside it, which does not soften. W_m is held, so that φ is an energy: forces have a symmetric tangent.
+
+use super::plane::{Gradient, PlaneLaw, Stress};
+use super::q2::POINTS;
+use mckibben::rubber::over_time::OgdenRoxburgh;
+
+/// A law at the integration points of an element that have seen energies.
+#[derive(Debug, Clone, Copy)]
+pub struct Softened<'a, L> {
+    /// The law of the first loading.
+    pub law: &'a L,
+    /// How it softens.
+    pub softening: OgdenRoxburgh,
+    /// W_m of every integration point in MPa.
+    pub seen_mpa: &'a [f64; POINTS],
+}
+
+impl<L: PlaneLaw> Softened<'_, L> {
+    /// Stress and tangent of rubber that has seen an energy.
+    pub fn after<const TANGENT: bool>(&self, seen_mpa: f64, f: &Gradient, p: f64) -> Stress {
+        let mut s = self.law.stress::<TANGENT>(f, 0.0);
+        let eta = self.softening.factor(s.w, seen_mpa);
+        if TANGENT {
+            let slope = self.softening.slope(s.w, seen_mpa);
+            let (r, z) = (s.r, s.z);
+            for i in 0..3 {
+                for j in 0..3 {
+                    s.rr[i][j] = eta * s.rr[i][j] + slope * r[i] * r[j];
+                }
+                for (k, z) in s.rz[i].iter_mut().zip(z) {
+                    *k = eta * *k + slope * r[i] * z;
+                }
+            }
+            for i in 0..2 {
+                for j in 0..2 {
+                    s.zz[i][j] = eta * s.zz[i][j] + slope * z[i] * z[j];
+                }
+            }
+        }
+        s.w = self.softening.energy_mpa(s.w, seen_mpa);
+        s.r = s.r.map(|x| eta * x);
+        s.z = s.z.map(|x| eta * x);
+        volume::<TANGENT>(f, p, &mut s);
+        s
+    }
+}
+
+/// Adds p (J − 1): J = (ad − bc) t.
+fn volume<const TANGENT: bool>(f: &Gradient, p: f64, s: &mut Stress) {
+    let Gradient { a, b, c, d, t } = *f;
+    for (x, j) in s.r.iter_mut().zip([t * d, -t * c, f.section()]) {
+        *x += p * j;
+    }
+    for (x, j) in s.z.iter_mut().zip([-t * b, t * a]) {
+        *x += p * j;
+    }
+    if TANGENT {
+        for (i, x) in [(0, d), (1, -c)] {
+            s.rr[i][2] += p * x;
+            s.rr[2][i] += p * x;
+        }
+        s.rz[0][1] += p * t;
+        s.rz[1][0] -= p * t;
+        s.rz[2][0] -= p * b;
+        s.rz[2][1] += p * a;
+    }
+}
+
+impl<L: PlaneLaw> PlaneLaw for Softened<'_, L> {
+    fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress {
+        self.law.stress::<TANGENT>(f, p)
+    }
+
+    fn stress_at<const TANGENT: bool>(&self, point: usize, f: &Gradient, p: f64) -> Stress {
+        self.after::<TANGENT>(self.seen_mpa[point], f, p)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::plane::{PlaneVisitor, visit};
+    use super::*;
+    use mckibben::rubber::Law;
+
+    const SOFTENING: OgdenRoxburgh = OgdenRoxburgh { r: 1.4, m_mpa: 0.03, beta: 0.2 };
+
+    struct After(Gradient, f64, f64);
+
+    impl PlaneVisitor for After {
+        type Output = [Stress; 2];
+
+        fn with<L: PlaneLaw>(self, law: &L) -> [Stress; 2] {
+            let soft = Softened { law, softening: SOFTENING, seen_mpa: &[self.1; POINTS] };
+            [soft.stress_at::<true>(4, &self.0, self.2), law.stress::<true>(&self.0, self.2)]
+        }
+    }
+
+    fn at(law: &Law, x: [f64; 5], seen: f64, p: f64) -> [Stress; 2] {
+        let [a, b, t, c, d] = x;
+        visit(law, After(Gradient { a, b, c, d, t }, seen, p))
+    }
+
+    /// Every law: the stress is the derivative of the energy, the tangent that of the stress, below and beyond the largest energy.
+    #[test]
+    fn stress_and_tangent_are_those_of_finite_differences() {
+        let p = 0.3;
+        for law in Law::examples() {
+            for (x, seen) in [
+                ([1.3, 0.2, 1.2, -0.3, 0.7], 0.2),
+                ([1.3, 0.2, 1.2, -0.3, 0.7], 1.0),
+                ([0.8, 0.05, 1.5, -0.1, 0.8], 0.4),
+                ([1.3, 0.2, 1.2, -0.3, 0.7], 1e-6),
+            ] {
+                let [s, _] = at(&law, x, seen, p);
+                let energy = |x: [f64; 5]| {
+                    let volume = (x[0] * x[4] - x[1] * x[3]) * x[2];
+                    at(&law, x, seen, p)[0].w + p * (volume - 1.0)
+                };
+                let first = |x: [f64; 5]| {
+                    let [s, _] = at(&law, x, seen, p);
+                    [s.r[0], s.r[1], s.r[2], s.z[0], s.z[1]]
+                };
+                let k = |i: usize, j: usize| match (i, j) {
+                    (0..3, 0..3) => s.rr[i][j],
+                    (0..3, _) => s.rz[i][j - 3],
+                    (_, 0..3) => s.rz[j][i - 3],
+                    _ => s.zz[i - 3][j - 3],
+                };
+                let h = 1e-5;
+                for i in 0..5 {
+                    let moved = |by: f64| {
+                        let mut y = x;
+                        y[i] += by;
+                        y
+                    };
+                    let (up, down) = (moved(h), moved(-h));
+                    let by_energy = (energy(up) - energy(down)) / (2.0 * h);
+                    assert!((by_energy - first(x)[i]).abs() < 1e-7, "{} stress {i}", law.name());
+                    for j in 0..5 {
+                        let by_stress = (first(up)[j] - first(down)[j]) / (2.0 * h);
+                        assert!((by_stress - k(j, i)).abs() < 1e-6, "{} tangent {j} {i}", law.name());
+                        assert!((k(i, j) - k(j, i)).abs() < 1e-13);
+                    }
+                }
+            }
+        }
+    }
+
+    /// At the largest energy, beyond it and where nothing was seen the law is that of the first loading, to rounding.
+    #[test]
+    fn the_first_loading_is_the_law_itself() {
+        let x = [1.3, 0.2, 1.2, -0.3, 0.7];
+        for law in Law::examples() {
+            let seen = at(&law, x, 0.0, 0.0)[1].w;
+            for seen in [0.0, 0.5 * seen, seen] {
+                let [s, first] = at(&law, x, seen, 0.3);
+                for (a, b) in s.r.iter().chain(&s.z).zip(first.r.iter().chain(&first.z)) {
+                    assert!((a - b).abs() < 1e-13 * (1.0 + b.abs()), "{} {a} {b}", law.name());
+                }
+            }
+        }
+    }
+}
