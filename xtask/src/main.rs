@@ -36,7 +36,7 @@ const TASKS: [Task; 12] = [
 ];
 
 /// File in `docs/figures` and the command line that draws it.
-const FIGURES: [(&str, &str); 14] = [
+const FIGURES: [(&str, &str); 15] = [
     ("design.svg", "design --force 700N --contraction 15% --max-pressure 2.5bar"),
     ("models.svg", "compare --models fe,paper,thick-wall,ideal"),
     ("simulate.svg", "simulate examples/prototype.toml -e 0,10,20% -p 0.1,0.25"),
