@@ -1503,6 +1503,36 @@ class LawAnswer(Record):
     held_out: list[HeldOutError]
 
 
+class LawRow(Record):
+    """What the points say of a law of the rubber.
+
+    Attributes
+    ----------
+    law
+        The law.
+    parameters
+        What was free, with its value and error.
+    rms_n : N
+        Root mean square of the residuals, N.
+    aicc_difference
+        AICc less that of the preferred law: 10 is decided where the errors of the points are independent.
+    neighbour_correlation
+        Correlation of neighbouring residuals on a curve: near 0 where the model follows, near 1 where it does not.
+    doubt
+        What makes its constants implausible, or why there are none.
+    """
+
+    __slots__ = ()
+    _fields_ = ('law', 'parameters', 'rms_n', 'aicc_difference', 'neighbour_correlation', 'doubt')
+    _nested_ = {'parameters': 'Identified'}
+    law: str
+    parameters: list[Identified]
+    rms_n: float | None
+    aicc_difference: float | None
+    neighbour_correlation: float | None
+    doubt: str | None
+
+
 class LibraryFit(Record):
     """A law fitted to a rubber.
 
@@ -4082,6 +4112,8 @@ class IdentifyAnswer(Record):
         The same as a muscle file, with what was identified in its head.
     points
         The points, with what the model makes of them.
+    laws
+        What the points say of each law of the rubber, the one that they prefer first; empty where it was not asked.
     warnings
         What does not fit together, is not identifiable, or should be measured.
     figure
@@ -4089,8 +4121,8 @@ class IdentifyAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'data', 'understood', 'parameters', 'correlation', 'rms_before_n', 'rms_n', 'max_n', 'deviation', 'errors_stated', 'degrees_of_freedom', 'spreads', 'slack_points', 'muscle', 'muscle_file', 'points', 'warnings', 'figure')
-    _nested_ = {'understood': 'UnderstoodTable', 'parameters': 'Identified', 'spreads': 'Spread', 'muscle': 'MuscleSummary', 'points': 'IdentifiedPoint', 'figure': 'Figure'}
+    _fields_ = ('model', 'data', 'understood', 'parameters', 'correlation', 'rms_before_n', 'rms_n', 'max_n', 'deviation', 'errors_stated', 'degrees_of_freedom', 'spreads', 'slack_points', 'muscle', 'muscle_file', 'points', 'laws', 'warnings', 'figure')
+    _nested_ = {'understood': 'UnderstoodTable', 'parameters': 'Identified', 'spreads': 'Spread', 'muscle': 'MuscleSummary', 'points': 'IdentifiedPoint', 'laws': 'LawRow', 'figure': 'Figure'}
     _rows_ = 'parameters'
     model: str
     data: str
@@ -4108,6 +4140,7 @@ class IdentifyAnswer(Record):
     muscle: MuscleSummary
     muscle_file: str
     points: list[IdentifiedPoint]
+    laws: list[LawRow] | None
     warnings: list[str]
     figure: Figure | None
 

@@ -807,6 +807,7 @@ def identify(
     fix: Sequence[str] | None = None,
     bounds: Sequence[str] | None = None,
     loss: Literal["squares", "huber", "largest"] | None = None,
+    laws: bool = False,
     figure: str | None = None,
     progress: Progress = None,
 ) -> _results.Identification:
@@ -885,6 +886,8 @@ def identify(
         Bounds of what is free: NAME=LOW:HIGH.
     loss
         How residuals count.
+    laws
+        Every law of the rubber is tried, with all of its constants free beside what else is.
     figure
         The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     progress
@@ -900,7 +903,7 @@ def identify(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
+    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
 
 
 def joint(
@@ -2112,6 +2115,7 @@ class MuscleCommands:
         fix: Sequence[str] | None = None,
         bounds: Sequence[str] | None = None,
         loss: Literal["squares", "huber", "largest"] | None = None,
+        laws: bool = False,
         figure: str | None = None,
         progress: Progress = None,
     ) -> _results.Identification:
@@ -2160,6 +2164,8 @@ class MuscleCommands:
             Bounds of what is free: NAME=LOW:HIGH.
         loss
             How residuals count.
+        laws
+            Every law of the rubber is tried, with all of its constants free beside what else is.
         figure
             The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
         progress
@@ -2175,7 +2181,7 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered("identify", {"muscle": self, "data": data, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
+        return answered("identify", {"muscle": self, "data": data, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
 
     def show(
         self,
