@@ -114,6 +114,10 @@ impl Model {
     /// # Errors
     /// [`Problem`] of kind `formula`.
     pub fn of_formula(file: &TextFile) -> Result<Self, Problem> {
+        if !cfg!(feature = "whole") {
+            let message = "files of formulas need the whole engine, and this one is a part of it";
+            return Err(Problem::new(ProblemKind::Formula, message, ""));
+        }
         let read = Document::parse(&file.text).map_err(|e| e.in_file(std::path::Path::new(&file.name)))?;
         Ok(match read {
             Document::Section(formula) => Self::Formula(Arc::new(formula)),

@@ -1,11 +1,9 @@
 //! Forces, volume defects and tangent of the whole body.
 
 use super::discretisation::{BraidSpec, Discretisation};
-use super::memory::Memory;
-use crate::element::plane::{self, PlaneLaw, PlaneVisitor};
+use crate::element::plane::{self, AnyPlaneLaw};
 use crate::element::q2::{MODES, NODES, PADDED};
-use crate::element::softened::Softened;
-use crate::element::solid::{self, Contribution, Row, Unknowns};
+use crate::element::solid::{self, Contribution, Material, Row, Unknowns};
 use crate::element::strand::STRAND_POINTS;
 use crate::load::cavity::volume;
 use crate::solver::body::{State, Totals};
@@ -55,53 +53,47 @@ pub fn assemble<const TANGENT: bool>(
     s: &State,
     w: &mut Assembled,
 ) -> Result<Totals, Stopped> {
-    plane::visit(&d.problem.law, Assembly::<TANGENT> { d, s, w })
+    plane::with(&d.problem.law, |law| sum::<TANGENT>(law, d, s, w))
 }
 
-struct Assembly<'a, const TANGENT: bool> {
-    d: &'a Discretisation,
-    s: &'a State,
-    w: &'a mut Assembled,
-}
-
-impl<const TANGENT: bool> PlaneVisitor for Assembly<'_, TANGENT> {
-    type Output = Result<Totals, Stopped>;
-
-    fn with<L: PlaneLaw>(self, law: &L) -> Self::Output {
-        let Assembly { d, s, w } = self;
-        w.residual.fill(0.0);
-        w.volume.fill(0.0);
+fn sum<const TANGENT: bool>(
+    law: &dyn AnyPlaneLaw,
+    d: &Discretisation,
+    s: &State,
+    w: &mut Assembled,
+) -> Result<Totals, Stopped> {
+    w.residual.fill(0.0);
+    w.volume.fill(0.0);
+    if TANGENT {
+        w.chain.begin();
+    }
+    let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
+    let scale = Scale::new(d, s.pressure);
+    for slab in 0..d.layout.along {
         if TANGENT {
-            w.chain.begin();
+            w.chain.slab_mut(slab).fill(0.0);
         }
-        let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
-        let scale = Scale::new(d, s.pressure);
-        for slab in 0..d.layout.along {
-            if TANGENT {
-                w.chain.slab_mut(slab).fill(0.0);
-            }
-            for i in 0..d.layout.through {
-                solid::<L, TANGENT>(d, s, w, law, (slab, i), &mut totals)?;
-            }
-            if !d.strands.is_empty() {
-                strands::<TANGENT>(d, s, w, slab, &mut totals);
-            }
-            cavity::<TANGENT>(d, s, w, slab, &mut totals);
-            if TANGENT {
-                if slab == 0 {
-                    symmetry(d, w);
-                }
-                w.chain.eliminate(slab)?;
-            }
-            scale.slab(d, w, slab, &mut totals)?;
+        for i in 0..d.layout.through {
+            solid::<TANGENT>(d, s, w, law, (slab, i), &mut totals)?;
         }
-        let end = d.layout.end();
-        totals.pull = (0..d.layout.nodes()).map(|i| w.residual[end + 2 * i + 1]).sum();
-        if totals.pull.is_finite() {
-            Ok(totals)
-        } else {
-            Err(Stopped::NotFinite { element: d.elements.len() - 1 })
+        if !d.strands.is_empty() {
+            strands::<TANGENT>(d, s, w, slab, &mut totals);
         }
+        cavity::<TANGENT>(d, s, w, slab, &mut totals);
+        if TANGENT {
+            if slab == 0 {
+                symmetry(d, w);
+            }
+            w.chain.eliminate(slab)?;
+        }
+        scale.slab(d, w, slab, &mut totals)?;
+    }
+    let end = d.layout.end();
+    totals.pull = (0..d.layout.nodes()).map(|i| w.residual[end + 2 * i + 1]).sum();
+    if totals.pull.is_finite() {
+        Ok(totals)
+    } else {
+        Err(Stopped::NotFinite { element: d.elements.len() - 1 })
     }
 }
 
@@ -190,11 +182,11 @@ impl Places {
 }
 
 #[inline(always)]
-fn solid<L: PlaneLaw, const TANGENT: bool>(
+fn solid<const TANGENT: bool>(
     d: &Discretisation,
     s: &State,
     w: &mut Assembled,
-    law: &L,
+    law: &dyn AnyPlaneLaw,
     (slab, i): (usize, usize),
     totals: &mut Totals,
 ) -> Result<(), Stopped> {
@@ -209,13 +201,9 @@ fn solid<L: PlaneLaw, const TANGENT: bool>(
     }
     u.p.copy_from_slice(&s.u[pressure..pressure + MODES]);
     let c = &mut w.element;
-    let upright = match &d.memory {
-        None => solid::contribute::<L, TANGENT>(geometry, &u, law, d.compliance, c),
-        Some(Memory { softening, seen_mpa }) => {
-            let law = Softened { law, softening: *softening, seen_mpa: &seen_mpa[index] };
-            solid::contribute::<_, TANGENT>(geometry, &u, &law, d.compliance, c)
-        }
-    };
+    let memory = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
+    let material = Material { law, compliance: d.compliance, memory };
+    let upright = solid::contribute::<TANGENT>(geometry, &u, &material, c);
     if !upright {
         return Err(Stopped::Inverted { element: index, smallest_j: c.smallest_j });
     }

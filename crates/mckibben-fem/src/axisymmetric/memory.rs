@@ -8,8 +8,8 @@ use super::body::Body;
 use super::discretisation::Discretisation;
 use super::results::elements;
 use crate::FemError;
-use crate::element::plane::{self, PlaneLaw, PlaneVisitor};
-use crate::element::q2::POINTS;
+use crate::element::plane::{self, AnyPlaneLaw};
+use crate::element::q2::{Geometry, POINTS};
 use crate::element::solid::gradient;
 use crate::solver::body::State;
 use crate::solver::continuation::Continuation;
@@ -55,7 +55,7 @@ impl Memory {
 
     /// Takes in what a state of the body shows.
     pub fn see(&mut self, d: &Discretisation, state: &State) {
-        let here = plane::visit(&d.problem.law, Energies { d, state });
+        let here = plane::with(&d.problem.law, |law| energies(law, d, state));
         for (seen, here) in self.seen_mpa.iter_mut().flatten().zip(here.iter().flatten()) {
             *seen = seen.max(*here);
         }
@@ -63,18 +63,9 @@ impl Memory {
 }
 
 /// W0 of every integration point.
-struct Energies<'a> {
-    d: &'a Discretisation,
-    state: &'a State,
-}
-
-impl PlaneVisitor for Energies<'_> {
-    type Output = Vec<[f64; POINTS]>;
-
-    fn with<L: PlaneLaw>(self, law: &L) -> Self::Output {
-        let of = |(geometry, (_, u)): (&crate::element::q2::Geometry, (_, _))| {
-            std::array::from_fn(|k| law.stress::<false>(&gradient(&geometry.points[k], &u), 0.0).w)
-        };
-        self.d.elements.iter().zip(elements(self.d, self.state)).map(of).collect()
-    }
+fn energies(law: &dyn AnyPlaneLaw, d: &Discretisation, state: &State) -> Vec<[f64; POINTS]> {
+    let of = |(geometry, (_, u)): (&Geometry, (_, _))| {
+        std::array::from_fn(|k| law.stress_at(&gradient(&geometry.points[k], &u), 0.0).w)
+    };
+    d.elements.iter().zip(elements(d, state)).map(of).collect()
 }

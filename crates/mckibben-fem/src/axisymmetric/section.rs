@@ -8,9 +8,9 @@ use super::discretisation::{Discretisation, nodes};
 use super::model::Axisymmetric;
 use super::results::strands;
 use crate::FemError;
-use crate::element::plane::{self, Gradient, PlaneLaw, PlaneVisitor};
+use crate::element::plane::{self, AnyPlaneLaw, Gradient};
 use crate::element::q2::{GAUSS2, GAUSS3, Geometry, MODES, NODES, POINTS, Point, point, quadratic};
-use crate::element::softened::Softened;
+use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
 use crate::results::StrandState;
 use crate::simulation::Discretised;
@@ -111,7 +111,7 @@ impl Section {
         Self {
             through: d.layout.through,
             along: d.layout.along,
-            nodes: plane::visit(&d.problem.law, Nodes { d, s }),
+            nodes: plane::with(&d.problem.law, |law| section(law, d, s)),
             strands: strands(d, s, muscle),
             angle_rad: muscle.braid().angle_rad(),
             count: muscle.braid().strands.map(|n| n.count),
@@ -145,52 +145,42 @@ impl Axisymmetric {
     }
 }
 
-struct Nodes<'a> {
-    d: &'a Discretisation,
-    s: &'a State,
-}
-
-impl PlaneVisitor for Nodes<'_> {
-    type Output = Vec<SectionNode>;
-
-    fn with<L: PlaneLaw>(self, law: &L) -> Self::Output {
-        let Nodes { d, s } = self;
-        let l = d.layout;
-        let per_station = l.nodes();
-        let mut out = vec![SectionNode::default(); d.mesh.nodes.len()];
-        let mut shares = vec![0.0; out.len()];
-        for slab in 0..l.along {
-            for e in 0..l.through {
-                let rest = nodes(&d.mesh, slab, e);
-                let u = unknowns(d, s, slab, e);
-                let index = slab * l.through + e;
-                let seen = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
-                let stress = stresses(&d.elements[index], &rest, &u, law, seen);
-                for a in 0..NODES {
-                    let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
-                    let Some(p) = point(&rest, x, y, 1.0) else { continue };
-                    let f = gradient(&p, &u);
-                    let k = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3] * per_station + 2 * e + a % 3;
-                    let node = &mut out[k];
-                    shares[k] += 1.0;
-                    node.rest_mm = rest[a];
-                    node.now_mm = [rest[a][0] + u.r[a], rest[a][1] + u.z[a]];
-                    node.hoop_stretch += f.t;
-                    node.meridional_stretch += f.b.hypot(f.d);
-                    node.max_stretch += f.principal().into_iter().fold(0.0, f64::max);
-                    let at = bilinear(&stress, x, y);
-                    (0..4).for_each(|c| node.stress_mpa[c] += at[c]);
-                }
+fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionNode> {
+    let l = d.layout;
+    let per_station = l.nodes();
+    let mut out = vec![SectionNode::default(); d.mesh.nodes.len()];
+    let mut shares = vec![0.0; out.len()];
+    for slab in 0..l.along {
+        for e in 0..l.through {
+            let rest = nodes(&d.mesh, slab, e);
+            let u = unknowns(d, s, slab, e);
+            let index = slab * l.through + e;
+            let seen = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
+            let stress = stresses(&d.elements[index], &rest, &u, law, seen);
+            for a in 0..NODES {
+                let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
+                let Some(p) = point(&rest, x, y, 1.0) else { continue };
+                let f = gradient(&p, &u);
+                let k = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3] * per_station + 2 * e + a % 3;
+                let node = &mut out[k];
+                shares[k] += 1.0;
+                node.rest_mm = rest[a];
+                node.now_mm = [rest[a][0] + u.r[a], rest[a][1] + u.z[a]];
+                node.hoop_stretch += f.t;
+                node.meridional_stretch += f.b.hypot(f.d);
+                node.max_stretch += f.principal().into_iter().fold(0.0, f64::max);
+                let at = bilinear(&stress, x, y);
+                (0..4).for_each(|c| node.stress_mpa[c] += at[c]);
             }
         }
-        for (node, share) in out.iter_mut().zip(shares) {
-            let SectionNode { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = node;
-            for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
-                *value /= share;
-            }
-        }
-        out
     }
+    for (node, share) in out.iter_mut().zip(shares) {
+        let SectionNode { hoop_stretch, meridional_stretch, max_stretch, stress_mpa, .. } = node;
+        for value in [hoop_stretch, meridional_stretch, max_stretch].into_iter().chain(stress_mpa) {
+            *value /= share;
+        }
+    }
+    out
 }
 
 fn unknowns(d: &Discretisation, s: &State, slab: usize, element: usize) -> Unknowns {
@@ -225,11 +215,11 @@ fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
 }
 
 /// Cauchy stress at the 2 × 2 points, ξ running first.
-fn stresses<L: PlaneLaw>(
+fn stresses(
     geometry: &Geometry,
     rest: &[[f64; 2]; NODES],
     u: &Unknowns,
-    law: &L,
+    law: &dyn AnyPlaneLaw,
     seen: Option<(OgdenRoxburgh, &[f64; POINTS])>,
 ) -> [[f64; 4]; 4] {
     std::array::from_fn(|k| {
@@ -238,10 +228,12 @@ fn stresses<L: PlaneLaw>(
         let f = gradient(&at, u);
         let p = pressure(&geometry.points, u, xi, eta);
         let first = match seen {
-            None => law.stress::<false>(&f, p),
+            None => law.stress_at(&f, p),
             Some((softening, seen_mpa)) => {
+                let mut s = law.stress_at(&f, 0.0);
                 let here = between(seen_mpa.iter().copied(), xi, eta);
-                Softened { law, softening, seen_mpa }.after::<false>(here, &f, p)
+                soften::<false>(&softening, here, &f, p, &mut s);
+                s
             }
         };
         let (Gradient { a, b, c, d, t }, j) = (f, f.volume());

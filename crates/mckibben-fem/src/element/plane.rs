@@ -16,7 +16,7 @@ use super::stretches::ByStretches;
 use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// Deformation gradient of an axisymmetric state.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Gradient {
     /// F_rR
     pub a: f64,
@@ -85,11 +85,26 @@ struct Phi {
 pub trait PlaneLaw {
     /// Stress at F, and the tangent where `TANGENT`; `p` multiplies J − 1.
     fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress;
+}
 
-    /// The same at an integration point of an element, for rubber that is not alike everywhere.
-    #[inline(always)]
-    fn stress_at<const TANGENT: bool>(&self, _point: usize, f: &Gradient, p: f64) -> Stress {
-        self.stress::<TANGENT>(f, p)
+/// A [`PlaneLaw`] whose type is not known when what stands around it is compiled: elements, sections and sums are the same code for all.
+pub trait AnyPlaneLaw {
+    /// [`PlaneLaw::stress`] at every F of `f` with its multiplier in `p`; tangents where `tangent`.
+    fn stresses(&self, tangent: bool, f: &[Gradient], p: &[f64], out: &mut [Stress]);
+
+    /// Stress and energy at one F.
+    fn stress_at(&self, f: &Gradient, p: f64) -> Stress;
+}
+
+impl<L: PlaneLaw> AnyPlaneLaw for L {
+    fn stresses(&self, tangent: bool, f: &[Gradient], p: &[f64], out: &mut [Stress]) {
+        for ((out, f), p) in out.iter_mut().zip(f).zip(p) {
+            *out = if tangent { self.stress::<true>(f, *p) } else { self.stress::<false>(f, *p) };
+        }
+    }
+
+    fn stress_at(&self, f: &Gradient, p: f64) -> Stress {
+        self.stress::<false>(f, p)
     }
 }
 
@@ -192,32 +207,30 @@ impl<L: InvariantLaw> PlaneLaw for ByInvariants<'_, L> {
     }
 }
 
-/// Something done with a law whose type is known when it is compiled.
-pub trait PlaneVisitor {
-    /// What it gives back.
-    type Output;
-    /// The work itself.
-    fn with<L: PlaneLaw>(self, law: &L) -> Self::Output;
+/// Gives `work` the law: those in the invariants take the short way, others the way through principal stretches.
+pub fn with<T>(law: &Law, work: impl FnOnce(&dyn AnyPlaneLaw) -> T) -> T {
+    law.visit(InPlane(work))
 }
 
-/// Runs `visitor` with the concrete law: laws in the invariants take the short way, others the way through
-/// principal stretches.
-pub fn visit<V: PlaneVisitor>(law: &Law, visitor: V) -> V::Output {
-    law.visit(InPlane(visitor))
+struct InPlane<W>(W);
+
+impl<T, W: FnOnce(&dyn AnyPlaneLaw) -> T> LawVisitor for InPlane<W> {
+    type Output = T;
+
+    fn law<L: RubberLaw>(self, law: &L) -> T {
+        self.0(&ByStretches(law))
+    }
+
+    fn invariant_law<L: InvariantLaw>(self, law: &L) -> T {
+        self.0(&ByInvariants(law))
+    }
 }
 
-struct InPlane<V>(V);
-
-impl<V: PlaneVisitor> LawVisitor for InPlane<V> {
-    type Output = V::Output;
-
-    fn law<L: RubberLaw>(self, law: &L) -> V::Output {
-        self.0.with(&ByStretches(law))
-    }
-
-    fn invariant_law<L: InvariantLaw>(self, law: &L) -> V::Output {
-        self.0.with(&ByInvariants(law))
-    }
+#[cfg(test)]
+pub(super) fn tangent(law: &dyn AnyPlaneLaw, f: Gradient, p: f64) -> Stress {
+    let mut out = [Stress::default()];
+    law.stresses(true, &[f], &[p], &mut out);
+    out[0]
 }
 
 #[cfg(test)]
@@ -233,14 +246,6 @@ mod tests {
         }
     }
 
-    struct At(Gradient, f64);
-    impl PlaneVisitor for At {
-        type Output = Stress;
-        fn with<L: PlaneLaw>(self, law: &L) -> Stress {
-            law.stress::<true>(&self.0, self.1)
-        }
-    }
-
     /// Every law: stress is the derivative of the energy, the tangent that of the stress, also where two stretches are one.
     #[test]
     fn stress_and_tangent_are_those_of_finite_differences() {
@@ -250,7 +255,7 @@ mod tests {
                 let p = 0.3;
                 let at = |x: [f64; 5]| {
                     let f = Gradient { a: x[0], b: x[1], t: x[2], c: x[3], d: x[4] };
-                    let s = visit(&law, At(f, p));
+                    let s = with(&law, |law| tangent(law, f, p));
                     (s, s.w + p * (f.volume() - 1.0), [s.r[0], s.r[1], s.r[2], s.z[0], s.z[1]])
                 };
                 // Order (a, b, t, c, d).

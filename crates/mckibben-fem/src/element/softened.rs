@@ -6,49 +6,40 @@
 //!
 //! and p (J − 1) beside it, which does not soften. W_m is held, so that φ is an energy: forces have a symmetric tangent.
 
-use super::plane::{Gradient, PlaneLaw, Stress};
-use super::q2::POINTS;
+use super::plane::{Gradient, Stress};
 use mckibben::rubber::over_time::OgdenRoxburgh;
 
-/// A law at the integration points of an element that have seen energies.
-#[derive(Debug, Clone, Copy)]
-pub struct Softened<'a, L> {
-    /// The law of the first loading.
-    pub law: &'a L,
-    /// How it softens.
-    pub softening: OgdenRoxburgh,
-    /// W_m of every integration point in MPa.
-    pub seen_mpa: &'a [f64; POINTS],
-}
-
-impl<L: PlaneLaw> Softened<'_, L> {
-    /// Stress and tangent of rubber that has seen an energy.
-    pub fn after<const TANGENT: bool>(&self, seen_mpa: f64, f: &Gradient, p: f64) -> Stress {
-        let mut s = self.law.stress::<TANGENT>(f, 0.0);
-        let eta = self.softening.factor(s.w, seen_mpa);
-        if TANGENT {
-            let slope = self.softening.slope(s.w, seen_mpa);
-            let (r, z) = (s.r, s.z);
-            for i in 0..3 {
-                for j in 0..3 {
-                    s.rr[i][j] = eta * s.rr[i][j] + slope * r[i] * r[j];
-                }
-                for (k, z) in s.rz[i].iter_mut().zip(z) {
-                    *k = eta * *k + slope * r[i] * z;
-                }
+/// What becomes of the stress `s` of the first loading at F, taken without the multiplier, in rubber that has seen the energy
+/// `seen_mpa`; `p` multiplies J − 1.
+pub fn soften<const TANGENT: bool>(
+    softening: &OgdenRoxburgh,
+    seen_mpa: f64,
+    f: &Gradient,
+    p: f64,
+    s: &mut Stress,
+) {
+    let eta = softening.factor(s.w, seen_mpa);
+    if TANGENT {
+        let slope = softening.slope(s.w, seen_mpa);
+        let (r, z) = (s.r, s.z);
+        for i in 0..3 {
+            for j in 0..3 {
+                s.rr[i][j] = eta * s.rr[i][j] + slope * r[i] * r[j];
             }
-            for i in 0..2 {
-                for j in 0..2 {
-                    s.zz[i][j] = eta * s.zz[i][j] + slope * z[i] * z[j];
-                }
+            for (k, z) in s.rz[i].iter_mut().zip(z) {
+                *k = eta * *k + slope * r[i] * z;
             }
         }
-        s.w = self.softening.energy_mpa(s.w, seen_mpa);
-        s.r = s.r.map(|x| eta * x);
-        s.z = s.z.map(|x| eta * x);
-        volume::<TANGENT>(f, p, &mut s);
-        s
+        for i in 0..2 {
+            for j in 0..2 {
+                s.zz[i][j] = eta * s.zz[i][j] + slope * z[i] * z[j];
+            }
+        }
     }
+    s.w = softening.energy_mpa(s.w, seen_mpa);
+    s.r = s.r.map(|x| eta * x);
+    s.z = s.z.map(|x| eta * x);
+    volume::<TANGENT>(f, p, s);
 }
 
 /// Adds p (J − 1): J = (ad − bc) t.
@@ -72,38 +63,22 @@ fn volume<const TANGENT: bool>(f: &Gradient, p: f64, s: &mut Stress) {
     }
 }
 
-impl<L: PlaneLaw> PlaneLaw for Softened<'_, L> {
-    fn stress<const TANGENT: bool>(&self, f: &Gradient, p: f64) -> Stress {
-        self.law.stress::<TANGENT>(f, p)
-    }
-
-    fn stress_at<const TANGENT: bool>(&self, point: usize, f: &Gradient, p: f64) -> Stress {
-        self.after::<TANGENT>(self.seen_mpa[point], f, p)
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::plane::{PlaneVisitor, visit};
+    use super::super::plane::{tangent, with};
     use super::*;
     use mckibben::rubber::Law;
 
     const SOFTENING: OgdenRoxburgh = OgdenRoxburgh { r: 1.4, m_mpa: 0.03, beta: 0.2 };
 
-    struct After(Gradient, f64, f64);
-
-    impl PlaneVisitor for After {
-        type Output = [Stress; 2];
-
-        fn with<L: PlaneLaw>(self, law: &L) -> [Stress; 2] {
-            let soft = Softened { law, softening: SOFTENING, seen_mpa: &[self.1; POINTS] };
-            [soft.stress_at::<true>(4, &self.0, self.2), law.stress::<true>(&self.0, self.2)]
-        }
-    }
-
     fn at(law: &Law, x: [f64; 5], seen: f64, p: f64) -> [Stress; 2] {
         let [a, b, t, c, d] = x;
-        visit(law, After(Gradient { a, b, c, d, t }, seen, p))
+        let f = Gradient { a, b, c, d, t };
+        with(law, |law| {
+            let mut soft = tangent(law, f, 0.0);
+            soften::<true>(&SOFTENING, seen, &f, p, &mut soft);
+            [soft, tangent(law, f, p)]
+        })
     }
 
     /// Every law: the stress is the derivative of the energy, the tangent that of the stress, below and beyond the largest energy.

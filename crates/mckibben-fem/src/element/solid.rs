@@ -6,8 +6,10 @@
 
 #[cfg(target_arch = "x86_64")]
 use super::lanes::Width;
-use super::plane::{Gradient, PlaneLaw};
-use super::q2::{Geometry, MODES, NODES, PADDED, Point};
+use super::plane::{AnyPlaneLaw, Gradient, Stress};
+use super::q2::{Geometry, MODES, NODES, PADDED, POINTS, Point};
+use super::softened::soften;
+use mckibben::rubber::over_time::OgdenRoxburgh;
 
 /// A row of nodal values.
 pub type Row = [f64; PADDED];
@@ -66,6 +68,32 @@ impl Default for Contribution {
     }
 }
 
+/// The rubber of an element.
+#[derive(Clone, Copy)]
+pub struct Material<'a> {
+    /// The law of the first loading.
+    pub law: &'a dyn AnyPlaneLaw,
+    /// 1/K in 1/MPa.
+    pub compliance: f64,
+    /// How it softens, and the largest energy W_m in MPa that every integration point has seen.
+    pub memory: Option<(OgdenRoxburgh, &'a [f64; POINTS])>,
+}
+
+impl Material<'_> {
+    fn stresses<const TANGENT: bool>(
+        &self,
+        f: &[Gradient; POINTS],
+        p: &[f64; POINTS],
+        out: &mut [Stress; POINTS],
+    ) {
+        let Some((softening, seen_mpa)) = self.memory else { return self.law.stresses(TANGENT, f, p, out) };
+        self.law.stresses(TANGENT, f, &[0.0; POINTS], out);
+        for (k, s) in out.iter_mut().enumerate() {
+            soften::<TANGENT>(&softening, seen_mpa[k], &f[k], p[k], s);
+        }
+    }
+}
+
 #[inline(always)]
 fn dot(a: &Row, b: &Row) -> f64 {
     let mut lanes = [0.0; 4];
@@ -89,48 +117,45 @@ pub fn gradient(p: &Point, u: &Unknowns) -> Gradient {
     }
 }
 
-/// Fills `out`. `compliance` is 1/K in 1/MPa. Gives `false` where the element is turned inside out (J ≤ 0); `out` is
+/// Fills `out`. Gives `false` where the element is turned inside out (J ≤ 0); `out` is
 /// then unfinished but for `smallest_j`.
 #[inline]
-pub fn contribute<L: PlaneLaw, const TANGENT: bool>(
+pub fn contribute<const TANGENT: bool>(
     geometry: &Geometry,
     u: &Unknowns,
-    law: &L,
-    compliance: f64,
+    material: &Material<'_>,
     out: &mut Contribution,
 ) -> bool {
     #[cfg(target_arch = "x86_64")]
     if Width::here() >= Width::Four {
         // SAFETY: the processor has just been asked for what the function needs.
-        return unsafe { wide::<L, TANGENT>(geometry, u, law, compliance, out) };
+        return unsafe { wide::<TANGENT>(geometry, u, material, out) };
     }
-    run::<L, TANGENT>(geometry, u, law, compliance, out)
+    run::<TANGENT>(geometry, u, material, out)
 }
 
 /// The same code compiled for four numbers at a time. No products are fused: the answer is the same to the last digit.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn wide<L: PlaneLaw, const TANGENT: bool>(
+fn wide<const TANGENT: bool>(
     geometry: &Geometry,
     u: &Unknowns,
-    law: &L,
-    compliance: f64,
+    material: &Material<'_>,
     out: &mut Contribution,
 ) -> bool {
-    run::<L, TANGENT>(geometry, u, law, compliance, out)
+    run::<TANGENT>(geometry, u, material, out)
 }
 
 #[inline(always)]
-fn run<L: PlaneLaw, const TANGENT: bool>(
+fn run<const TANGENT: bool>(
     geometry: &Geometry,
     u: &Unknowns,
-    law: &L,
-    compliance: f64,
+    material: &Material<'_>,
     out: &mut Contribution,
 ) -> bool {
     let zero = [0.0; PADDED];
     (out.fr, out.fz, out.energy, out.smallest_j) = (zero, zero, 0.0, f64::INFINITY);
-    out.g = u.p.map(|p| -p * geometry.volume * compliance);
+    out.g = u.p.map(|p| -p * geometry.volume * material.compliance);
     if TANGENT {
         out.br = [zero; MODES];
         out.bz = [zero; MODES];
@@ -138,17 +163,22 @@ fn run<L: PlaneLaw, const TANGENT: bool>(
         out.rz = [zero; NODES];
         out.zz = [zero; NODES];
     }
-    for (index, point) in geometry.points.iter().enumerate() {
-        let f = gradient(point, u);
-        let (area, weight) = (f.section(), point.volume);
-        let j = area * f.t;
-        out.smallest_j = out.smallest_j.min(j);
+    let (mut gradients, mut pressures) = ([Gradient::default(); POINTS], [0.0; POINTS]);
+    for ((point, f), p) in geometry.points.iter().zip(&mut gradients).zip(&mut pressures) {
+        *f = gradient(point, u);
+        let area = f.section();
+        out.smallest_j = out.smallest_j.min(area * f.t);
         if !(area > 0.0 && f.t > 0.0) {
             out.smallest_j = out.smallest_j.min(area);
             return false;
         }
-        let pressure = u.p[0] + u.p[1] * point.psi[1] + u.p[2] * point.psi[2];
-        let s = law.stress_at::<TANGENT>(index, &f, pressure);
+        *p = u.p[0] + u.p[1] * point.psi[1] + u.p[2] * point.psi[2];
+    }
+    let mut stresses = [Stress::default(); POINTS];
+    material.stresses::<TANGENT>(&gradients, &pressures, &mut stresses);
+    for ((point, f), s) in geometry.points.iter().zip(&gradients).zip(&stresses) {
+        let (area, weight) = (f.section(), point.volume);
+        let j = area * f.t;
         out.energy += weight * s.w;
         for k in 0..MODES {
             out.g[k] += weight * point.psi[k] * (j - 1.0);
@@ -172,7 +202,7 @@ fn run<L: PlaneLaw, const TANGENT: bool>(
                     out.bz[k][n] += point.psi[k] * z;
                 }
             }
-            tangent(point, &s, weight, out);
+            tangent(point, s, weight, out);
         }
     }
     true
@@ -180,7 +210,7 @@ fn run<L: PlaneLaw, const TANGENT: bool>(
 
 /// Adds one point's tangent; every row is a sum of products with the three rows of gradients.
 #[inline(always)]
-fn tangent(point: &Point, s: &super::plane::Stress, weight: f64, out: &mut Contribution) {
+fn tangent(point: &Point, s: &Stress, weight: f64, out: &mut Contribution) {
     let Point { r, z, t, .. } = point;
     let (mut ga, mut gb, mut gt) = ([0.0; PADDED], [0.0; PADDED], [0.0; PADDED]);
     let (mut qc, mut qd) = ([0.0; PADDED], [0.0; PADDED]);

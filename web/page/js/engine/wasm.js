@@ -100,7 +100,8 @@ export class Engine {
    * @returns {Promise<Commands[K]["answer"]>}
    */
   ask(command, request, { lane = "side", signal } = {}) {
-    const small = LIVE.includes(command) && /** @type {any} */ (request).model !== "fe3d";
+    const { model, formulas } = /** @type {any} */ (request);
+    const small = LIVE.includes(command) && model !== "fe3d" && !formulas?.length;
     return this.lanes[small ? lane : "whole"].ask(command, request, { signal });
   }
 
