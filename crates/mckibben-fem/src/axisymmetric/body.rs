@@ -18,6 +18,7 @@ use crate::solver::body::{Control, State, Totals};
 use crate::solver::dense;
 use crate::solver::newton::{NewtonSystem, Stopped};
 use mckibben::model::ThickWall;
+use mckibben::muscle::Crimp;
 use std::sync::Arc;
 
 /// The last station after everything else was condensed.
@@ -315,7 +316,7 @@ impl Body {
                 let change: f64 =
                     (0..6).map(|i| first[i] * self.step[stations[i / 2] + 4 * l.through + i % 2]).sum();
                 let strain = point.stretch(&u).value - 1.0 + change;
-                let q = k * braid.crimp.map_or(strain, |crimp| crimp.at(strain)[1]);
+                let q = k * Crimp::force(braid.crimp.as_ref(), strain);
                 self.step_q[index] = q - self.state.q[index];
             }
         }

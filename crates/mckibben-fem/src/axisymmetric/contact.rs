@@ -16,12 +16,11 @@
 //! \[davis2006\]; strands are tied to the tube, so that nothing slides on it. Where they are slack pc vanishes, and the friction with it.
 
 use super::Axisymmetric;
-use super::assembly::tension;
 use super::body::Body;
 use super::discretisation::Discretisation;
+use super::results::strand;
 use crate::FemError;
 use crate::element::q2::{GAUSS2, along};
-use crate::simulation::Discretised;
 use mckibben::model::Workspace;
 
 /// Second derivatives of the shape functions of a line element in its coordinate: middle, left, right.
@@ -60,11 +59,7 @@ impl Axisymmetric {
         pressure_mpa: f64,
         contraction: f64,
     ) -> Result<Contact, FemError> {
-        let c = self.continuation(workspace)?;
-        c.reach(pressure_mpa, contraction)?;
-        let force_n = c.pull();
-        c.body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
-        Ok(of(&mut c.body))
+        Ok(of(&mut self.factorised(workspace, pressure_mpa, contraction)?.body))
     }
 }
 
@@ -88,9 +83,7 @@ fn place(d: &Discretisation, u: &[f64], by: &[f64], (slab, g): (usize, usize)) -
     let l = d.layout;
     let Some(braid) = d.problem.braid else { return ContactPlace::default() };
     let (point, line) = (&d.strands[slab][g], l.line(u, slab, 2 * l.through));
-    let stretch = point.stretch(&line);
-    let multiplier = if l.multipliers { u[l.tension(slab) + g] } else { 0.0 };
-    let q = tension(&braid, stretch.value - 1.0, multiplier, d.augment_strand).0;
+    let (stretch, q) = strand(d, u, slab, g);
     let [v_r, v_z, v_hoop] = stretch.vector;
     let meridian = v_r.hypot(v_z);
     // dθ of tanθ = v_hoop/meridian

@@ -83,6 +83,22 @@ impl Axisymmetric {
     }
 }
 
+impl Axisymmetric {
+    /// At a pressure in MPa and a contraction, with the tangent of this very state factorised.
+    pub(super) fn factorised<'w>(
+        &self,
+        workspace: &'w mut Workspace,
+        pressure_mpa: f64,
+        contraction: f64,
+    ) -> Result<&'w mut Continuation<Body>, FemError> {
+        let c = self.continuation(workspace)?;
+        c.reach(pressure_mpa, contraction)?;
+        let force_n = c.pull();
+        c.body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+        Ok(c)
+    }
+}
+
 impl Discretised for Axisymmetric {
     type Body = Body;
 
@@ -184,11 +200,7 @@ impl ForceModel for Axisymmetric {
             return None;
         }
         let mut known = || {
-            let c = self.continuation(workspace)?;
-            c.reach(pressure_mpa, contraction)?;
-            // The tangent of this very state, factorised.
-            let force_n = c.pull();
-            c.body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+            let c = self.factorised(workspace, pressure_mpa, contraction)?;
             sensitivity::of(&mut c.body, &self.muscle, |name| names.iter().any(|n| n == name))
         };
         let known = match known() {

@@ -4,9 +4,9 @@ use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
 use super::sensitivity;
 use crate::FemError;
-use crate::element::q2::{NODES, point};
+use crate::element::q2::{MODES, NODES, point};
 use crate::element::solid::{Unknowns, gradient};
-use crate::element::strand::STRAND_POINTS;
+use crate::element::strand::{STRAND_POINTS, Stretch};
 use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
 use crate::solver::body::State;
 use mckibben::model::Response;
@@ -82,20 +82,17 @@ fn highest([a, b, c]: [f64; 3]) -> f64 {
 
 /// Tension per width at every strand point.
 fn tensions<'a>(d: &'a Discretisation, s: &'a State) -> impl Iterator<Item = f64> + 'a {
-    (0..d.strands.len()).flat_map(move |slab| (0..STRAND_POINTS).map(move |g| strand(d, s, slab, g).1))
+    (0..d.strands.len()).flat_map(move |slab| (0..STRAND_POINTS).map(move |g| strand(d, &s.u, slab, g).1))
 }
 
-/// (λf with its angle in degrees, tension per width) of a strand point.
-fn strand(d: &Discretisation, s: &State, slab: usize, g: usize) -> ((f64, f64), f64) {
+/// λf and the tension per width of a strand point.
+pub(super) fn strand(d: &Discretisation, u: &[f64], slab: usize, g: usize) -> (Stretch, f64) {
     let l = d.layout;
-    let p = &d.strands[slab][g];
-    let stretch = p.stretch(&l.line(&s.u, slab, 2 * l.through));
-    let multiplier = if l.multipliers { s.u[l.tension(slab) + g] } else { 0.0 };
-    let q = d
-        .problem
-        .braid
-        .map_or(0.0, |b| super::assembly::tension(&b, stretch.value - 1.0, multiplier, d.augment_strand).0);
-    ((stretch.value, p.angle_rad(&stretch).to_degrees()), q)
+    let stretch = d.strands[slab][g].stretch(&l.line(u, slab, 2 * l.through));
+    let multiplier = if l.multipliers { u[l.tension(slab) + g] } else { 0.0 };
+    let tension = |b| super::assembly::tension(&b, stretch.value - 1.0, multiplier, d.augment_strand).0;
+    let q = d.problem.braid.map_or(0.0, tension);
+    (stretch, q)
 }
 
 pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<StrandState> {
@@ -103,11 +100,11 @@ pub(super) fn strands(d: &Discretisation, s: &State, muscle: &Muscle) -> Vec<Str
     let mut out: Vec<StrandState> = (0..d.strands.len())
         .flat_map(|slab| (0..STRAND_POINTS).map(move |g| (slab, g)))
         .map(|(slab, g)| {
-            let ((stretch, angle_deg), q) = strand(d, s, slab, g);
+            let (stretch, q) = strand(d, &s.u, slab, g);
             StrandState {
                 rest_mm: d.strands[slab][g].place,
-                stretch,
-                angle_deg,
+                stretch: stretch.value,
+                angle_deg: d.strands[slab][g].angle_rad(&stretch).to_degrees(),
                 tension_n_per_mm: q,
                 tension_n: spacing.map(|w| q * w),
             }
@@ -168,15 +165,20 @@ pub(super) fn elements<'a>(
     s: &'a State,
 ) -> impl Iterator<Item = ([[f64; 2]; NODES], Unknowns)> + 'a {
     let l = d.layout;
-    (0..l.along).flat_map(move |slab| {
-        (0..l.through).map(move |i| {
-            let mut u = Unknowns::default();
-            for a in 0..NODES {
-                let j = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3];
-                let k = l.at(j) + 2 * (2 * i + a % 3);
-                (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
-            }
-            (nodes(&d.mesh, slab, i), u)
-        })
-    })
+    (0..l.along)
+        .flat_map(move |slab| (0..l.through).map(move |i| (nodes(&d.mesh, slab, i), unknowns(d, s, slab, i))))
+}
+
+/// Displacements and pressure modes of an element.
+pub(super) fn unknowns(d: &Discretisation, s: &State, slab: usize, element: usize) -> Unknowns {
+    let l = d.layout;
+    let mut u = Unknowns::default();
+    for a in 0..NODES {
+        let j = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3];
+        let k = l.at(j) + 2 * (2 * element + a % 3);
+        (u.r[a], u.z[a]) = (s.u[k], s.u[k + 1]);
+    }
+    let first = l.pressure(slab, element);
+    u.p.copy_from_slice(&s.u[first..first + MODES]);
+    u
 }

@@ -6,10 +6,10 @@
 
 use super::discretisation::{Discretisation, nodes};
 use super::model::Axisymmetric;
-use super::results::strands;
+use super::results::{strands, unknowns};
 use crate::FemError;
 use crate::element::plane::{self, AnyPlaneLaw, Gradient};
-use crate::element::q2::{GAUSS2, GAUSS3, Geometry, MODES, NODES, POINTS, Point, point, quadratic};
+use crate::element::q2::{GAUSS2, GAUSS3, Geometry, NODES, POINTS, Point, point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
 use crate::results::StrandState;
@@ -181,20 +181,6 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
         }
     }
     out
-}
-
-fn unknowns(d: &Discretisation, s: &State, slab: usize, element: usize) -> Unknowns {
-    let l = d.layout;
-    let mut u = Unknowns::default();
-    for i in 0..3 {
-        let line = l.line(&s.u, slab, 2 * element + i);
-        for k in 0..3 {
-            (u.r[3 * k + i], u.z[3 * k + i]) = (line[2 * k], line[2 * k + 1]);
-        }
-    }
-    let first = l.pressure(slab, element);
-    u.p.copy_from_slice(&s.u[first..first + MODES]);
-    u
 }
 
 /// Pressure in the rubber at local coordinates. Its modes are linear in (R, Z), which are biquadratic in the local

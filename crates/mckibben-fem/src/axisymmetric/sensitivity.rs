@@ -35,9 +35,8 @@ struct Measures {
 
 impl Measures {
     fn lay(&self) -> StrandLay {
-        let offset_mm = 0.5 * self.thickness;
-        let radius_mm = 0.5 * self.diameter.unwrap_or(self.outer_diameter) + offset_mm;
-        StrandLay { angle_rad: self.angle_deg.to_radians(), radius_mm, offset_mm }
+        let diameter = self.diameter.unwrap_or(self.outer_diameter);
+        StrandLay::new(self.angle_deg.to_radians(), diameter, self.thickness)
     }
 }
 

@@ -31,7 +31,7 @@ fn slice(
 ) -> Option<crate::solver::continuation::Continuation<crate::axisymmetric::Body>> {
     let (inner, outer, angle, _) = SECTION;
     let mesh = Mesh::tube(inner, outer, 5.0, (THROUGH, 1, 1.0));
-    let lay = StrandLay { angle_rad: angle.to_radians(), radius_mm: outer, offset_mm: 0.0 };
+    let lay = StrandLay::new(angle.to_radians(), 2.0 * outer, 0.0);
     let braid = BraidSpec { lay, crimp: None, stiffness, compression: false };
     body(mesh, Some(braid), Ends::Sliding).ok()
 }

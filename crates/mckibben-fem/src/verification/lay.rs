@@ -39,8 +39,7 @@ fn slice(
 }
 
 fn lay(radius_mm: f64, thickness_mm: f64) -> StrandLay {
-    let offset_mm = 0.5 * thickness_mm;
-    StrandLay { angle_rad: ANGLE_DEG.to_radians(), radius_mm: radius_mm + offset_mm, offset_mm }
+    StrandLay::new(ANGLE_DEG.to_radians(), 2.0 * radius_mm, thickness_mm)
 }
 
 /// The outer radius at which strands have their own length at an axial stretch.

@@ -41,6 +41,12 @@ impl Crimp {
         [0.5 * kappa * strain * strain + rest * energy, kappa * strain + rest * force, kappa + rest * slope]
     }
 
+    /// Force over k at a strain, of strands with crimp or without.
+    #[inline]
+    pub fn force(crimp: Option<&Self>, strain: f64) -> f64 {
+        crimp.map_or(strain, |crimp| crimp.at(strain)[1])
+    }
+
     /// The strain at a force over k.
     pub fn strain_at(&self, force: f64) -> f64 {
         let (kappa, width) = (self.stiffness_ratio, BLEND * self.strain);

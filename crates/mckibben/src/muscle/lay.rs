@@ -23,6 +23,12 @@ pub struct StrandLay {
 }
 
 impl StrandLay {
+    /// Of a braid with a thickness t in mm in a sleeve of an inner diameter Ds in mm.
+    pub fn new(angle_rad: f64, diameter_mm: f64, thickness_mm: f64) -> Self {
+        let offset_mm = 0.5 * thickness_mm;
+        Self { angle_rad, radius_mm: 0.5 * diameter_mm + offset_mm, offset_mm }
+    }
+
     /// rb/Rs at an outer radius of the tube in mm.
     pub fn hoop_stretch(&self, outer_radius_mm: f64) -> f64 {
         (outer_radius_mm + self.offset_mm) / self.radius_mm
@@ -42,9 +48,8 @@ impl StrandLay {
 impl Braid {
     /// How the strands lie on a tube.
     pub fn lay(&self, tube: &Tube) -> StrandLay {
-        let offset_mm = 0.5 * self.thickness_mm;
-        let radius_mm = 0.5 * self.diameter_mm.unwrap_or(tube.outer_diameter_mm) + offset_mm;
-        StrandLay { angle_rad: self.angle_rad(), radius_mm, offset_mm }
+        let diameter_mm = self.diameter_mm.unwrap_or(tube.outer_diameter_mm);
+        StrandLay::new(self.angle_rad(), diameter_mm, self.thickness_mm)
     }
 }
 

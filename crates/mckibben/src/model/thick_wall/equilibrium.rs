@@ -2,6 +2,7 @@
 
 use super::ThickWall;
 use crate::model::{ModelError, WallEnergy};
+use crate::muscle::Crimp;
 use crate::rubber::RubberLaw;
 use std::f64::consts::PI;
 
@@ -60,7 +61,10 @@ impl ThickWall {
         let (fl, fr) = (a * l / stretch, b * rb / stretch);
         let (w, [_, force, t]) = match &self.crimp {
             None => (0.5 * c * strain * strain, [0.0, strain, 1.0]),
-            Some(crimp) => (c * crimp.at(strain)[0], crimp.at(strain)),
+            Some(crimp) => {
+                let at = crimp.at(strain);
+                (c * at[0], at)
+            }
         };
         BraidEnergy {
             w,
@@ -78,8 +82,7 @@ impl ThickWall {
         if strain <= 0.0 && !self.compression {
             return 0.0;
         }
-        let force = self.crimp.map_or(strain, |crimp| crimp.at(strain)[1]);
-        4.0 * PI * self.rs * self.cos2.sqrt() * k * force
+        4.0 * PI * self.rs * self.cos2.sqrt() * k * Crimp::force(self.crimp.as_ref(), strain)
     }
 
     /// Energy of wall and braid at a stretch and outer radius, and its derivatives; without the braid where strands do not
