@@ -145,10 +145,10 @@ fn jacobian<R: Real, const NN: usize>(x: &[[R; 3]; NN], dn: &[[f64; 3]; NN]) -> 
 
 /// Fills `out`; the tangent only where `TANGENT`.
 #[inline(always)]
-pub fn run<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+pub fn run<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
     input: &Input<R, NN, NM>,
-    law: &L,
+    law: SpatialLaw<'_>,
     out: &mut Output<R, NN, NM>,
 ) {
     let s = R::splat;

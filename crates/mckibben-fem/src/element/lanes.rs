@@ -6,6 +6,9 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
+/// Lanes of the widest.
+pub const MOST: usize = 8;
+
 /// One number per lane.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign + Send + Sync + 'static

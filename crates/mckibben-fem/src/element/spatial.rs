@@ -11,9 +11,9 @@
 // Components and nodes are counted: several arrays share an index.
 #![allow(clippy::needless_range_loop)]
 
-use super::lanes::Real;
-use super::spatial_stretches::ByStretches;
-use mckibben::rubber::{InvariantLaw, Law, LawVisitor, RubberLaw};
+use super::lanes::{MOST, Real};
+use super::spatial_stretches::{Stretches, by_stretches};
+use mckibben::rubber::{InvariantDerivatives, InvariantLaw, Law, LawVisitor, RubberLaw};
 
 /// A symmetric tensor.
 pub type Symmetric<R> = [R; 6];
@@ -43,10 +43,57 @@ impl<R: Real> Spatial<R> {
     }
 }
 
-/// An isochoric law.
-pub trait SpatialLaw: Sync {
+/// A law in I1 and I2, asked at several places at once.
+pub trait Invariants: Sync {
+    /// w and its derivatives at every (I1, I2).
+    fn invariants(&self, at: &[[f64; 2]], out: &mut [InvariantDerivatives]);
+}
+
+impl<L: InvariantLaw> Invariants for L {
+    fn invariants(&self, at: &[[f64; 2]], out: &mut [InvariantDerivatives]) {
+        for (out, [i1, i2]) in out.iter_mut().zip(at) {
+            *out = self.invariant(*i1, *i2);
+        }
+    }
+}
+
+/// An isochoric law. Elements are compiled once for all laws: numbers go to and from the law alone.
+#[derive(Clone, Copy)]
+pub enum SpatialLaw<'a> {
+    /// In the invariants: the short way.
+    Invariants(&'a dyn Invariants),
+    /// In the principal stretches.
+    Stretches(&'a dyn Stretches),
+}
+
+impl SpatialLaw<'_> {
     /// τ at b and J, and c where `TANGENT`.
-    fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, j: R) -> Spatial<R>;
+    #[inline(always)]
+    pub fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, j: R) -> Spatial<R> {
+        match self {
+            Self::Invariants(law) => by_invariants::<R, TANGENT>(*law, b, j),
+            Self::Stretches(law) => by_stretches(*law, b),
+        }
+    }
+}
+
+/// Gives `work` the law.
+pub fn with<T>(law: &Law, work: impl FnOnce(SpatialLaw<'_>) -> T) -> T {
+    law.visit(InSpace(work))
+}
+
+struct InSpace<W>(W);
+
+impl<T, W: FnOnce(SpatialLaw<'_>) -> T> LawVisitor for InSpace<W> {
+    type Output = T;
+
+    fn law<L: RubberLaw>(self, law: &L) -> T {
+        self.0(SpatialLaw::Stretches(law))
+    }
+
+    fn invariant_law<L: InvariantLaw>(self, law: &L) -> T {
+        self.0(SpatialLaw::Invariants(law))
+    }
 }
 
 /// x^(−1/3), lane by lane.
@@ -75,64 +122,62 @@ pub(crate) fn inverse_cube_root<R: Real>(x: R) -> R {
     out
 }
 
-/// A law in I1 and I2.
-#[derive(Debug, Clone, Copy)]
-pub struct ByInvariants<'a, L>(pub &'a L);
-
-impl<L: InvariantLaw> SpatialLaw for ByInvariants<'_, L> {
-    #[inline(always)]
-    fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, j: R) -> Spatial<R> {
-        let s = R::splat;
-        let root = inverse_cube_root(j);
-        let scale = root * root;
-        let mut x = *b;
-        for v in &mut x {
-            *v = *v * scale;
-        }
-        let mut y = x;
-        for (k, &(i, j)) in PAIRS.iter().enumerate() {
-            y[k] = x[AT[i][0]] * x[AT[0][j]] + x[AT[i][1]] * x[AT[1][j]] + x[AT[i][2]] * x[AT[2][j]];
-        }
-        let i1 = x[0] + x[1] + x[2];
-        let i2 = s(0.5) * (i1 * i1 - (y[0] + y[1] + y[2]));
-        let o = s(0.0);
-        let (mut w, mut w1, mut w2, mut w11, mut w12, mut w22) = (o, o, o, o, o, o);
-        for l in 0..R::LANES {
-            let d = self.0.invariant(i1.lane(l), i2.lane(l));
-            w.set_lane(l, d.w);
-            w1.set_lane(l, d.w1);
-            w2.set_lane(l, d.w2);
-            w11.set_lane(l, d.w11);
-            w12.set_lane(l, d.w12);
-            w22.set_lane(l, d.w22);
-        }
-        let (a1, a2) = (s(2.0) * (w1 + i1 * w2), s(-2.0) * w2);
-        let mut out = Spatial::zero();
-        out.w = w;
-        for k in 0..6 {
-            out.tau[k] = a1 * x[k] + a2 * y[k];
-        }
-        let mean = (out.tau[0] + out.tau[1] + out.tau[2]) * s(1.0 / 3.0);
-        for k in 0..3 {
-            out.tau[k] = out.tau[k] - mean;
-        }
-        if TANGENT {
-            let k11 = s(4.0) * (w2 + w11 + s(2.0) * i1 * w12 + i1 * i1 * w22);
-            let k12 = s(-4.0) * (w12 + i1 * w22);
-            let (k22, half) = (s(4.0) * w22, s(-2.0) * w2);
-            for a in 0..6 {
-                let (i, j) = PAIRS[a];
-                let (p, q) = (k11 * x[a] + k12 * y[a], k12 * x[a] + k22 * y[a]);
-                for c in a..6 {
-                    let (k, l) = PAIRS[c];
-                    let dyads = x[AT[i][k]] * x[AT[j][l]] + x[AT[i][l]] * x[AT[j][k]];
-                    out.c[a][c] = p * x[c] + q * y[c] + half * dyads;
-                }
-            }
-            deviate(&mut out, mean);
-        }
-        out
+#[inline(always)]
+fn by_invariants<R: Real, const TANGENT: bool>(law: &dyn Invariants, b: &Symmetric<R>, j: R) -> Spatial<R> {
+    let s = R::splat;
+    let root = inverse_cube_root(j);
+    let scale = root * root;
+    let mut x = *b;
+    for v in &mut x {
+        *v = *v * scale;
     }
+    let mut y = x;
+    for (k, &(i, j)) in PAIRS.iter().enumerate() {
+        y[k] = x[AT[i][0]] * x[AT[0][j]] + x[AT[i][1]] * x[AT[1][j]] + x[AT[i][2]] * x[AT[2][j]];
+    }
+    let i1 = x[0] + x[1] + x[2];
+    let i2 = s(0.5) * (i1 * i1 - (y[0] + y[1] + y[2]));
+    let o = s(0.0);
+    let (mut w, mut w1, mut w2, mut w11, mut w12, mut w22) = (o, o, o, o, o, o);
+    let (mut at, mut values) = ([[0.0; 2]; MOST], [InvariantDerivatives::default(); MOST]);
+    for l in 0..R::LANES {
+        at[l] = [i1.lane(l), i2.lane(l)];
+    }
+    law.invariants(&at[..R::LANES], &mut values[..R::LANES]);
+    for (l, d) in values[..R::LANES].iter().enumerate() {
+        w.set_lane(l, d.w);
+        w1.set_lane(l, d.w1);
+        w2.set_lane(l, d.w2);
+        w11.set_lane(l, d.w11);
+        w12.set_lane(l, d.w12);
+        w22.set_lane(l, d.w22);
+    }
+    let (a1, a2) = (s(2.0) * (w1 + i1 * w2), s(-2.0) * w2);
+    let mut out = Spatial::zero();
+    out.w = w;
+    for k in 0..6 {
+        out.tau[k] = a1 * x[k] + a2 * y[k];
+    }
+    let mean = (out.tau[0] + out.tau[1] + out.tau[2]) * s(1.0 / 3.0);
+    for k in 0..3 {
+        out.tau[k] = out.tau[k] - mean;
+    }
+    if TANGENT {
+        let k11 = s(4.0) * (w2 + w11 + s(2.0) * i1 * w12 + i1 * i1 * w22);
+        let k12 = s(-4.0) * (w12 + i1 * w22);
+        let (k22, half) = (s(4.0) * w22, s(-2.0) * w2);
+        for a in 0..6 {
+            let (i, j) = PAIRS[a];
+            let (p, q) = (k11 * x[a] + k12 * y[a], k12 * x[a] + k22 * y[a]);
+            for c in a..6 {
+                let (k, l) = PAIRS[c];
+                let dyads = x[AT[i][k]] * x[AT[j][l]] + x[AT[i][l]] * x[AT[j][k]];
+                out.c[a][c] = p * x[c] + q * y[c] + half * dyads;
+            }
+        }
+        deviate(&mut out, mean);
+    }
+    out
 }
 
 /// c̄ (upper half) becomes c (both halves); `mean` is tr τ̄/3.
@@ -168,33 +213,5 @@ fn deviate<R: Real>(out: &mut Spatial<R>, mean: R) {
         for b in 0..a {
             c[a][b] = c[b][a];
         }
-    }
-}
-
-/// Something done with a law whose type is known when it is compiled.
-pub trait SpatialVisitor {
-    /// What it gives back.
-    type Output;
-    /// The work itself.
-    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output;
-}
-
-/// Runs `visitor` with the concrete law: laws in the invariants take the short way, others the way through
-/// principal stretches.
-pub fn visit<V: SpatialVisitor>(law: &Law, visitor: V) -> V::Output {
-    law.visit(InSpace(visitor))
-}
-
-struct InSpace<V>(V);
-
-impl<V: SpatialVisitor> LawVisitor for InSpace<V> {
-    type Output = V::Output;
-
-    fn law<L: RubberLaw>(self, law: &L) -> V::Output {
-        self.0.with(&ByStretches(law))
-    }
-
-    fn invariant_law<L: InvariantLaw>(self, law: &L) -> V::Output {
-        self.0.with(&ByInvariants(law))
     }
 }

@@ -9,13 +9,21 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::lanes::Real;
-use super::spatial::{PAIRS, Spatial, SpatialLaw, Symmetric};
+use super::spatial::{PAIRS, Spatial, Symmetric};
 use super::stretches::logarithmic;
 use mckibben::rubber::RubberLaw;
 
 /// A law in the principal stretches.
-#[derive(Debug, Clone, Copy)]
-pub struct ByStretches<'a, L>(pub &'a L);
+pub trait Stretches: Sync {
+    /// τ and c at b.
+    fn at(&self, b: &Symmetric<f64>) -> Spatial<f64>;
+}
+
+impl<L: RubberLaw> Stretches for L {
+    fn at(&self, b: &Symmetric<f64>) -> Spatial<f64> {
+        one(self, b)
+    }
+}
 
 /// Where two squared stretches are nearer than this share, the divided difference is replaced by its limit.
 const NEAR: f64 = 1e-5;
@@ -89,23 +97,23 @@ fn one<L: RubberLaw>(law: &L, b: &Symmetric<f64>) -> Spatial<f64> {
     out
 }
 
-impl<L: RubberLaw> SpatialLaw for ByStretches<'_, L> {
-    fn spatial<R: Real, const TANGENT: bool>(&self, b: &Symmetric<R>, _: R) -> Spatial<R> {
-        let mut out = Spatial::<R>::zero();
-        for l in 0..R::LANES {
-            let mut here = [0.0; 6];
-            for (x, y) in here.iter_mut().zip(b) {
-                *x = y.lane(l);
-            }
-            let s = one(self.0, &here);
-            out.w.set_lane(l, s.w);
-            for k in 0..6 {
-                out.tau[k].set_lane(l, s.tau[k]);
-                for m in 0..6 {
-                    out.c[k][m].set_lane(l, s.c[k][m]);
-                }
+/// Lane by lane.
+#[inline(always)]
+pub fn by_stretches<R: Real>(law: &dyn Stretches, b: &Symmetric<R>) -> Spatial<R> {
+    let mut out = Spatial::<R>::zero();
+    for l in 0..R::LANES {
+        let mut here = [0.0; 6];
+        for (x, y) in here.iter_mut().zip(b) {
+            *x = y.lane(l);
+        }
+        let s = law.at(&here);
+        out.w.set_lane(l, s.w);
+        for k in 0..6 {
+            out.tau[k].set_lane(l, s.tau[k]);
+            for m in 0..6 {
+                out.c[k][m].set_lane(l, s.c[k][m]);
             }
         }
-        out
     }
+    out
 }

@@ -11,7 +11,7 @@ use crate::element::hexahedron::{NODES8, NODES27, points8, points27};
 use crate::element::lanes::Real;
 #[cfg(target_arch = "x86_64")]
 use crate::element::lanes::Width;
-use crate::element::spatial::{AT, SpatialLaw, SpatialVisitor, visit};
+use crate::element::spatial::{AT, SpatialLaw, with};
 use crate::element::truss::Truss;
 use crate::load::cavity_faces::{FacePoint, points4, points9, skew, volume};
 use crate::solver::body::{State, Totals};
@@ -73,7 +73,7 @@ pub fn assemble<const TANGENT: bool>(
     }
     let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
     for m in &d.materials {
-        let inverted = visit(&m.law, Bricks::<TANGENT> { d, m, s, work, totals: &mut totals });
+        let inverted = with(&m.law, |law| bricks::<TANGENT>((d, m), s, law, work, &mut totals));
         if let Some((element, smallest_j)) = inverted {
             return Err(Stopped::Inverted { element, smallest_j });
         }
@@ -108,86 +108,80 @@ pub fn assemble<const TANGENT: bool>(
     Ok(totals)
 }
 
-struct Bricks<'a, const TANGENT: bool> {
-    d: &'a Discretisation,
-    m: &'a Material,
-    s: &'a State,
-    work: &'a mut Assembled,
-    totals: &'a mut Totals,
-}
-
-impl<const TANGENT: bool> SpatialVisitor for Bricks<'_, TANGENT> {
-    type Output = Option<(usize, f64)>;
-
-    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
-        let Self { d, m, s, work, totals } = self;
-        match d.problem.brick {
-            Brick::Linear => {
-                let points = std::mem::take(&mut work.points8);
-                let out = wide::<L, 8, 1, TANGENT>(&points, (d, m), s, law, work, totals);
-                work.points8 = points;
-                out
-            }
-            Brick::Quadratic => {
-                let points = std::mem::take(&mut work.points27);
-                let out = wide::<L, 27, 4, TANGENT>(&points, (d, m), s, law, work, totals);
-                work.points27 = points;
-                out
-            }
+/// Adds up the bricks of one material; the first that is turned inside out, with its volume ratio.
+fn bricks<const TANGENT: bool>(
+    of: (&Discretisation, &Material),
+    s: &State,
+    law: SpatialLaw<'_>,
+    work: &mut Assembled,
+    totals: &mut Totals,
+) -> Option<(usize, f64)> {
+    match of.0.problem.brick {
+        Brick::Linear => {
+            let points = std::mem::take(&mut work.points8);
+            let out = wide::<8, 1, TANGENT>(&points, of, s, law, work, totals);
+            work.points8 = points;
+            out
+        }
+        Brick::Quadratic => {
+            let points = std::mem::take(&mut work.points27);
+            let out = wide::<27, 4, TANGENT>(&points, of, s, law, work, totals);
+            work.points27 = points;
+            out
         }
     }
 }
 
-fn wide<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+fn wide<const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
     of: (&Discretisation, &Material),
     s: &State,
-    law: &L,
+    law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
     match of.0.width {
         // SAFETY: `Width::here` has asked the processor.
         #[cfg(target_arch = "x86_64")]
-        Width::Eight => unsafe { eight::<L, NN, NM, TANGENT>(points, of, s, law, work, totals) },
+        Width::Eight => unsafe { eight::<NN, NM, TANGENT>(points, of, s, law, work, totals) },
         #[cfg(target_arch = "x86_64")]
-        Width::Four => unsafe { four::<L, NN, NM, TANGENT>(points, of, s, law, work, totals) },
-        _ => all::<f64, L, NN, NM, TANGENT>(points, of, s, law, work, totals),
+        Width::Four => unsafe { four::<NN, NM, TANGENT>(points, of, s, law, work, totals) },
+        _ => all::<f64, NN, NM, TANGENT>(points, of, s, law, work, totals),
     }
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
-fn eight<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+fn eight<const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
     of: (&Discretisation, &Material),
     s: &State,
-    law: &L,
+    law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
-    all::<crate::element::lanes::Eight, L, NN, NM, TANGENT>(points, of, s, law, work, totals)
+    all::<crate::element::lanes::Eight, NN, NM, TANGENT>(points, of, s, law, work, totals)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2,fma")]
-fn four<L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+fn four<const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
     of: (&Discretisation, &Material),
     s: &State,
-    law: &L,
+    law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
-    all::<crate::element::lanes::Four, L, NN, NM, TANGENT>(points, of, s, law, work, totals)
+    all::<crate::element::lanes::Four, NN, NM, TANGENT>(points, of, s, law, work, totals)
 }
 
 #[inline(always)]
-fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: bool>(
+fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
     of: (&Discretisation, &Material),
     s: &State,
-    law: &L,
+    law: SpatialLaw<'_>,
     work: &mut Assembled,
     totals: &mut Totals,
 ) -> Option<(usize, f64)> {
@@ -221,7 +215,7 @@ fn all<R: Real, L: SpatialLaw, const NN: usize, const NM: usize, const TANGENT: 
                 }
             }
         }
-        run::<R, L, NN, NM, TANGENT>(points, &input, law, &mut out);
+        run::<R, NN, NM, TANGENT>(points, &input, law, &mut out);
         for lane in 0..R::LANES.min(count - first) {
             let e = first + lane;
             let j = out.smallest_j.lane(lane);

@@ -13,7 +13,7 @@ use crate::FemError;
 use crate::element::brick::ShapePoint;
 use crate::element::hexahedron::{at8, at27};
 use crate::element::q2::GAUSS2;
-use crate::element::spatial::{PAIRS, SpatialLaw, SpatialVisitor, visit};
+use crate::element::spatial::{PAIRS, SpatialLaw, with};
 use crate::element::spatial_stretches::principal_axes;
 use crate::simulation::Discretised;
 use mckibben::model::Workspace;
@@ -98,7 +98,7 @@ fn field(muscle: &mut MuscleInBricks) -> Result<Field, FemError> {
     let force_n = body.totals.pull;
     body.evaluate().map_err(|reason| FemError::Force { force_n, reason })?;
     let body = &*body;
-    let mut nodes = visit(&body.discretisation.problem.law, Nodes { body });
+    let mut nodes = with(&body.discretisation.problem.law, |law| at_nodes(body, law));
     nodes.truncate(mesh.grid().iter().product());
     Ok(Field { nodes, pieces: pieces(body), plug: plug(body, mesh), mesh: BrickMesh::clone(mesh) })
 }
@@ -151,7 +151,10 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
     };
     let mut out = PlugField { nodes: which.iter().map(at).collect(), bricks };
     if let Some(elastic) = body.discretisation.materials.get(1) {
-        let field = visit(&elastic.law, Middles { body, bricks: elastic.bricks.clone(), order });
+        let field = with(&elastic.law, |law| match order {
+            1 => middles(body, elastic.bricks.clone(), law, &at8([0.0; 3], 1.0)),
+            _ => middles(body, elastic.bricks.clone(), law, &at27([0.0; 3], 1.0)),
+        });
         for (node, n) in out.nodes.iter_mut().zip(&which) {
             *node = NodeField { rest_mm: node.rest_mm, now_mm: node.now_mm, ..field[*n] };
         }
@@ -160,31 +163,19 @@ fn plug(body: &Body, mesh: &BrickMesh) -> Option<PlugField> {
 }
 
 /// Stretches and stress in the middle of the plug's bricks, averaged at nodes.
-struct Middles<'a> {
-    body: &'a Body,
+fn middles<const NN: usize>(
+    body: &Body,
     bricks: Range<usize>,
-    order: usize,
-}
-
-impl SpatialVisitor for Middles<'_> {
-    type Output = Vec<NodeField>;
-
-    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
-        match self.order {
-            1 => middles(&self, law, &at8([0.0; 3], 1.0)),
-            _ => middles(&self, law, &at27([0.0; 3], 1.0)),
-        }
-    }
-}
-
-fn middles<L: SpatialLaw, const NN: usize>(of: &Middles<'_>, law: &L, p: &ShapePoint<NN>) -> Vec<NodeField> {
-    let problem = &of.body.discretisation.problem;
+    law: SpatialLaw<'_>,
+    p: &ShapePoint<NN>,
+) -> Vec<NodeField> {
+    let problem = &body.discretisation.problem;
     let mut out = vec![NodeField::default(); problem.nodes.len()];
     let mut shares = vec![0.0; out.len()];
-    for e in of.bricks.clone() {
+    for e in bricks {
         let nodes = &problem.bricks[e];
-        let Some((f, at)) = gradient(of.body, nodes, p) else { continue };
-        let stress = stress(of.body, law, e, nodes, p);
+        let Some((f, at)) = gradient(body, nodes, p) else { continue };
+        let stress = stress(body, law, e, nodes, p);
         let one = NodeField { stress_mpa: stress, ..stretches(&f, at) };
         for node in nodes {
             out[*node as usize].add(&one);
@@ -226,31 +217,23 @@ impl NodeField {
     }
 }
 
-struct Nodes<'a> {
-    body: &'a Body,
-}
-
-impl SpatialVisitor for Nodes<'_> {
-    type Output = Vec<NodeField>;
-
-    fn with<L: SpatialLaw>(self, law: &L) -> Self::Output {
-        let d = &self.body.discretisation;
-        let mut out = vec![NodeField::default(); d.problem.nodes.len()];
-        match d.problem.brick {
-            Brick::Linear => fill(self.body, law, &at8, &[[0.0; 3]], &mut out),
-            Brick::Quadratic => {
-                let g = [GAUSS2[0].0, GAUSS2[1].0];
-                let points: Vec<[f64; 3]> = (0..8).map(|k| [g[k % 2], g[k / 2 % 2], g[k / 4]]).collect();
-                fill(self.body, law, &at27, &points, &mut out);
-            }
+fn at_nodes(body: &Body, law: SpatialLaw<'_>) -> Vec<NodeField> {
+    let d = &body.discretisation;
+    let mut out = vec![NodeField::default(); d.problem.nodes.len()];
+    match d.problem.brick {
+        Brick::Linear => fill(body, law, &at8, &[[0.0; 3]], &mut out),
+        Brick::Quadratic => {
+            let g = [GAUSS2[0].0, GAUSS2[1].0];
+            let points: Vec<[f64; 3]> = (0..8).map(|k| [g[k % 2], g[k / 2 % 2], g[k / 4]]).collect();
+            fill(body, law, &at27, &points, &mut out);
         }
-        out
     }
+    out
 }
 
-fn fill<L: SpatialLaw, const NN: usize>(
+fn fill<const NN: usize>(
     body: &Body,
-    law: &L,
+    law: SpatialLaw<'_>,
     at: &dyn Fn([f64; 3], f64) -> ShapePoint<NN>,
     points: &[[f64; 3]],
     out: &mut [NodeField],
@@ -325,9 +308,9 @@ pub(super) fn gradient<const NN: usize>(
 }
 
 /// Cauchy stress at a point of brick `e`.
-fn stress<L: SpatialLaw, const NN: usize>(
+fn stress<const NN: usize>(
     body: &Body,
-    law: &L,
+    law: SpatialLaw<'_>,
     e: usize,
     nodes: &[u32],
     p: &ShapePoint<NN>,
