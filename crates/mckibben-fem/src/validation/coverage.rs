@@ -117,7 +117,7 @@ fn rms(set: &'static Case, all: &[Residual]) -> Row {
 /// # Errors
 /// [`ModelError`] of a muscle that they do not have.
 pub fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(seated(Box::new(Axisymmetric::new(muscle)?)))
+    Ok(seated(Box::new(Axisymmetric::new(&muscle.between_ends())?), muscle))
 }
 
 /// Identifies a muscle from the mean of its branches as its first fit says, and compares all its points with it.

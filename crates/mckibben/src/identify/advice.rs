@@ -52,11 +52,13 @@ pub(super) fn before(
         );
     }
     let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
-    if free.contains(&Target::Seating) && distinct(lengths) == 1 {
-        notes.push(
-            "all points are of one length: terminals.seating can then hardly be told from an error in the zero of the length; measure muscles of other lengths"
-                .into(),
-        );
+    let ends = [Target::Seating, Target::Slip, Target::Grip].into_iter().find(|t| free.contains(t));
+    if let Some(end) = ends.filter(|_| distinct(lengths) == 1) {
+        let look = if end == Target::Seating { "the zero of the length" } else { "length, angle or modulus" };
+        notes.push(format!(
+            "all points are of one length: {} can then hardly be told from an error in {look}; measure muscles of other lengths",
+            end.name(muscle)
+        ));
     }
     Ok(notes)
 }
