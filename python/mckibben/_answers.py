@@ -1441,7 +1441,7 @@ class KindOfQuantity(Record):
     __slots__ = ()
     _fields_ = ('kind', 'expectation', 'units')
     _nested_ = {'units': 'UnitOfKind'}
-    kind: Literal["length", "pressure", "angle", "force", "ratio", "stiffness", "area", "mass", "torque", "angular-stiffness", "inertia", "time", "frequency", "temperature", "conductance", "damping", "angular-damping", "volume"]
+    kind: Literal["length", "pressure", "angle", "force", "ratio", "stiffness", "compliance", "area", "mass", "torque", "angular-stiffness", "inertia", "time", "frequency", "temperature", "conductance", "damping", "angular-damping", "volume"]
     expectation: str
     units: list[UnitOfKind]
 
@@ -1792,6 +1792,32 @@ class MeasuredBin(Record):
     rms_n: float
 
 
+class MeasuredBranch(Record):
+    """What a fit leaves of the points of one branch of the hysteresis.
+
+    Attributes
+    ----------
+    branch
+        The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
+    points
+        How many points.
+    rms_n : N
+        Root mean square in N.
+    bias_n : N
+        Mean of measured less computed in N.
+    held
+        Share of the points that the ± holds, with its part for friction where the muscle states none.
+    """
+
+    __slots__ = ()
+    _fields_ = ('branch', 'points', 'rms_n', 'bias_n', 'held')
+    branch: Literal["mean", "contraction", "elongation"]
+    points: int
+    rms_n: float
+    bias_n: float
+    held: float | None
+
+
 class MeasuredCase(Record):
     """A measured muscle.
 
@@ -1800,13 +1826,13 @@ class MeasuredCase(Record):
     name
         Name of its folder.
     title
-        Which muscle.
+        Which muscle or rubber.
     source
         Who measured it.
     terms
         On what terms the points may be used.
     known
-        What is known of the muscle.
+        What is known of it.
     unknown
         What is not.
     points
@@ -1875,20 +1901,22 @@ class MeasuredResult(Record):
     rms_of_blocked
         `rms_n` over the largest blocked force of these points.
     held
-        Share of the points that the ± of `fe` holds; null where there are none.
+        Share of the points that the ± of the model holds; null where there are none, or no ±.
     branch_points
         How many points of single branches there are.
     branch_held
         Share of these that the ± with its part for friction holds; null where there are none.
+    by_branch
+        The points of each branch of the hysteresis, where it was measured.
     unanswered
-        Points without an answer of `fe`.
+        Points without an answer of the model.
     by_contraction
         The same by contraction ratio.
     """
 
     __slots__ = ()
-    _fields_ = ('case', 'fit', 'fitted_to', 'of', 'blind', 'points', 'rms_n', 'largest_n', 'bias_n', 'rms_of_blocked', 'held', 'branch_points', 'branch_held', 'unanswered', 'by_contraction')
-    _nested_ = {'by_contraction': 'MeasuredBin'}
+    _fields_ = ('case', 'fit', 'fitted_to', 'of', 'blind', 'points', 'rms_n', 'largest_n', 'bias_n', 'rms_of_blocked', 'held', 'branch_points', 'branch_held', 'by_branch', 'unanswered', 'by_contraction')
+    _nested_ = {'by_branch': 'MeasuredBranch', 'by_contraction': 'MeasuredBin'}
     case: str
     fit: str
     fitted_to: str
@@ -1902,8 +1930,114 @@ class MeasuredResult(Record):
     held: float | None
     branch_points: int
     branch_held: float | None
+    by_branch: list[MeasuredBranch]
     unanswered: int
     by_contraction: list[MeasuredBin]
+
+
+class MeasuredRubber(Record):
+    """A measured rubber.
+
+    Attributes
+    ----------
+    name
+        Name of its folder.
+    title
+        Which muscle or rubber.
+    source
+        Who measured it.
+    terms
+        On what terms the points may be used.
+    known
+        What is known of it.
+    unknown
+        What is not.
+    points
+        Points.
+    fits
+        What was fitted.
+    """
+
+    __slots__ = ()
+    _fields_ = ('name', 'title', 'source', 'terms', 'known', 'unknown', 'points', 'fits')
+    _nested_ = {'fits': 'MeasuredRubberFit'}
+    name: str
+    title: str
+    source: str
+    terms: str
+    known: str
+    unknown: str
+    points: int
+    fits: list[MeasuredRubberFit]
+
+
+class MeasuredRubberFit(Record):
+    """A law that was fitted, and what was found.
+
+    Attributes
+    ----------
+    fit
+        Its name.
+    law
+        The law.
+    parameters
+        Its constants, with a Prony series those at once.
+    prony
+        Shares and time constants in s of the Prony series, where one was fitted.
+    stable
+        Whether the law is stable in a muscle.
+    """
+
+    __slots__ = ()
+    _fields_ = ('fit', 'law', 'parameters', 'prony', 'stable')
+    _nested_ = {'parameters': 'Parameter'}
+    fit: str
+    law: str
+    parameters: list[Parameter]
+    prony: list[tuple[float, float]] | None
+    stable: bool
+
+
+class MeasuredStress(Record):
+    """What a fit leaves of some nominal stresses: measured less computed.
+
+    Attributes
+    ----------
+    case
+        Name of the case's folder.
+    fit
+        Name of the fit.
+    of
+        The points that are compared: a mode, a mode `further` than the law was fitted, or a branch of a test over
+        time.
+    blind
+        Whether nothing was fitted to them.
+    points
+        How many.
+    to_stretch
+        Their largest stretch.
+    rms_mpa : MPa
+        Root mean square of the differences in MPa.
+    relative
+        The same over the root mean square of the measured stresses.
+    bias_mpa : MPa
+        Mean of measured less computed in MPa.
+    largest_mpa : MPa
+        Largest difference in MPa.
+    """
+
+    __slots__ = ()
+    _fields_ = ('case', 'fit', 'of', 'blind', 'points', 'to_stretch', 'rms_mpa', 'relative', 'bias_mpa', 'largest_mpa')
+    case: str
+    fit: str
+    of: str
+    blind: bool
+    points: int
+    to_stretch: float
+    rms_mpa: float
+    relative: float
+    bias_mpa: float
+    largest_mpa: float
 
 
 class ModeError(Record):
@@ -4190,17 +4324,23 @@ class MeasuredAnswer(Record):
         The muscles.
     results
         What is left of their points, fit by fit.
+    rubbers
+        The rubbers.
+    stresses
+        What is left of their stresses, fit by fit.
     figure
         The figure, where it was asked for.
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'cases', 'results', 'figure')
-    _nested_ = {'cases': 'MeasuredCase', 'results': 'MeasuredResult', 'figure': 'Figure'}
+    _fields_ = ('model', 'cases', 'results', 'rubbers', 'stresses', 'figure')
+    _nested_ = {'cases': 'MeasuredCase', 'results': 'MeasuredResult', 'rubbers': 'MeasuredRubber', 'stresses': 'MeasuredStress', 'figure': 'Figure'}
     _rows_ = 'results'
     model: str
     cases: list[MeasuredCase]
     results: list[MeasuredResult]
+    rubbers: list[MeasuredRubber]
+    stresses: list[MeasuredStress]
     figure: Figure | None
 
 

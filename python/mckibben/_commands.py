@@ -92,6 +92,8 @@ def compare(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -152,6 +154,10 @@ def compare(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -181,7 +187,7 @@ def compare(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
+    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
 
 
 def contraction(
@@ -199,6 +205,8 @@ def contraction(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -245,6 +253,10 @@ def contraction(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -289,7 +301,7 @@ def contraction(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def curve(
@@ -306,6 +318,8 @@ def curve(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -356,6 +370,10 @@ def curve(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -411,7 +429,7 @@ def curve(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
+    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
 
 
 def design(
@@ -655,6 +673,8 @@ def force(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -699,6 +719,10 @@ def force(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -738,7 +762,7 @@ def force(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def formula_show(
@@ -785,6 +809,8 @@ def identify(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -839,6 +865,10 @@ def identify(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -903,7 +933,7 @@ def identify(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
+    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
 
 
 def joint(
@@ -982,15 +1012,18 @@ def joint(
 def measured(
     *,
     cases: Sequence[dict[str, Any]] | None = None,
+    model: str | Formula | None = None,
     figure: str | None = None,
     progress: Progress = None,
 ) -> _answers.MeasuredAnswer:
-    """Measured muscles, each with what is known of it and what is to be fitted.
+    """Measured muscles and rubbers, each with what is known of it and what is to be fitted.
 
     Parameters
     ----------
     cases
-        The folders of the muscles; those that are built in where there are none.
+        The folders; those that are built in where there are none.
+    model
+        The model of the muscles; `fe` where none is named.
     figure
         The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     progress
@@ -1006,7 +1039,7 @@ def measured(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("measured", {"cases": cases, "figure": figure}, "MeasuredAnswer", progress)  # type: ignore[no-any-return]
+    return answered("measured", {"cases": cases, "model": model, "figure": figure}, "MeasuredAnswer", progress)  # type: ignore[no-any-return]
 
 
 def models(
@@ -1113,6 +1146,8 @@ def muscle_show(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1153,6 +1188,10 @@ def muscle_show(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1192,7 +1231,7 @@ def muscle_show(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa}, "MuscleShowAnswer")  # type: ignore[no-any-return]
+    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa}, "MuscleShowAnswer")  # type: ignore[no-any-return]
 
 
 def plan(
@@ -1237,6 +1276,8 @@ def pressure(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1281,6 +1322,10 @@ def pressure(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1320,7 +1365,7 @@ def pressure(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def rubber_fit(
@@ -1465,6 +1510,8 @@ def shape(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1504,6 +1551,10 @@ def shape(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1533,7 +1584,7 @@ def shape(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
+    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
 
 
 def simulate(
@@ -1550,6 +1601,8 @@ def simulate(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1596,6 +1649,10 @@ def simulate(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1644,7 +1701,7 @@ def simulate(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
+    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
 
 
 def study(
@@ -1660,6 +1717,8 @@ def study(
     strand_modulus_mpa: Number | None = None,
     stiffness: Number | str | None = None,
     seating_mm: Number | None = None,
+    slip_mm_per_n: Number | None = None,
+    grip_mm: Number | None = None,
     end_factor: Number | None = None,
     cone_factor: Number | None = None,
     strand_length_mm: Number | None = None,
@@ -1701,6 +1760,10 @@ def study(
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
+    slip_mm_per_n : N
+        What both ends together slip under the load of a clamp, mm/N.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm.
     end_factor
         Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     cone_factor
@@ -1742,7 +1805,7 @@ def study(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
+    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
 
 
 def sweep(

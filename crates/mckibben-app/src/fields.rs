@@ -69,6 +69,12 @@ pub struct MuscleFields {
     /// What both ends together give way under a pull, mm.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seating_mm: Option<f64>,
+    /// What both ends together slip under the load of a clamp, mm/N.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slip_mm_per_n: Option<f64>,
+    /// Length at each end, within that of the muscle, in which tube and braid are held, mm.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grip_mm: Option<f64>,
     /// Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_factor: Option<f64>,

@@ -40,6 +40,7 @@ mod joint;
 mod load;
 mod many;
 mod measured;
+mod measured_rubber;
 mod model;
 mod models;
 mod motion;
@@ -84,6 +85,7 @@ pub use many::{
 };
 pub use mckibben_motion::{Event, Subject};
 pub use measured::*;
+pub use measured_rubber::{MeasuredRubber, MeasuredRubberFit, MeasuredStress};
 pub use model::{Model, ModelEntry, Purpose};
 pub use models::*;
 pub use motion::*;

@@ -1,35 +1,42 @@
-//! `validate --measured`: the dossier of every measured muscle, what each fit leaves of its points and of those it predicts blind.
+//! `validate --measured`: the dossier of everything measured, what each fit leaves of its points and of those it predicts blind.
 
+use crate::fields::MeshFields;
 use crate::figure;
+use crate::measured_rubber::{MeasuredRubber, MeasuredStress, rubbers};
+use crate::model::Model;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use mckibben::budget::Resource;
 use mckibben::identify::Identified;
+use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
-use mckibben_fem::validation::case::{CASES, Case, CaseError, CaseFiles};
+use mckibben_fem::validation::case::{Case, CaseError, CaseFiles, Facts, Measurement, measurements};
 use mckibben_fem::validation::dossier::{DossierError, FitResult, Group, dossier};
+use mckibben_fem::validation::rubber::RubberCase;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Measured muscles, each with what is known of it and what is to be fitted.
+/// Measured muscles and rubbers, each with what is known of it and what is to be fitted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MeasuredRequest {
-    /// The folders of the muscles; those that are built in where there are none.
+    /// The folders; those that are built in where there are none.
     pub cases: Vec<MeasuredFolder>,
+    /// The model of the muscles; `fe` where none is named.
+    pub model: Option<String>,
     /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
-/// The files of a measured muscle.
+/// The files of a measured muscle or rubber.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct MeasuredFolder {
     /// What to call it in messages: the name of the folder.
     pub name: String,
     /// `case.toml`: source, terms, what is known and unknown, and the fits.
     pub case: String,
-    /// `muscle.toml`: the muscle as far as it is known.
+    /// `muscle.toml`: the muscle as far as it is known; empty where a rubber was measured.
     pub muscle: String,
     /// `points.csv`: the measured points.
     pub points: String,
@@ -44,6 +51,10 @@ pub struct MeasuredAnswer {
     pub cases: Vec<MeasuredCase>,
     /// What is left of their points, fit by fit.
     pub results: Vec<MeasuredResult>,
+    /// The rubbers.
+    pub rubbers: Vec<MeasuredRubber>,
+    /// What is left of their stresses, fit by fit.
+    pub stresses: Vec<MeasuredStress>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
@@ -52,22 +63,37 @@ pub struct MeasuredAnswer {
 /// A measured muscle.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MeasuredCase {
+    /// What is known of it.
+    #[serde(flatten)]
+    pub facts: MeasuredFacts,
+    /// Points that pull.
+    pub points: usize,
+    /// What was fitted.
+    pub fits: Vec<MeasuredFit>,
+}
+
+/// What is known of something that was measured.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MeasuredFacts {
     /// Name of its folder.
     pub name: String,
-    /// Which muscle.
+    /// Which muscle or rubber.
     pub title: String,
     /// Who measured it.
     pub source: String,
     /// On what terms the points may be used.
     pub terms: String,
-    /// What is known of the muscle.
+    /// What is known of it.
     pub known: String,
     /// What is not.
     pub unknown: String,
-    /// Points that pull.
-    pub points: usize,
-    /// What was fitted.
-    pub fits: Vec<MeasuredFit>,
+}
+
+impl From<&Facts> for MeasuredFacts {
+    fn from(facts: &Facts) -> Self {
+        let Facts { name, title, source, terms, known, unknown } = facts.clone();
+        Self { name, title, source, terms, known, unknown }
+    }
 }
 
 /// What was fitted to which points, and what was found.
@@ -104,16 +130,33 @@ pub struct MeasuredResult {
     pub bias_n: f64,
     /// `rms_n` over the largest blocked force of these points.
     pub rms_of_blocked: f64,
-    /// Share of the points that the ± of `fe` holds; null where there are none.
+    /// Share of the points that the ± of the model holds; null where there are none, or no ±.
     pub held: Option<f64>,
     /// How many points of single branches there are.
     pub branch_points: usize,
     /// Share of these that the ± with its part for friction holds; null where there are none.
     pub branch_held: Option<f64>,
-    /// Points without an answer of `fe`.
+    /// The points of each branch of the hysteresis, where it was measured.
+    pub by_branch: Vec<MeasuredBranch>,
+    /// Points without an answer of the model.
     pub unanswered: usize,
     /// The same by contraction ratio.
     pub by_contraction: Vec<MeasuredBin>,
+}
+
+/// What a fit leaves of the points of one branch of the hysteresis.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct MeasuredBranch {
+    /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
+    pub branch: Direction,
+    /// How many points.
+    pub points: usize,
+    /// Root mean square in N.
+    pub rms_n: f64,
+    /// Mean of measured less computed in N.
+    pub bias_n: f64,
+    /// Share of the points that the ± holds, with its part for friction where the muscle states none.
+    pub held: Option<f64>,
 }
 
 /// What a fit leaves of points of about one contraction.
@@ -131,29 +174,46 @@ pub struct MeasuredBin {
     pub rms_n: f64,
 }
 
-/// The dossier of every measured muscle.
+/// The dossier of everything measured.
 ///
 /// # Errors
 /// [`Problem`] names the folder and the fit.
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer, Problem> {
-    let own: Vec<Case> = request.cases.iter().map(read).collect::<Result<_, _>>()?;
-    let cases = if own.is_empty() { &**CASES } else { &own };
+    let own: Vec<Measurement> = request.cases.iter().map(read).collect::<Result<_, _>>()?;
+    let all = if own.is_empty() { measurements().map_err(Problem::from)? } else { &own };
+    let cases: Vec<&Case> = all.iter().filter_map(Measurement::muscle).collect();
+    let stretched: Vec<&RubberCase> = all.iter().filter_map(Measurement::rubber).collect();
+    if request.figure.is_some() && cases.is_empty() {
+        let message = "the figure shows measured muscles, and these are rubbers alone: leave it out";
+        return Err(Problem::new(
+            ProblemKind::Usage,
+            message,
+            "`rubber_fit` draws a rubber's laws over its points",
+        ));
+    }
     let points: usize = cases.iter().map(|case| case.points.len() * case.fits.len()).sum();
-    progress.budget().admit(Resource::Points, points as f64)?;
-    let found = dossier(cases, progress)?;
-    let figure = request.figure.as_ref().map(|u| figure::measured(cases, &found, u));
-    let results = found.iter().flat_map(|r| r.groups.iter().map(|g| result(cases, r, g)));
+    let stresses: usize = stretched.iter().map(|case| case.len() * case.fits.len()).sum();
+    progress.budget().admit(Resource::Points, (points + stresses) as f64)?;
+    let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
+    let build = |muscle: &Muscle| model.build(muscle);
+    let found = dossier(&cases, &build, progress)?;
+    let (rubbers, stresses) = rubbers(&stretched, progress)?;
+    let name = model.name().to_owned();
+    let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &found, (&name, &build), u));
+    let results = found.iter().flat_map(|r| r.groups.iter().map(|g| result(&cases, r, g)));
     Ok(MeasuredAnswer {
-        model: "fe".into(),
+        model: name,
         results: results.collect(),
         cases: cases.iter().enumerate().map(|(i, case)| facts(i, case, &found)).collect(),
+        rubbers,
+        stresses,
         figure,
     })
 }
 
-fn read(folder: &MeasuredFolder) -> Result<Case, Problem> {
+fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
     let MeasuredFolder { name, case, muscle, points } = folder.clone();
-    Ok(Case::read(&CaseFiles { name, case, muscle, points })?)
+    Measurement::read(&CaseFiles { name, case, muscle, points }).map_err(|error| (&error).into())
 }
 
 fn facts(number: usize, case: &Case, found: &[FitResult]) -> MeasuredCase {
@@ -162,22 +222,12 @@ fn facts(number: usize, case: &Case, found: &[FitResult]) -> MeasuredCase {
         fitted_to: r.fitted_to.clone(),
         parameters: r.parameters.clone(),
     });
-    MeasuredCase {
-        name: case.name.clone(),
-        title: case.title.clone(),
-        source: case.source.clone(),
-        terms: case.terms.clone(),
-        known: case.known.clone(),
-        unknown: case.unknown.clone(),
-        points: case.points.len(),
-        fits: fits.collect(),
-    }
+    MeasuredCase { facts: (&case.facts).into(), points: case.points.len(), fits: fits.collect() }
 }
 
-fn result(cases: &[Case], r: &FitResult, group: &Group) -> MeasuredResult {
-    let case = &cases[r.case];
+fn result(cases: &[&Case], r: &FitResult, group: &Group) -> MeasuredResult {
+    let case = cases[r.case];
     let (means, branches) = (group.means, group.branches);
-    let share = |held: usize, points: usize| (points > 0).then(|| held as f64 / points as f64);
     let bins = group.by_contraction.iter().map(|(bin, left)| MeasuredBin {
         from: bin.start,
         to: bin.end,
@@ -185,8 +235,15 @@ fn result(cases: &[Case], r: &FitResult, group: &Group) -> MeasuredResult {
         bias_n: left.bias_n,
         rms_n: left.rms_n,
     });
+    let by_branch = group.by_branch.iter().map(|(branch, left)| MeasuredBranch {
+        branch: *branch,
+        points: left.points,
+        rms_n: left.rms_n,
+        bias_n: left.bias_n,
+        held: left.share_held(),
+    });
     MeasuredResult {
-        case: case.name.clone(),
+        case: case.facts.name.clone(),
         fit: case.fits[r.fit].name.clone(),
         fitted_to: r.fitted_to.clone(),
         of: group.of.clone(),
@@ -195,17 +252,18 @@ fn result(cases: &[Case], r: &FitResult, group: &Group) -> MeasuredResult {
         rms_n: means.rms_n,
         largest_n: means.largest_n,
         bias_n: means.bias_n,
-        rms_of_blocked: if means.points > 0 { means.rms_n / means.blocked_n } else { 0.0 },
-        held: share(means.held, means.points),
+        rms_of_blocked: means.rms_of_blocked(),
+        held: means.share_held(),
         branch_points: branches.points,
-        branch_held: share(branches.held, branches.points),
+        branch_held: branches.share_held(),
+        by_branch: by_branch.collect(),
         unanswered: group.unanswered,
         by_contraction: bins.collect(),
     }
 }
 
-impl From<CaseError> for Problem {
-    fn from(error: CaseError) -> Self {
+impl From<&CaseError> for Problem {
+    fn from(error: &CaseError) -> Self {
         let kind = match error {
             CaseError::Points { .. } => ProblemKind::Data,
             CaseError::Parameter { .. } => ProblemKind::Parameter,
@@ -222,6 +280,11 @@ impl From<DossierError> for Problem {
             DossierError::Fit { case, fit, fitted_to, error } => {
                 let problem = Self::from(error);
                 let message = format!("{case}, fit \"{fit}\" on {fitted_to}: {}", problem.message);
+                Self { message, ..problem }
+            }
+            DossierError::Rubber { case, fit, error } => {
+                let problem = Self::from(error);
+                let message = format!("{case}, fit \"{fit}\": {}", problem.message);
                 Self { message, ..problem }
             }
         }

@@ -169,12 +169,13 @@ impl Model {
     /// # Errors
     /// [`ModelError`] where the muscle does not state what the model needs, or cannot be divided into elements.
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        let inner = &*muscle.between_ends();
         Ok(match self {
             Self::ClosedForm(kind) => kind.build(muscle)?,
-            Self::Formula(formula) => seated(Box::new(FormulaModel::new(Arc::clone(formula), muscle))),
-            Self::Universal(formula) => seated(Box::new(Universal::new(Arc::clone(formula), muscle))),
+            Self::Formula(formula) => seated(Box::new(FormulaModel::new(Arc::clone(formula), inner)), muscle),
+            Self::Universal(formula) => seated(Box::new(Universal::new(Arc::clone(formula), inner)), muscle),
             Self::Elements(Elements::Axisymmetric(mesh)) => {
-                seated(Box::new(Axisymmetric::with_mesh(muscle, mesh)?))
+                seated(Box::new(Axisymmetric::with_mesh(inner, mesh)?), muscle)
             }
             // Bricks and their solver are as large as all the rest.
             Self::Elements(elements) if cfg!(feature = "whole") => elements.build(muscle)?,

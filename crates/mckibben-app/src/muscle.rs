@@ -39,6 +39,8 @@ impl MuscleFields {
             tube.rubber = rubber(name)?;
         }
         terminals.seating_mm = self.seating_mm.or(terminals.seating_mm);
+        terminals.slip_mm_per_n = self.slip_mm_per_n.or(terminals.slip_mm_per_n);
+        terminals.grip_mm = self.grip_mm.or(terminals.grip_mm);
         if let Some(k) = self.end_factor {
             terminals.end_factor = Some(EndFactor::Constant(k));
         }

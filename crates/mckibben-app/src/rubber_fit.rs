@@ -198,7 +198,8 @@ impl RubberFitAnswer {
         self.laws.iter().enumerate().flat_map(rows).collect()
     }
 
-    /// A muscle file with the recommended law.
+    /// A muscle file with the recommended law. With a softening it is the law of the first loading, with a relaxation alone the one at once,
+    /// each with its constants.
     ///
     /// # Errors
     /// [`Problem`] of kind `no_answer` where no law is stable in a muscle.
@@ -208,16 +209,24 @@ impl RubberFitAnswer {
                 "none of these laws is stable over the stretches of a muscle; no muscle file is written";
             Problem::new(ProblemKind::NoAnswer, message, "add `stable`, or take `laws` neo-hookean")
         })?;
+        let relaxation = self.relaxation.as_ref().map(|r| &r.found);
+        let softening = self.softening.as_ref().map(|s| &s.found);
+        let over_time = softening.map(|s| &s.0).or(relaxation.map(|r| &r.0));
         let mut tube = self.base.tube().clone();
         tube.rubber = Rubber {
             name: self.name.clone(),
             // 1 + strain has digits that nobody measured.
             fitted_to_stretch: Some((self.fit.fitted_to_stretch * 1e4).round() / 1e4),
-            ..Rubber::of(taken.law.clone())
+            softening: softening.map(|s| s.1),
+            prony: relaxation.map(|r| r.1.clone()),
+            ..Rubber::of(over_time.unwrap_or(&taken.law).clone())
         };
         Ok(to_toml(&self.base.with_tube(tube)?))
     }
 }
+
+const APART: &str = "softening and relaxation were fitted apart, each as if there were nothing but it: what relaxes in the test counts as softening, and the \
+     reverse; a muscle file holds the law of the first loading with both";
 
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
 ///
@@ -250,6 +259,10 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     let relaxation = request.relaxation.map(of_branches).transpose()?;
     let softens = || softening(file, &request.columns, form()?);
     let softening = request.softening.then(softens).transpose()?;
+    let mut warnings: Vec<String> = fit.warnings.iter().map(ToString::to_string).collect();
+    if relaxation.is_some() && softening.is_some() {
+        warnings.push(APART.into());
+    }
     let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(RubberFitAnswer {
         data: file.name.clone(),
@@ -264,7 +277,7 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         parameters: taken.map_or_else(Vec::new, |law| law.parameters.clone()),
         laws: fit.laws.iter().map(|law| LawAnswer::new(law, fit.fitted_to_stretch)).collect(),
         failed: fit.failed.iter().map(ToString::to_string).collect(),
-        warnings: fit.warnings.iter().map(ToString::to_string).collect(),
+        warnings,
         relaxation,
         softening,
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),

@@ -5,7 +5,7 @@ use crate::problem::{Problem, ProblemKind};
 use mckibben::rubber::Law;
 use mckibben::rubber::fit::Form;
 use mckibben::rubber::over_time::{
-    OverTimeError, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
+    OgdenRoxburgh, OverTimeError, Prony, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -28,6 +28,9 @@ pub struct PronyAnswer {
     pub elastic_rms_mpa: f64,
     /// Length of the test, s.
     pub duration_s: f64,
+    /// The law at once and its series.
+    #[serde(skip)]
+    pub(crate) found: (Law, Prony),
 }
 
 /// A branch of a Prony series.
@@ -68,6 +71,9 @@ pub struct SofteningAnswer {
     pub later_rms_mpa: f64,
     /// The largest energy of the test, MPa.
     pub largest_energy_mpa: f64,
+    /// The law of the first loading and its softening.
+    #[serde(skip)]
+    pub(crate) found: (Law, OgdenRoxburgh),
 }
 
 fn constants(law: &Law) -> BTreeMap<String, f64> {
@@ -99,6 +105,7 @@ pub(crate) fn relaxation(
         rms_mpa: fit.rms_mpa,
         elastic_rms_mpa: fit.elastic_rms_mpa,
         duration_s: fit.duration_s,
+        found: (fit.instantaneous, fit.prony),
     })
 }
 
@@ -119,6 +126,7 @@ pub(crate) fn softening(file: &TextFile, columns: &Columns, form: Form) -> Resul
         first_loading_rms_mpa: fit.rms_mpa.0,
         later_rms_mpa: fit.rms_mpa.1,
         largest_energy_mpa: fit.w_max_mpa,
+        found: (fit.law, fit.softening),
     })
 }
 

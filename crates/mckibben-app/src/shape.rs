@@ -7,7 +7,8 @@ use crate::point::{finite, given, pull, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::contraction_at;
 use mckibben::answer::{self, Answer, Options};
-use mckibben::model::{ForceModel, Workspace};
+use mckibben::model::Workspace;
+use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben_fem::axisymmetric::{Axisymmetric, Section};
 use mckibben_fem::output::Stations;
@@ -86,10 +87,10 @@ pub(crate) fn shaped(
         let message = format!("{pressure_mpa} MPa is below zero");
         return Err(Problem::new(ProblemKind::OutOfRange, message, "").in_field("pressure_mpa"));
     }
-    let fe = Axisymmetric::with_mesh(&muscle, mesh)
+    let fe = Axisymmetric::with_mesh(&muscle.between_ends(), mesh)
         .map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
     let workspace = &mut Workspace::within(budget.clone());
-    let found = at(&fe, workspace, pressure_mpa, request);
+    let found = at((&fe, &muscle), workspace, pressure_mpa, request);
     budget.ended()?;
     let (point, shape_contraction, section) = found?;
     let stations = Stations::of(&section);
@@ -110,14 +111,14 @@ pub(crate) fn shaped(
 
 /// The point, and the shape there; that of a slack muscle at its free contraction.
 fn at(
-    fe: &Axisymmetric,
+    (fe, muscle): (&Axisymmetric, &Muscle),
     workspace: &mut Workspace,
     pressure_mpa: f64,
     request: &ShapeRequest,
 ) -> Result<(Answer, f64, Section), Problem> {
     let options = Options::default();
     // The same equilibria, of the whole muscle, whose ends may give way.
-    let whole = seated(Box::new(fe.clone()));
+    let whole = seated(Box::new(fe.clone()), muscle);
     let contraction = match request.force_n {
         Some(force_n) => {
             let force_n = finite("force_n", force_n)?;
@@ -136,6 +137,9 @@ fn at(
         point.free_contraction = Some(free);
         shape_contraction = free.min(contraction);
     }
-    let section = fe.section_at(workspace, pressure_mpa, shape_contraction + fe.muscle().seating_ratio())?;
+    let ends = muscle.ends();
+    let force_n = if point.slack { 0.0 } else { point.response.force_n };
+    let between = ends.between(shape_contraction, ends.way_mm(pressure_mpa, force_n));
+    let section = fe.section_at(workspace, pressure_mpa, between)?;
     Ok((point, shape_contraction, section))
 }

@@ -68,6 +68,12 @@ pub struct MuscleFlags {
     /// What both ends together give way under a pull [0mm]
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub seating: Option<String>,
+    /// What both ends together slip under the load of a clamp [0mm/N]
+    #[arg(long, value_name = "COMPLIANCE", allow_hyphen_values = true)]
+    pub slip: Option<String>,
+    /// Length at each end, within that of the muscle, in which tube and braid are held [0mm]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    pub grip: Option<String>,
     /// Empirical end factor k of Tondu & Lopez, for tondu-lopez and thick-wall
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub end_factor: Option<String>,
@@ -183,6 +189,8 @@ impl MuscleFlags {
             strand_modulus_mpa: self.strands.modulus_mpa()?,
             stiffness: self.strands.stiffness()?,
             seating_mm: length("--seating", &self.seating)?,
+            slip_mm_per_n: quantity("--slip", self.slip.as_deref(), Dimension::Compliance)?,
+            grip_mm: length("--grip", &self.grip)?,
             end_factor: ratio("--end-factor", self.end_factor.as_deref())?,
             cone_factor: ratio("--cone-factor", self.cone_factor.as_deref())?,
             strand_length_mm: length("--strand-length", &self.strand_length)?,

@@ -3,12 +3,12 @@
 //! `cargo run --release -p mckibben-fem --example calibration`
 
 use mckibben::progress::Silent;
-use mckibben_fem::validation::case::CASES;
-use mckibben_fem::validation::coverage::residuals;
+use mckibben_fem::validation::case::muscles;
+use mckibben_fem::validation::coverage::of_first_fit;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    for set in CASES.iter() {
-        let all = residuals(set, &Silent)?;
+    for set in muscles()? {
+        let all = of_first_fit(set, &Silent)?;
         for mean in [true, false] {
             let list: Vec<_> = all.iter().filter(|r| r.branch.is_mean() == mean).collect();
             if list.is_empty() {
@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
             println!(
                 "{} ({}), {} points",
-                set.title,
+                set.facts.title,
                 if mean { "mean" } else { "single branches" },
                 list.len()
             );
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 let mut r: Vec<f64> = list
                     .iter()
                     .filter(|r| (low..high).contains(&r.contraction_share))
-                    .map(|r| r.of_blocked.abs())
+                    .map(|r| r.of_blocked().abs())
                     .collect();
                 r.sort_by(f64::total_cmp);
                 if let Some(last) = r.last() {

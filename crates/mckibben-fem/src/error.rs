@@ -91,6 +91,18 @@ pub enum FemError {
         /// Pull in N of an equilibrium on another branch.
         other_n: Option<f64>,
     },
+    /// Ends whose slip was not found.
+    #[error(
+        "no slip of the ends was found at {pressure_mpa} MPa and contraction {contraction} in {steps} steps: take a smaller terminals.slip"
+    )]
+    Ends {
+        /// Pressure in MPa.
+        pressure_mpa: f64,
+        /// Contraction ratio.
+        contraction: f64,
+        /// Steps of Newton's method.
+        steps: usize,
+    },
     /// No pressure or contraction gives the force.
     #[error("no equilibrium with a pull of {force_n} N was found: {reason}")]
     Force {
@@ -162,7 +174,7 @@ impl From<FemError> for ModelError {
             | FemError::Conditioning { .. }
             | FemError::TooLarge { .. } => Self::Elements { reason: error.to_string() },
             FemError::Exceeded(exceeded) => Self::Exceeded(exceeded),
-            FemError::Force { .. } | FemError::OutOfReach { .. } => {
+            FemError::Force { .. } | FemError::OutOfReach { .. } | FemError::Ends { .. } => {
                 Self::NoEquilibrium { reason: error.to_string() }
             }
         }

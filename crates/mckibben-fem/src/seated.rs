@@ -1,60 +1,204 @@
 //! Finite elements of a muscle whose ends give way: tests and searches with the contraction of the whole muscle.
 
 use crate::FemError;
-use crate::results::{Solution, TangentPoint};
+use crate::results::{Sensitivity, Solution, TangentPoint};
 use crate::simulation::Simulation;
 use crate::solver::curve::{Curve, CurvePoint};
 use crate::solver::newton::Effort;
-use mckibben::model::{ForceModel, Seated, Workspace};
-use mckibben::progress::Progress;
+use mckibben::budget::Exceeded;
+use mckibben::model::{Response, Seated, Workspace};
+use mckibben::muscle::{Ends, Met, Muscle};
+use mckibben::progress::{Progress, Silent};
 
-/// The elements themselves where the muscle's ends hold, else with ends that give way.
-pub fn seated(model: Box<dyn Simulation>) -> Box<dyn Simulation> {
-    if model.muscle().seating_ratio() == 0.0 { model } else { Box::new(Seated::new(model)) }
+/// The elements themselves where nothing is said of the ends of `muscle`, else the whole muscle; `model` is of [`Muscle::between_ends`].
+pub fn seated(model: Box<dyn Simulation>, muscle: &Muscle) -> Box<dyn Simulation> {
+    if muscle.ends().give() { Box::new(Seated::new(model, muscle)) } else { model }
 }
 
-/// Errors with the contraction of the whole muscle.
-fn told(of: &Seated<dyn Simulation>, mut error: FemError) -> FemError {
+type Whole = Seated<dyn Simulation>;
+
+/// An error of the muscle between its ends, which give way by `way_mm`, with contractions of the whole muscle.
+fn told(of: &Whole, way_mm: f64, mut error: FemError) -> FemError {
+    let whole = |x: f64| of.ends().whole(x, way_mm);
     match &mut error {
         FemError::Path { contraction, last, .. } => {
-            *contraction = of.whole(*contraction);
-            last.contraction = of.whole(last.contraction);
+            *contraction = whole(*contraction);
+            last.contraction = whole(last.contraction);
         }
         FemError::Question { contraction, .. } | FemError::OutOfReach { contraction, .. } => {
-            *contraction = of.whole(*contraction);
+            *contraction = whole(*contraction);
         }
         _ => {}
     }
     error
 }
 
-fn solution(of: &Seated<dyn Simulation>, found: Result<Solution, FemError>) -> Result<Solution, FemError> {
-    let mut found = found.map_err(|error| told(of, error))?;
-    found.response.contraction = of.whole(found.response.contraction);
-    Ok(found)
+fn slips(of: &Whole) -> bool {
+    of.ends().slip_mm_per_n > 0.0
 }
 
-fn curve(of: &Seated<dyn Simulation>, points: Curve) -> Curve {
-    let whole = |point: CurvePoint| CurvePoint { contraction: of.whole(point.contraction), ..point };
-    points.into_iter().map(|point| point.map(whole).map_err(|error| told(of, error))).collect()
+/// One equilibrium of the muscle between its ends.
+fn inner(
+    of: &Whole,
+    w: &mut Workspace,
+    p: f64,
+    x: f64,
+    sensitivities: bool,
+) -> Result<TangentPoint, FemError> {
+    let points = of.inner().isometric_with_tangents(w, x, &[p], sensitivities, &Silent);
+    points.into_iter().next().unwrap_or(Err(FemError::Question { pressure_mpa: p, contraction: x }))
 }
 
-impl Simulation for Seated<dyn Simulation> {
+/// Where the ends stand.
+fn met(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<Met, FemError> {
+    let ends = of.ends();
+    let found = ends.meet(p, e, |x| {
+        let way = ends.way_between_mm(e, x);
+        let found = inner(of, w, p, x, false).map_err(|error| told(of, way, error))?;
+        Ok::<_, FemError>((found.response.force_n, found.response.stiffness_n_per_mm.unwrap_or(0.0)))
+    })?;
+    found.ok_or(FemError::Ends { pressure_mpa: p, contraction: e, steps: Ends::STEPS })
+}
+
+/// Where the ends stand at an equilibrium that was found.
+fn met_at(of: &Whole, r: &Response) -> Met {
+    let ends = of.ends();
+    let way = ends.way_mm(r.pressure_mpa, r.force_n);
+    Met {
+        pressure_mpa: r.pressure_mpa,
+        whole: ends.whole(r.contraction, way),
+        between: r.contraction,
+        load_n: ends.load_n(r.pressure_mpa, r.force_n),
+        stiffness_n_per_mm: r.stiffness_n_per_mm.unwrap_or(0.0),
+    }
+}
+
+fn sensitivities(of: &Whole, at: &Met, list: &mut [Sensitivity]) {
+    for slope in list {
+        slope.force_n_per_unit = of.ends().slope(at, &slope.name, slope.force_n_per_unit);
+    }
+}
+
+/// A solution of the muscle between its ends as one of the whole, at a contraction that was asked for or is found.
+fn solution(of: &Whole, asked: Option<f64>, mut found: Solution) -> Solution {
+    let mut at = met_at(of, &found.response);
+    at.whole = asked.unwrap_or(at.whole);
+    sensitivities(of, &at, &mut found.sensitivities);
+    found.response = of.whole(&at, found.response);
+    found
+}
+
+/// A point of the muscle between its ends as one of the whole.
+fn point(of: &Whole, point: CurvePoint) -> CurvePoint {
+    let ends = of.ends();
+    let slip_mm = ends.slip_mm_per_n * ends.load_n(point.pressure_mpa, point.force_n);
+    CurvePoint {
+        contraction: ends.whole(point.contraction, ends.seating_mm + slip_mm),
+        volume_mm3: point.volume_mm3 + ends.bore_mm2() * slip_mm,
+        ..point
+    }
+}
+
+/// A curve of the muscle between its ends, with the contractions that were asked for to the last bit.
+fn curve(of: &Whole, points: Curve, asked: impl Fn(usize) -> Option<f64>) -> Curve {
+    let way = of.ends().seating_mm;
+    let one = |(i, found): (usize, Result<CurvePoint, FemError>)| {
+        let found = point(of, found.map_err(|error| told(of, way, error))?);
+        Ok(CurvePoint { contraction: asked(i).unwrap_or(found.contraction), ..found })
+    };
+    points.into_iter().enumerate().map(one).collect()
+}
+
+/// Points of ends that slip, each where its own ends stand: in the order of `before`, as the elements go from one to the next.
+fn points<T>(
+    list: &[f64],
+    before: impl Fn(&f64, &f64) -> std::cmp::Ordering,
+    progress: &dyn Progress,
+    mut one: impl FnMut(f64) -> Result<T, FemError>,
+) -> Vec<Result<T, FemError>> {
+    let mut order: Vec<usize> = (0..list.len()).collect();
+    order.sort_by(|&a, &b| before(&list[a], &list[b]));
+    let mut found: Vec<(usize, Result<T, FemError>)> = vec![];
+    for i in order {
+        progress.report(found.len(), list.len());
+        let ended = if progress.cancelled() { Err(Exceeded::Cancelled) } else { progress.budget().check() };
+        found.push((i, ended.map_err(FemError::from).and_then(|()| one(list[i]))));
+    }
+    found.sort_by_key(|f| f.0);
+    found.into_iter().map(|f| f.1).collect()
+}
+
+/// A point of a curve of ends that slip.
+fn slipped(of: &Whole, w: &mut Workspace, p: f64, e: f64) -> Result<CurvePoint, FemError> {
+    let before = of.inner().effort(w);
+    let met = met(of, w, p, e)?;
+    let found = of.inner().isobaric(w, p, &[met.between], &Silent).into_iter().next();
+    let missing = FemError::Question { pressure_mpa: p, contraction: e };
+    let after = of.inner().effort(w);
+    let found = point(of, found.unwrap_or(Err(missing))?);
+    Ok(CurvePoint {
+        contraction: e,
+        iterations: after.iterations - before.iterations,
+        factorisations: after.factorisations - before.factorisations,
+        ..found
+    })
+}
+
+/// x at which a pull is reached: the pressure and the load of the ends are found together, by secants.
+fn between_at_force(of: &Whole, w: &mut Workspace, force_n: f64, e: f64) -> Result<f64, FemError> {
+    let ends = of.ends();
+    let at = |p: f64| ends.between(e, ends.way_mm(p, force_n));
+    if !slips(of) {
+        return Ok(at(0.0));
+    }
+    let mut miss = |p: f64| {
+        let x = at(p);
+        let found = of.inner().pressure_at_force_mpa(w, force_n, x);
+        found.map(|found| found - p).map_err(|error| told(of, ends.way_between_mm(e, x), error))
+    };
+    let (mut low, mut low_miss) = (0.0, miss(0.0)?);
+    let mut p = low_miss;
+    for _ in 0..Ends::STEPS {
+        let here = miss(p)?;
+        if here.abs() <= 1e-10 * (1.0 + p) {
+            return Ok(at(p));
+        }
+        let slope = (here - low_miss) / (p - low);
+        (low, low_miss) = (p, here);
+        p -= if slope < 0.0 { here / slope } else { -here };
+    }
+    Err(FemError::Ends { pressure_mpa: p, contraction: e, steps: Ends::STEPS })
+}
+
+impl Simulation for Whole {
     fn solve(&self, workspace: &mut Workspace, p: f64, e: f64) -> Result<Solution, FemError> {
-        solution(self, self.inner().solve(workspace, p, self.between(e)))
+        let x = if slips(self) {
+            met(self, workspace, p, e)?.between
+        } else {
+            self.ends().between(e, self.ends().seating_mm)
+        };
+        let way = self.ends().way_between_mm(e, x);
+        let found = self.inner().solve(workspace, p, x).map_err(|error| told(self, way, error))?;
+        Ok(solution(self, Some(e), found))
     }
 
     fn at_force(&self, workspace: &mut Workspace, force_n: f64, p: f64) -> Result<Solution, FemError> {
-        solution(self, self.inner().at_force(workspace, force_n, p))
+        let way = self.ends().way_mm(p, force_n);
+        let found = self.inner().at_force(workspace, force_n, p).map_err(|error| told(self, way, error))?;
+        Ok(solution(self, None, found))
     }
 
     fn at_pressure_for(&self, workspace: &mut Workspace, force_n: f64, e: f64) -> Result<Solution, FemError> {
-        solution(self, self.inner().at_pressure_for(workspace, force_n, self.between(e)))
+        let x = between_at_force(self, workspace, force_n, e)?;
+        let way = self.ends().way_between_mm(e, x);
+        let found = self.inner().at_pressure_for(workspace, force_n, x);
+        Ok(solution(self, Some(e), found.map_err(|error| told(self, way, error))?))
     }
 
     fn contraction_at_force(&self, workspace: &mut Workspace, force_n: f64, p: f64) -> Result<f64, FemError> {
+        let way = self.ends().way_mm(p, force_n);
         let found = self.inner().contraction_at_force(workspace, force_n, p);
-        found.map(|e| self.whole(e)).map_err(|error| told(self, error))
+        found.map(|x| self.ends().whole(x, way)).map_err(|error| told(self, way, error))
     }
 
     fn pressure_at_force_mpa(
@@ -63,8 +207,9 @@ impl Simulation for Seated<dyn Simulation> {
         force_n: f64,
         e: f64,
     ) -> Result<f64, FemError> {
-        let found = self.inner().pressure_at_force_mpa(workspace, force_n, self.between(e));
-        found.map_err(|error| told(self, error))
+        let x = between_at_force(self, workspace, force_n, e)?;
+        let found = self.inner().pressure_at_force_mpa(workspace, force_n, x);
+        found.map_err(|error| told(self, self.ends().way_between_mm(e, x), error))
     }
 
     fn isometric(
@@ -74,10 +219,16 @@ impl Simulation for Seated<dyn Simulation> {
         pressures_mpa: &[f64],
         progress: &dyn Progress,
     ) -> Curve {
-        let points = self.inner().isometric(workspace, self.between(e), pressures_mpa, progress);
-        // As it was asked for, to the last bit.
-        let asked = |point: CurvePoint| CurvePoint { contraction: e, ..point };
-        curve(self, points).into_iter().map(|point| point.map(asked)).collect()
+        if slips(self) {
+            return points(
+                pressures_mpa,
+                |a, b| b.total_cmp(a),
+                progress,
+                |p| slipped(self, workspace, p, e),
+            );
+        }
+        let x = self.ends().between(e, self.ends().seating_mm);
+        curve(self, self.inner().isometric(workspace, x, pressures_mpa, progress), |_| Some(e))
     }
 
     fn isometric_with_tangents(
@@ -85,22 +236,30 @@ impl Simulation for Seated<dyn Simulation> {
         workspace: &mut Workspace,
         e: f64,
         pressures_mpa: &[f64],
-        sensitivities: bool,
+        wanted: bool,
         progress: &dyn Progress,
     ) -> Vec<Result<TangentPoint, FemError>> {
-        let inner = self.inner();
-        let points =
-            inner.isometric_with_tangents(workspace, self.between(e), pressures_mpa, sensitivities, progress);
-        let ratio = self.muscle().seating_ratio();
-        let whole = |mut point: TangentPoint| {
-            point.response.contraction = e;
-            let stiffness = point.response.stiffness_n_per_mm.unwrap_or(0.0);
-            for slope in point.sensitivities.iter_mut().filter(|s| s.name == "tube.length") {
-                slope.force_n_per_unit += stiffness * ratio;
-            }
-            point
+        let whole = |mut found: TangentPoint| {
+            let at = Met { whole: e, ..met_at(self, &found.response) };
+            sensitivities(self, &at, &mut found.sensitivities);
+            found.response = self.whole(&at, found.response);
+            found
         };
-        points.into_iter().map(|point| point.map(whole).map_err(|error| told(self, error))).collect()
+        if slips(self) {
+            return points(
+                pressures_mpa,
+                |a, b| b.total_cmp(a),
+                progress,
+                |p| {
+                    let x = met(self, workspace, p, e)?.between;
+                    inner(self, workspace, p, x, wanted).map(whole)
+                },
+            );
+        }
+        let x = self.ends().between(e, self.ends().seating_mm);
+        let points = self.inner().isometric_with_tangents(workspace, x, pressures_mpa, wanted, progress);
+        let way = self.ends().seating_mm;
+        points.into_iter().map(|point| point.map(whole).map_err(|error| told(self, way, error))).collect()
     }
 
     fn isobaric(
@@ -110,12 +269,13 @@ impl Simulation for Seated<dyn Simulation> {
         contractions: &[f64],
         progress: &dyn Progress,
     ) -> Curve {
-        let between: Vec<f64> = contractions.iter().map(|e| self.between(*e)).collect();
-        let points = curve(self, self.inner().isobaric(workspace, p, &between, progress));
-        let asked = |(point, e): (Result<CurvePoint, FemError>, &f64)| {
-            point.map(|point| CurvePoint { contraction: *e, ..point })
-        };
-        points.into_iter().zip(contractions).map(asked).collect()
+        if slips(self) {
+            return points(contractions, f64::total_cmp, progress, |e| slipped(self, workspace, p, e));
+        }
+        let way = self.ends().seating_mm;
+        let between: Vec<f64> = contractions.iter().map(|e| self.ends().between(*e, way)).collect();
+        let points = self.inner().isobaric(workspace, p, &between, progress);
+        curve(self, points, |i| contractions.get(i).copied())
     }
 
     fn isotonic(
@@ -125,7 +285,7 @@ impl Simulation for Seated<dyn Simulation> {
         pressures_mpa: &[f64],
         progress: &dyn Progress,
     ) -> Curve {
-        curve(self, self.inner().isotonic(workspace, force_n, pressures_mpa, progress))
+        curve(self, self.inner().isotonic(workspace, force_n, pressures_mpa, progress), |_| None)
     }
 
     fn effort(&self, workspace: &Workspace) -> Effort {
@@ -134,65 +294,4 @@ impl Simulation for Seated<dyn Simulation> {
 }
 
 #[cfg(test)]
-mod tests {
-    use crate::simulation::{Elements, Simulation};
-    use mckibben::model::Workspace;
-    use mckibben::muscle::{Muscle, Terminals};
-    use mckibben::progress::Silent;
-
-    fn elements(seating_mm: f64) -> Box<dyn Simulation> {
-        let terminals = Terminals { seating_mm: Some(seating_mm), ..Terminals::default() };
-        let muscle = Muscle::prototype().with_terminals(terminals).unwrap();
-        "fe".parse::<Elements>().unwrap().build(&muscle).unwrap()
-    }
-
-    /// F(P, ε) = F₀(P, ε + δ/L0) in every test and search, with the contraction of the whole muscle; seating 0 changes no digit.
-    #[test]
-    fn every_test_of_a_seated_muscle_is_that_of_the_muscle_between_its_ends() {
-        let (held, none, gives) = (elements(0.0), elements(0.0), elements(2.85));
-        let w = &mut Workspace::new();
-        let (p, shift) = (0.2, 0.01);
-        let here = held.solve(w, p, 0.1).unwrap().response;
-        assert_eq!(none.solve(w, p, 0.1).unwrap().response, here);
-        let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-8, "{a} {b}");
-        let found = gives.solve(w, p, 0.1 - shift).unwrap().response;
-        close(found.force_n, here.force_n);
-        close(found.contraction, 0.1 - shift);
-        close(gives.contraction_at_force(w, here.force_n, p).unwrap(), 0.1 - shift);
-        close(gives.pressure_at_force_mpa(w, here.force_n, 0.1 - shift).unwrap(), p);
-        close(gives.at_force(w, here.force_n, p).unwrap().response.contraction, 0.1 - shift);
-        close(gives.free_contraction(w, p).unwrap(), held.free_contraction(w, p).unwrap() - shift);
-        let (pressures, contractions) = ([0.1, p], [0.05 - shift, 0.1 - shift]);
-        let isometric = gives.isometric(w, 0.1 - shift, &pressures, &Silent);
-        let isobaric = gives.isobaric(w, p, &contractions, &Silent);
-        let isotonic = gives.isotonic(w, here.force_n, &pressures, &Silent);
-        close(isometric[1].as_ref().unwrap().force_n, here.force_n);
-        assert_eq!(isometric[1].as_ref().unwrap().contraction, 0.1 - shift);
-        close(isobaric[1].as_ref().unwrap().force_n, here.force_n);
-        close(isotonic[1].as_ref().unwrap().contraction, 0.1 - shift);
-        let refused = gives.solve(w, p, 2.0).unwrap_err();
-        assert!(
-            matches!(refused, crate::FemError::Question { contraction, .. } if (contraction - 2.0).abs() < 1e-12)
-        );
-    }
-
-    /// ∂F/∂L0 at fixed ε, with the way of the ends in it, against central differences.
-    #[test]
-    fn the_slope_by_length_is_that_of_differences() {
-        let w = &mut Workspace::new();
-        let base = elements(2.85);
-        let at = |length_mm: f64, w: &mut Workspace| {
-            let mut tube = base.muscle().tube().clone();
-            tube.length_mm = length_mm;
-            let muscle = base.muscle().with_tube(tube).unwrap();
-            let model = "fe".parse::<Elements>().unwrap().build(&muscle).unwrap();
-            model.force_n(w, 0.2, 0.1).unwrap()
-        };
-        let difference = (at(286.0, w) - at(284.0, w)) / 2.0;
-        let names = ["terminals.seating".to_owned(), "tube.length".into()];
-        let found = base.force_by(w, 0.2, 0.1, &names).unwrap().unwrap();
-        assert!((found[1] - difference).abs() < 1e-3 * difference.abs(), "{found:?} {difference}");
-        let stiffness = base.response(w, 0.2, 0.1).unwrap().stiffness_n_per_mm.unwrap();
-        assert!((found[0] + stiffness).abs() < 1e-9 * stiffness);
-    }
-}
+mod tests;

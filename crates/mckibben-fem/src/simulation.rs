@@ -443,10 +443,12 @@ impl Elements {
     /// # Errors
     /// [`FemError`] where the numbers give no valid mesh.
     pub fn build(&self, muscle: &Muscle) -> Result<Box<dyn Simulation>, FemError> {
-        Ok(seated(match self {
-            Self::Axisymmetric(spec) => Box::new(Axisymmetric::with_mesh(muscle, spec)?),
-            Self::ThreeDimensional(spec) => Box::new(ThreeDimensional::with_mesh(muscle, spec)?),
-        }))
+        let inner = &*muscle.between_ends();
+        let model: Box<dyn Simulation> = match self {
+            Self::Axisymmetric(spec) => Box::new(Axisymmetric::with_mesh(inner, spec)?),
+            Self::ThreeDimensional(spec) => Box::new(ThreeDimensional::with_mesh(inner, spec)?),
+        };
+        Ok(seated(model, muscle))
     }
 }
 

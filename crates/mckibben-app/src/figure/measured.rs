@@ -3,10 +3,10 @@
 use super::caption;
 use super::curves::pull;
 use crate::units::Units;
+use mckibben::identify::Build;
 use mckibben::measured::{DataPoint, Section, mean_of_data};
 use mckibben::model::Workspace;
 use mckibben_fem::validation::case::Case;
-use mckibben_fem::validation::coverage::elements;
 use mckibben_fem::validation::dossier::FitResult;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
@@ -15,11 +15,20 @@ const CURVES: usize = 5;
 /// Points of a line.
 const LINE: u32 = 30;
 
-/// Measured points and lines of `fe`, muscle by muscle.
-pub(crate) fn measured(cases: &[Case], found: &[FitResult], u: &Units) -> Figure {
-    let about = "Dots: measured, means of the branches; lines: fe with what the first fit of each muscle found, over ε at constant pressure";
-    let mut figure =
-        Figure::new("Measured muscles and fe").caption(caption(about)).palette(Palette::Sequential);
+/// Measured points and lines of a model, muscle by muscle.
+pub(crate) fn measured<B: Build>(
+    cases: &[&Case],
+    found: &[FitResult],
+    model: (&str, &B),
+    u: &Units,
+) -> Figure {
+    let name = model.0;
+    let about = format!(
+        "Dots: measured, means of the branches; lines: {name} with what the first fit of each muscle found, over ε at constant pressure"
+    );
+    let mut figure = Figure::new(format!("Measured muscles and {name}"))
+        .caption(caption(&about))
+        .palette(Palette::Sequential);
     for (number, case) in cases.iter().enumerate() {
         let Some(first) = found.iter().find(|r| r.case == number && r.fit == 0) else { continue };
         let means = mean_of_data(&case.points);
@@ -32,16 +41,18 @@ pub(crate) fn measured(cases: &[Case], found: &[FitResult], u: &Units) -> Figure
         for section in &sections {
             let own: Vec<&DataPoint> = means.iter().filter(|p| p.section == *section).collect();
             let title = match section.length_mm {
-                Some(length) if sections.len() > 1 => format!("{}: {}", case.name, u.length.show(length)),
-                _ => case.title.clone(),
+                Some(length) if sections.len() > 1 => {
+                    format!("{}: {}", case.facts.name, u.length.show(length))
+                }
+                _ => case.facts.title.clone(),
             };
-            figure = figure.panel(panel(title, &own, first, u));
+            figure = figure.panel(panel(title, &own, first, model.1, u));
         }
     }
     figure.columns(2)
 }
 
-fn panel(title: String, points: &[&DataPoint], found: &FitResult, u: &Units) -> Panel {
+fn panel<B: Build>(title: String, points: &[&DataPoint], found: &FitResult, build: &B, u: &Units) -> Panel {
     let mut panel = Panel::new(Axis::new("contraction ratio ε [–]").from_zero(), pull(u)).title(title);
     let mut pressures: Vec<f64> = points.iter().map(|p| p.at.pressure_mpa).collect();
     pressures.sort_by(f64::total_cmp);
@@ -52,7 +63,7 @@ fn panel(title: String, points: &[&DataPoint], found: &FitResult, u: &Units) -> 
         _ => (1..=CURVES).map(|i| pressures[i * last / CURVES]).collect(),
     };
     let muscle = points.first().and_then(|p| p.section.apply(&found.muscle).ok());
-    let model = muscle.and_then(|m| elements(&m).ok());
+    let model = muscle.and_then(|m| build(&m).ok());
     let mut workspace = Workspace::new();
     for (n, &pressure) in shown.iter().enumerate() {
         let at = || points.iter().filter(|p| p.at.pressure_mpa == pressure);

@@ -15,8 +15,8 @@ use crate::problem::{Problem, ProblemKind};
 use crate::warnings;
 use mckibben::answer::Options;
 use mckibben::curve::Test;
-use mckibben::model::{ForceModel, ModelError, Response, Workspace};
-use mckibben::muscle::Muscle;
+use mckibben::model::{ModelError, Response, Workspace};
+use mckibben::muscle::{Ends, Muscle};
 use mckibben::progress::Progress;
 use mckibben::status::Status;
 use mckibben_fem::FemError;
@@ -108,24 +108,31 @@ impl Meshed {
     }
 
     /// The whole muscle, whose ends may give way; it shares its equilibria with these elements.
-    fn simulation(&self) -> Box<dyn Simulation> {
-        seated(match self {
+    fn simulation(&self, whole: &Muscle) -> Box<dyn Simulation> {
+        let model: Box<dyn Simulation> = match self {
             Self::Axisymmetric(model) => model.clone(),
             Self::ThreeDimensional(model) => model.clone(),
-        })
+        };
+        seated(model, whole)
     }
 
-    /// The deformed muscle at an equilibrium.
-    fn shape(&self, workspace: &mut Workspace, r: &Response, extent: Extent) -> Result<Shape, Problem> {
+    /// The deformed muscle at an equilibrium between ends.
+    fn shape(
+        &self,
+        workspace: &mut Workspace,
+        ends: &Ends,
+        r: &Response,
+        extent: Extent,
+    ) -> Result<Shape, Problem> {
         let p = r.pressure_mpa;
-        let between = |muscle: &Muscle| r.contraction + muscle.seating_ratio();
+        let between = ends.between(r.contraction, ends.way_mm(p, r.force_n));
         let shape = match self {
             Self::Axisymmetric(model) => {
-                model.section_at(workspace, p, between(model.muscle())).map(|s| Shape::of_section(&s))
+                model.section_at(workspace, p, between).map(|s| Shape::of_section(&s))
             }
-            Self::ThreeDimensional(model) => model
-                .field_at(workspace, p, between(model.muscle()))
-                .map(|field| Shape::of_field(&field, extent)),
+            Self::ThreeDimensional(model) => {
+                model.field_at(workspace, p, between).map(|field| Shape::of_field(&field, extent))
+            }
         };
         shape.map_err(Problem::from)
     }
@@ -153,11 +160,13 @@ pub fn simulate(
     };
     let budget = progress.budget();
     model.admit(&muscle, &budget)?;
+    let (ends, inner) = (muscle.ends(), muscle.between_ends());
     let meshed =
-        Meshed::of(elements, &muscle).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
-    let (simulation, workspace) = (meshed.simulation(), &mut Workspace::within(budget.clone()));
+        Meshed::of(elements, &inner).map_err(|e| Problem::new(ProblemKind::Mesh, e.to_string(), ""))?;
+    let (simulation, workspace) = (meshed.simulation(&muscle), &mut Workspace::within(budget.clone()));
     let questions = request.questions(&*simulation, workspace)?;
-    let deck = if request.deck { Some(written_deck(&meshed, request.test, &questions)?) } else { None };
+    let deck =
+        if request.deck { Some(written_deck(&meshed, &ends, request.test, &questions)?) } else { None };
     let summary = MuscleSummary::from(&muscle);
     if let Some(shapes) = &mut shapes {
         shapes.begin(&summary)?;
@@ -176,8 +185,8 @@ pub fn simulate(
         budget.ended()?;
         if let Ok(solution) = &solution {
             if let Some(shapes) = &mut shapes {
-                shapes
-                    .add(meshed.shape(workspace, &solution.response, shapes.extent())?, &solution.response)?;
+                let shape = meshed.shape(workspace, &ends, &solution.response, shapes.extent())?;
+                shapes.add(shape, &solution.response)?;
             }
             last = Some(solution.response);
         }
@@ -191,7 +200,7 @@ pub fn simulate(
     let warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
     let picture = match (&request.picture, last) {
         (Some(fields), Some(response)) => {
-            let shape = meshed.shape(workspace, &response, Extent::Whole)?;
+            let shape = meshed.shape(workspace, &ends, &response, Extent::Whole)?;
             Some(figure::picture(fields, name, &summary, &shape, &response)?)
         }
         _ => None,
@@ -295,7 +304,12 @@ fn all_failed(points: &[Simulated]) -> Option<Problem> {
 }
 
 /// The input deck of an isometric test with three-dimensional elements.
-fn written_deck(meshed: &Meshed, test: Test, questions: &[(f64, Held)]) -> Result<String, Problem> {
+fn written_deck(
+    meshed: &Meshed,
+    ends: &Ends,
+    test: Test,
+    questions: &[(f64, Held)],
+) -> Result<String, Problem> {
     let wrong = |message: String| {
         let hint =
             "an example: an isometric test of fe3d at one contraction, with pressures from 0.01 to 0.25 MPa";
@@ -304,6 +318,11 @@ fn written_deck(meshed: &Meshed, test: Test, questions: &[(f64, Held)]) -> Resul
     let Meshed::ThreeDimensional(model) = meshed else {
         return Err(wrong("an input deck is written of the mesh of `fe3d`".into()));
     };
+    if ends.give() {
+        return Err(wrong(
+            "an input deck holds no seating, slip or grip of the terminals: leave them out".into(),
+        ));
+    }
     let contractions: Vec<f64> = questions
         .iter()
         .filter_map(|q| match q.1 {

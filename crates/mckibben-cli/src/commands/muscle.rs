@@ -123,6 +123,12 @@ fn as_text(m: &Muscle, u: &Units) -> String {
     if let Some(seating) = m.terminals().seating_mm {
         understood.push(("give of both ends", mm(seating)));
     }
+    if let Some(slip) = m.terminals().slip_mm_per_n {
+        understood.push(("slip of both ends", format!("{} mm/N", number(slip, 3))));
+    }
+    if let Some(grip) = m.terminals().grip_mm {
+        understood.push(("held at each end", mm(grip)));
+    }
     if let Some(f) = m.friction() {
         let rule = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
         let contact = format!("of the strands' contact, μw {}", mm(f.lever_mm));

@@ -4,6 +4,7 @@ mod measured;
 
 use crate::failure::{Failure, NO_ANSWER};
 use crate::flags::{Format, OutputFlags, PlotFlag};
+use crate::names::MODELS;
 use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
 use crate::progress::Bar;
@@ -14,7 +15,9 @@ use std::path::PathBuf;
 pub const EXAMPLES: &str = "Examples:
   mckibben validate
   mckibben validate --sweep 50
-  mckibben validate --measured --only dmsp-20-300";
+  mckibben validate --measured --only dmsp-20-300
+  mckibben validate --measured --only dmsp-10-hose --model thick-wall
+  mckibben validate --measured --only rubber-treloar";
 
 /// `validate`.
 #[derive(Debug, Args)]
@@ -28,12 +31,15 @@ pub struct ValidateArgs {
     /// Seed of the random muscles
     #[arg(long, default_value_t = 1, requires = "sweep")]
     pub seed: u64,
-    /// Instead: what is known of each measured muscle, what was fitted, and what fe leaves of its points, blind predictions apart; of the muscles in DIR, a folder each, or of those built in
+    /// Instead: what is known of each measured muscle and rubber, what was fitted, and what the model leaves of its points, blind predictions apart; of those in DIR, a folder each, or of those built in
     #[arg(long, value_name = "DIR", num_args = 0..=1, conflicts_with_all = ["sweep", "all"])]
     pub measured: Option<Option<PathBuf>>,
     /// Of these folders only
     #[arg(long, value_name = "NAME", value_delimiter = ',', requires = "measured")]
     pub only: Vec<String>,
+    /// Model of the measured muscles [fe]
+    #[arg(long, value_name = "NAME", requires = "measured", value_parser = MODELS, hide_possible_values = true)]
+    pub model: Option<String>,
     #[command(flatten)]
     pub plot: PlotFlag,
     #[command(flatten)]

@@ -14,7 +14,7 @@ fn words() -> impl Strategy<Value = String> {
     ]
 }
 
-const FLAGS: [(&str, &str); 17] = [
+const FLAGS: [(&str, &str); 19] = [
     ("force -e 0.1", "--pressure"),
     ("force -p 0.2", "--contraction"),
     ("force -p 0.2", "--outer-diameter"),
@@ -23,6 +23,8 @@ const FLAGS: [(&str, &str); 17] = [
     ("force -p 0.2", "--angle"),
     ("force -p 0.2 --model thick-wall", "--stiffness"),
     ("force -p 0.2 --model thick-wall", "--seating"),
+    ("force -p 0.2 --model thick-wall", "--slip"),
+    ("force -p 0.2 --model thick-wall", "--grip"),
     ("force -p 0.2 --model tondu-lopez", "--end-factor"),
     ("force -p 0.2 --model conical-ends", "--cone-factor"),
     ("force -p 0.2 --model belforte --turns 1.5", "--strand-length"),

@@ -1,4 +1,4 @@
-//! `validate --measured`: dossiers of measured muscles.
+//! `validate --measured`: dossiers of measured muscles and rubbers.
 
 use crate::common::{folder, json, mckibben, root};
 use serde_json::Value;
@@ -52,4 +52,61 @@ fn what_is_no_case_is_told() {
     std::fs::write(case.join("case.toml"), text.replace("unknown =", "unknwon =")).unwrap();
     let told = said(&format!("validate --measured {}", dir.path().display()));
     assert!(told.contains("mine/case.toml: `unknwon` is not known"), "{told}");
+}
+
+/// A rubber's dossier is what `rubber fit` says of the same points, mode by mode, and over time branch by branch.
+#[test]
+fn a_rubber_leaves_what_rubber_fit_says() {
+    let number = |v: &Value| v.as_f64().unwrap();
+    let answer = json("validate --measured --only rubber-treloar,rubber-hnbr50");
+    assert!(
+        answer["cases"].as_array().unwrap().is_empty() && answer["results"].as_array().unwrap().is_empty()
+    );
+    let stresses = answer["stresses"].as_array().unwrap();
+    let of = |fit: &str| -> Vec<&Value> { stresses.iter().filter(|s| s["fit"] == fit).collect() };
+    let fitted = json("rubber fit data/treloar/tension.csv --law yeoh --up-to 3");
+    let modes = fitted["laws"][0]["modes"].as_array().unwrap();
+    for mode in modes {
+        let ours = of("yeoh, all modes").into_iter().find(|s| s["of"] == mode["mode"]).unwrap();
+        assert_eq!((&ours["points"], &ours["rms_mpa"]), (&mode["points"], &mode["rms_mpa"]));
+        assert_eq!(ours["blind"], false);
+    }
+    let one_axis = json("rubber fit data/treloar/tension.csv --law yeoh --up-to 3 --fit-mode uniaxial");
+    let planar = one_axis["laws"][0]["held_out"].as_array().unwrap().iter().find(|h| h["mode"] == "planar");
+    let ours = of("yeoh, one axis").into_iter().find(|s| s["of"] == "planar").unwrap();
+    assert_eq!((ours["blind"].as_bool(), &ours["rms_mpa"]), (Some(true), &planar.unwrap()["rms_mpa"]));
+    let relaxing = of("yeoh, relaxing");
+    let squares: f64 = relaxing.iter().map(|s| number(&s["points"]) * number(&s["rms_mpa"]).powi(2)).sum();
+    let points: f64 = relaxing.iter().map(|s| number(&s["points"])).sum();
+    let over_time = json("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 3");
+    let expected = number(&over_time["relaxation"]["rms_mpa"]);
+    assert!(((squares / points).sqrt() / expected - 1.0).abs() < 1e-9, "{squares} {points} {expected}");
+    let branches: Vec<&str> = relaxing.iter().map(|s| s["of"].as_str().unwrap()).collect();
+    assert_eq!(branches, ["loading", "unloading", "held"]);
+    let text = mckibben("validate --measured --only rubber-treloar").ok();
+    assert!(text.text().contains("natural rubber, Treloar") && !text.text().contains("fe against"));
+}
+
+/// Another model has its own ±; the single branches of a hysteresis loop lie on either side of their means.
+#[test]
+fn a_dossier_is_of_the_model_that_was_asked_for() {
+    let answer = json("validate --measured --only tondu2012 --model thick-wall");
+    assert_eq!(answer["model"], "thick-wall");
+    let results = answer["results"].as_array().unwrap();
+    let first = &results[0];
+    // docs/validation.md: 20.6 N against all points that pull or not.
+    assert!((first["rms_n"].as_f64().unwrap() - 20.6).abs() < 1.0, "{first}");
+    let bias = |i: usize| first["by_branch"][i]["bias_n"].as_f64().unwrap();
+    assert_eq!(
+        (&first["by_branch"][0]["branch"], &first["by_branch"][1]["branch"]),
+        (&"contraction".into(), &"elongation".into())
+    );
+    assert!(
+        bias(0) < first["bias_n"].as_f64().unwrap() && first["bias_n"].as_f64().unwrap() < bias(1),
+        "{first}"
+    );
+    let both = results.iter().find(|r| r["fit"] == "Gent, friction; both branches").unwrap();
+    // With the friction in it, neither branch is off.
+    let bias = |i: usize| both["by_branch"][i]["bias_n"].as_f64().unwrap().abs();
+    assert!(bias(0) < 5.0 && bias(1) < 5.0, "{both}");
 }

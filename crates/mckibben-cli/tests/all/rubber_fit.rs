@@ -247,6 +247,22 @@ fn relaxation_says_the_law_at_once_and_after_a_long_time() {
     let ratio = number(&relaxation["long_time"], "c10_mpa") / number(&relaxation["instantaneous"], "c10_mpa");
     assert!((ratio - (1.0 - shares)).abs() < 1e-9, "{relaxation}");
     assert!(number(relaxation, "rms_mpa") < 0.2 * number(relaxation, "elastic_rms_mpa"), "{relaxation}");
+    let dir = folder();
+    let data = root().join("data/hnbr50/stepwise_relaxation.csv");
+    let words =
+        ["rubber", "fit", data.to_str().unwrap(), "--law", "yeoh", "--relaxation", "3", "-o", "m.toml"];
+    run_in(dir.path(), &words).ok();
+    let written =
+        mckibben::muscle::file::read_muscle(dir.path().join("m.toml")).unwrap().tube().rubber.clone();
+    let kept = written.prony.unwrap().branches;
+    for (kept, branch) in kept.iter().zip(relaxation["branches"].as_array().unwrap()) {
+        assert_eq!(
+            (kept.share, kept.time_constant_s),
+            (number(branch, "share"), number(branch, "time_constant_s"))
+        );
+    }
+    let mckibben::rubber::Law::Yeoh(law) = written.law else { panic!("no Yeoh") };
+    assert_eq!((kept.len(), law.c10_mpa), (3, number(&relaxation["instantaneous"], "c10_mpa")));
     let text = mckibben("rubber fit data/hnbr50/stepwise_relaxation.csv --law yeoh --relaxation 1").ok();
     assert!(text.text().contains("after long"), "{}", text.text());
     let without = mckibben(&format!("{TRELOAR} --relaxation 2 --format json"));
@@ -286,4 +302,14 @@ fn softening_is_found_from_a_test_with_its_first_loading() {
     assert!((number(&softening["first_loading"], "mu_mpa") - mu).abs() < 1e-9, "{softening}");
     let shown = run_in(dir.path(), &words[..6]).ok();
     assert!(shown.text().contains("Softening of neo-hookean"), "{}", shown.text());
+    let written = ["rubber", "fit", "t.csv", "--law", "neo-hookean", "--softening", "-o", "m.toml"];
+    run_in(dir.path(), &written).ok();
+    let rubber =
+        mckibben::muscle::file::read_muscle(dir.path().join("m.toml")).unwrap().tube().rubber.clone();
+    let kept = rubber.softening.unwrap();
+    for (kept, name) in [(kept.r, "r"), (kept.m_mpa, "m_mpa"), (kept.beta, "beta")] {
+        assert_eq!(kept, number(softening, name));
+    }
+    let mckibben::rubber::Law::NeoHookean(law) = rubber.law else { panic!("{rubber:?}") };
+    assert_eq!(law.mu_mpa, number(&softening["first_loading"], "mu_mpa"));
 }

@@ -44,7 +44,7 @@ impl MuscleMesh {
             ("braid.thickness", braid.thickness_mm > 0.0),
             ("braid.diameter", !braid.lay(tube).is_on(tube)),
             ("braid.crimp", braid.crimp.is_some()),
-            ("tube.material.conditioned", tube.rubber.conditioned().is_some()),
+            ("tube.material.conditioned", tube.rubber.is_conditioned()),
         ];
         if let Some((key, _)) = missing.into_iter().find(|(_, stated)| *stated) {
             return Err(FemError::NotInBricks { key });

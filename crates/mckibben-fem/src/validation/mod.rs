@@ -5,11 +5,17 @@
 //! its modulus is fitted. Models are held against the mean of the two hysteresis branches. A row's reference is the
 //! largest measured force, its value the rms error in N, its error their ratio. Further rows do the same for every measured muscle
 //! ([`case`]) with what is not stated of it identified from its own points, beside its blocked force, and say what share of its points
-//! the ± of the finite elements holds ([`coverage`]); the dossier of each ([`dossier`]) tells them apart by fit, and what was predicted blind.
+//! the ± of the finite elements holds ([`coverage`]); the dossier of each ([`dossier`], of rubbers [`rubber`]) tells them apart by fit, and what was
+//! predicted blind.
 
 pub mod case;
 pub mod coverage;
 pub mod dossier;
+mod read;
+pub mod residual;
+pub mod rubber;
+mod split;
+mod stress;
 
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;

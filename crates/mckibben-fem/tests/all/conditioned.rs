@@ -2,7 +2,7 @@
 
 use mckibben::model::{ForceModel, ModelKind, Response, ThickWall, Workspace};
 use mckibben::muscle::file::read_muscle;
-use mckibben::muscle::{Bulk, Muscle, Rubber, Tube};
+use mckibben::muscle::{Bulk, Conditioned, Muscle, Rubber, Tube};
 use mckibben::rubber::over_time::{Held, OgdenRoxburgh, Prony, Softened};
 use mckibben::rubber::{Law, NeoHookean, Ogden, RubberLaw, Yeoh};
 use mckibben_fem::FemError;
@@ -18,7 +18,8 @@ fn yeoh() -> Law {
 }
 
 fn muscle(law: Law, conditioned_mpa: Option<f64>) -> Muscle {
-    let rubber = Rubber { softening: Some(SOFTENING), conditioned_mpa, ..Rubber::of(law) };
+    let conditioned = conditioned_mpa.map(Conditioned::Pressure);
+    let rubber = Rubber { softening: Some(SOFTENING), conditioned, ..Rubber::of(law) };
     Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap()
 }
 
@@ -129,6 +130,26 @@ fn free_contraction_at_the_pressure_of_the_cycles_comes_back() {
     // Cycles at more pressure leave it softer.
     let more = fe(Some(0.4));
     assert!(at(&more, 0.1, 0.1).force_n > at(&cycled, 0.1, 0.1).force_n + 1.0);
+}
+
+/// Rubber that has seen far more than the muscle asks of it, with β = 0: η = 1 − 1/r everywhere, which is a law with so much less of its moduli. And
+/// rubber that has seen nearly nothing is on its first inflation.
+#[test]
+fn rubber_conditioned_far_beyond_the_muscle_is_a_softer_law() {
+    let softening = OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 };
+    let of = |law: Law, strain: Option<f64>| {
+        let conditioned = strain.map(|strain| Conditioned::Strain { strain });
+        let rubber = Rubber { softening: Some(softening), conditioned, ..Rubber::of(law) };
+        Axisymmetric::new(&Muscle::prototype().with_tube(Tube { rubber, ..Tube::prototype() }).unwrap())
+            .unwrap()
+    };
+    let (far, softer) = (of(yeoh(), Some(9.0)), of(yeoh().scaled(1.0 - 1.0 / 1.5), None));
+    let (little, first) = (of(yeoh(), Some(1e-4)), of(yeoh(), None));
+    for (p, e) in [(0.25, 0.0), (0.25, 0.2), (0.1, 0.1)] {
+        let (a, b) = (at(&far, p, e).force_n, at(&softer, p, e).force_n);
+        assert!((a - b).abs() < 1e-8 * b.abs(), "{a} {b}");
+        assert!((at(&little, p, e).force_n - at(&first, p, e).force_n).abs() < 1e-6);
+    }
 }
 
 /// Other models say that they leave it out, three-dimensional elements refuse.

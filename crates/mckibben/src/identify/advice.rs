@@ -52,11 +52,13 @@ pub(super) fn before(
         );
     }
     let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
-    if free.contains(&Target::Seating) && distinct(lengths) == 1 {
-        notes.push(
-            "all points are of one length: terminals.seating can then hardly be told from an error in the zero of the length; measure muscles of other lengths"
-                .into(),
-        );
+    let ends = [Target::Seating, Target::Slip, Target::Grip].into_iter().find(|t| free.contains(t));
+    if let Some(end) = ends.filter(|_| distinct(lengths) == 1) {
+        let look = if end == Target::Seating { "the zero of the length" } else { "length, angle or modulus" };
+        notes.push(format!(
+            "all points are of one length: {} can then hardly be told from an error in {look}; measure muscles of other lengths",
+            end.name(muscle)
+        ));
     }
     Ok(notes)
 }
@@ -294,9 +296,8 @@ fn misfit(found: &Identification) -> Option<String> {
     }
 }
 
-/// Residuals of neighbours that resemble each other: the model misses in a pattern, and the standard errors, which take
-/// residuals for noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
-fn pattern(points: &[Fitted]) -> Option<String> {
+/// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the correlation ρ of their residuals, −1 to 1.
+pub(super) fn neighbours(points: &[Fitted]) -> (usize, f64) {
     let mut order: Vec<&Fitted> = points.iter().collect();
     let key = |f: &Fitted| {
         let s = &f.point.section;
@@ -310,19 +311,20 @@ fn pattern(points: &[Fitted]) -> Option<String> {
     order.sort_by(|a, b| {
         compare(&key(a), &key(b)).then(a.point.at.contraction.total_cmp(&b.point.at.contraction))
     });
-    let curves: Vec<&[&Fitted]> = order.chunk_by(|a, b| key(a) == key(b)).collect();
+    let curves = order.chunk_by(|a, b| key(a) == key(b));
     let pairs: Vec<(f64, f64)> =
-        curves.iter().flat_map(|c| c.windows(2).map(|w| (w[0].residual_n, w[1].residual_n))).collect();
-    if pairs.len() < 10 {
-        return None;
-    }
+        curves.flat_map(|c| c.windows(2).map(|w| (w[0].residual_n, w[1].residual_n))).collect();
     let square: f64 = pairs.iter().map(|p| 0.5 * (p.0 * p.0 + p.1 * p.1)).sum();
-    if square <= 0.0 {
-        return None;
-    }
-    let rho = pairs.iter().map(|p| p.0 * p.1).sum::<f64>() / square;
+    let together: f64 = pairs.iter().map(|p| p.0 * p.1).sum();
+    (pairs.len(), if square > 0.0 { together / square } else { 0.0 })
+}
+
+/// Residuals of neighbours that resemble each other: the model misses in a pattern, and the standard errors, which take
+/// residuals for noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
+fn pattern(points: &[Fitted]) -> Option<String> {
+    let (pairs, rho) = neighbours(points);
     // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
-    if rho < 3.0 / (pairs.len() as f64).sqrt() {
+    if pairs < 10 || rho < 3.0 / (pairs as f64).sqrt() {
         return None;
     }
     let rho = rho.min(0.999);

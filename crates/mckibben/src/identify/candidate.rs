@@ -50,6 +50,8 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
         Target::Wall => tube.wall_mm,
         Target::Length => tube.length_mm,
         Target::Seating => muscle.terminals().seating_mm?,
+        Target::Slip => muscle.terminals().slip_mm_per_n?,
+        Target::Grip => muscle.terminals().grip_mm?,
         Target::EndFactor => muscle.terminals().end_factor.map_or(1.0, |k| k.at(0.0)),
         Target::FrictionCoefficient => friction?.coefficient,
         Target::FrictionLever => Some(friction?.lever_mm).filter(|l| *l > 0.0)?,
@@ -92,6 +94,8 @@ impl Candidate {
                 Target::Wall => tube.wall_mm = v,
                 Target::Length => tube.length_mm = v,
                 Target::Seating => terminals.seating_mm = Some(v),
+                Target::Slip => terminals.slip_mm_per_n = Some(v),
+                Target::Grip => terminals.grip_mm = Some(v),
                 Target::EndFactor => terminals.end_factor = Some(EndFactor::Constant(v)),
                 Target::FrictionCoefficient | Target::FrictionExponent | Target::FrictionLever => {
                     let mut f = friction.unwrap_or(Friction::power_law(0.0, FRICTION_EXPONENT));

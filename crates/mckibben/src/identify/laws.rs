@@ -1,19 +1,17 @@
 //! Which law of the rubber the points prefer.
 //!
 //! Each law is identified in turn with all of its constants free, and beside them whatever else is free; they are held against each other by
-//!
-//!   AICc = n ln(Σ w r²/n) + 2(k + 1) + 2(k + 1)(k + 2)/(n − k − 2),
-//!
-//! r the residuals of n points, w their weights, k the number of free parameters (Burnham & Anderson 2002 \[burnham2002\]). It takes the errors of
-//! the points as independent. Where a model does not follow the data, neighbours on one curve err together: their correlation says how far
+//! [`aicc`], which takes the errors of the points as independent. Where a model does not follow the data, neighbours on one curve err together: their correlation says how far
 //! the differences can be trusted. A muscle is a poor test of rubber: strands that lock and ends that give way change the pull as a rubber
 //! that stiffens does, and the constants that follow can be ones that no rubber has.
 
+use super::advice::neighbours;
 use super::error::IdentifyError;
 use super::parameter::{Parameter, Target};
 use super::problem::Build;
-use super::result::{Fitted, Identification};
+use super::result::Identification;
 use super::run::{Request, identify_with};
+use crate::least_squares::aicc;
 use crate::muscle::{Rubber, Tube};
 use crate::progress::Progress;
 use crate::rubber::{Law, LawKind, RubberLaw};
@@ -85,40 +83,14 @@ fn trial<B: Build>(
     let known = found.as_ref().ok();
     Some(LawTrial {
         law: kind.name,
-        aicc: known.map_or(f64::INFINITY, |found| aicc(found, free.len())),
-        neighbours: known.map_or(0.0, |found| neighbours(&found.points)),
+        aicc: known.map_or(f64::INFINITY, |found| {
+            let n = found.points.len();
+            aicc(n, free.len(), found.deviation * found.deviation * found.freedom as f64 / n as f64)
+        }),
+        neighbours: known.map_or(0.0, |found| neighbours(&found.points).1),
         doubt: known.and_then(|found| doubt(&found.muscle.tube().rubber.law)),
         found,
     })
-}
-
-fn aicc(found: &Identification, free: usize) -> f64 {
-    let (n, k) = (found.points.len() as f64, free as f64);
-    let mean = found.deviation * found.deviation * found.freedom as f64 / n;
-    n * mean.ln() + 2.0 * (k + 1.0) + 2.0 * (k + 1.0) * (k + 2.0) / (n - k - 2.0).max(0.5)
-}
-
-/// Of residuals next to each other on a curve: one pressure, branch and table, by contraction.
-fn neighbours(points: &[Fitted]) -> f64 {
-    let mut sorted: Vec<&Fitted> = points.iter().collect();
-    let key =
-        |f: &Fitted| (f.point.set, f.point.at.branch as u8, f.point.at.pressure_mpa, f.point.at.contraction);
-    sorted.sort_by(|a, b| {
-        let ((s, b1, p, e), (t, b2, q, d)) = (key(a), key(b));
-        s.cmp(&t).then(b1.cmp(&b2)).then(p.total_cmp(&q)).then(e.total_cmp(&d))
-    });
-    let on_one =
-        |a: &Fitted, b: &Fitted| (key(a).0, key(a).1) == (key(b).0, key(b).1) && key(a).2 == key(b).2;
-    let (mut together, mut squares) = (0.0, 0.0);
-    for pair in sorted.windows(2) {
-        if let [a, b] = pair
-            && on_one(a, b)
-        {
-            together += a.residual_n * b.residual_n;
-            squares += 0.5 * (a.residual_n * a.residual_n + b.residual_n * b.residual_n);
-        }
-    }
-    if squares > 0.0 { together / squares } else { 0.0 }
 }
 
 /// What a chemist would not believe of a law.

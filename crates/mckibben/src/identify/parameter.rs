@@ -1,5 +1,6 @@
 //! What can be identified: named as in the muscle file.
 
+use crate::model::Ideal;
 use crate::muscle::Muscle;
 use crate::nearest::nearest;
 use crate::rubber::{ConstantValue, RubberLaw};
@@ -33,6 +34,10 @@ pub enum Target {
     Crimp,
     /// What both ends together give way.
     Seating,
+    /// What both ends together slip under the load of a clamp.
+    Slip,
+    /// Length held at each end.
+    Grip,
     /// k of Tondu & Lopez.
     EndFactor,
     /// C of the friction C·P^β.
@@ -46,12 +51,13 @@ pub enum Target {
 }
 
 use Target::{
-    Angle, ContractionOffset, Crimp, EndFactor, FrictionCoefficient, FrictionExponent, FrictionLever, Law,
-    Length, Modulus, OuterDiameter, Seating, SleeveDiameter, Stiffness, StiffnessExponent, Thickness, Wall,
+    Angle, ContractionOffset, Crimp, EndFactor, FrictionCoefficient, FrictionExponent, FrictionLever, Grip,
+    Law, Length, Modulus, OuterDiameter, Seating, SleeveDiameter, Slip, Stiffness, StiffnessExponent,
+    Thickness, Wall,
 };
 
 /// Names that do not depend on the law; some have a second spelling.
-const NAMES: [(&str, Target); 22] = [
+const NAMES: [(&str, Target); 26] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
@@ -65,6 +71,10 @@ const NAMES: [(&str, Target); 22] = [
     ("tube.length", Length),
     ("terminals.seating", Seating),
     ("seating", Seating),
+    ("terminals.slip", Slip),
+    ("slip", Slip),
+    ("terminals.grip", Grip),
+    ("grip", Grip),
     ("terminals.end_factor", EndFactor),
     ("friction.coefficient", FrictionCoefficient),
     ("friction.c", FrictionCoefficient),
@@ -170,7 +180,10 @@ impl Target {
             Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
             Stiffness => "N/mm",
             Angle => "deg",
-            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter | FrictionLever => "mm",
+            OuterDiameter | Wall | Length | Seating | Grip | Thickness | SleeveDiameter | FrictionLever => {
+                "mm"
+            }
+            Slip => "mm/N",
             FrictionCoefficient => "N/MPa^β",
             _ => "",
         }
@@ -181,9 +194,10 @@ impl Target {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
             Angle => Dimension::Angle,
-            OuterDiameter | Wall | Length | Seating | Thickness | SleeveDiameter | FrictionLever => {
+            OuterDiameter | Wall | Length | Seating | Grip | Thickness | SleeveDiameter | FrictionLever => {
                 Dimension::Length
             }
+            Slip => Dimension::Compliance,
             _ => Dimension::Ratio,
         }
     }
@@ -197,7 +211,8 @@ impl Target {
             FrictionExponent => (0.0, 3.0),
             ContractionOffset => (-0.3, 0.3),
             Wall => (0.0, 0.5 * muscle.outer_diameter_mm()),
-            Seating => (0.0, 0.2 * muscle.length_mm()),
+            Seating | Grip => (0.0, 0.2 * muscle.length_mm()),
+            Slip => (0.0, 0.2 * muscle.length_mm() / usual_pull_n(muscle)),
             Thickness => (1e-6 * muscle.outer_diameter_mm(), 0.3 * muscle.outer_diameter_mm()),
             SleeveDiameter => (muscle.outer_diameter_mm(), 1.5 * muscle.outer_diameter_mm()),
             Crimp => (1e-6, 0.1),
@@ -228,6 +243,11 @@ impl Target {
     pub(super) fn is_geometry(self) -> bool {
         matches!(self, Angle | OuterDiameter | Wall | Length)
     }
+}
+
+/// Pull in N of the ideal muscle at 3 bar and rest length: the size of its pulls.
+pub(super) fn usual_pull_n(muscle: &Muscle) -> f64 {
+    Ideal::new(muscle).pull(0.3, 0.0)
 }
 
 /// Constant number `i` of the muscle's law.

@@ -271,8 +271,7 @@ impl<'a, B: Build> Problem<'a, B> {
                 Target::FrictionCoefficient
                 | Target::FrictionExponent
                 | Target::FrictionLever
-                | Target::ContractionOffset
-                | Target::Seating => {}
+                | Target::ContractionOffset => {}
                 other => add(other.name(muscle)),
             }
         }
@@ -326,9 +325,10 @@ impl<'a, B: Build> Problem<'a, B> {
             Target::FrictionCoefficient | Target::FrictionExponent | Target::FrictionLever => 0.0,
             // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
             Target::ContractionOffset => here.by_contraction,
-            // F₀(P, ε + δ/L0).
-            Target::Seating => here.by_contraction / muscle.length_mm(),
             Target::Law(_)
+            | Target::Seating
+            | Target::Slip
+            | Target::Grip
             | Target::EndFactor
             | Target::Thickness
             | Target::SleeveDiameter

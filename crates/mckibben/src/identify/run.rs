@@ -3,7 +3,7 @@
 use super::advice;
 use super::candidate::own_value;
 use super::error::IdentifyError;
-use super::parameter::{Parameter, Target};
+use super::parameter::{Parameter, Target, usual_pull_n};
 use super::problem::{Build, Problem};
 use super::result::{Fitted, Identification, Identified, spread, spreads};
 use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
@@ -70,6 +70,8 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
             }
             // Inside of its bounds, and small beside the muscle.
             Target::Seating => Some(2e-3 * muscle.length_mm()),
+            Target::Slip => Some(2e-3 * muscle.length_mm() / usual_pull_n(muscle)),
+            Target::Grip => Some(5e-3 * muscle.length_mm()),
             Target::FrictionLever => Some(1.0),
             Target::Thickness => Some(0.02 * muscle.outer_diameter_mm()),
             Target::SleeveDiameter => Some(1.01 * muscle.outer_diameter_mm()),

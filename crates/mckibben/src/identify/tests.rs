@@ -438,6 +438,39 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     assert!(told(&noisy(&points[..PLACES.len()], 0.5, 3)) && !told(&points));
 }
 
+/// Ends that slip under F + π Ri² P and hold 4 mm each: points are made from the muscle between its ends, whose contraction is chosen, so that
+/// the whole's follows without a search. Slip, grip and modulus come back.
+#[test]
+fn muscles_of_several_lengths_tell_slip_and_grip() {
+    let (m, slip, grip) = (soft(), 2e-3, 4.0);
+    let model = ThickWall::new(&m);
+    let bore = std::f64::consts::PI * m.tube().inner_radius_mm().powi(2);
+    let mut points = vec![];
+    for length_mm in [150.0, 250.0, 400.0] {
+        for (pressure_mpa, x) in PLACES {
+            let force_n = model.force_n(&mut Workspace::new(), pressure_mpa, x).unwrap();
+            let way = slip * (force_n + bore * pressure_mpa);
+            let contraction = (x * (length_mm - 2.0 * grip) - way) / length_mm;
+            let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+            let section = crate::measured::Section { length_mm: Some(length_mm), ..Default::default() };
+            points.push(DataPoint { section, ..DataPoint::of(at) });
+        }
+    }
+    let free = free(&m, &["mu=0.5", "terminals.slip", "grip"]);
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: true,
+    };
+    let found = identify(&request, |m: &Muscle| crate::model::ModelKind::ThickWall.build(m)).unwrap();
+    for (p, (truth, scale)) in found.parameters.iter().zip([(0.3, 0.3), (slip, slip), (grip, grip)]) {
+        assert!(p.identifiable && (p.value - truth).abs() < 1e-5 * scale, "{p:#?}");
+    }
+}
+
 /// Points of a Gent muscle, rounded to 0.1 N: the law that made them is preferred, its constants come back, and the errors of neighbours are
 /// independent with it alone.
 #[test]

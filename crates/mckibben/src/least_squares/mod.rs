@@ -4,10 +4,12 @@
 //! [`estimate`] knows bounds, weights and outliers, takes derivatives where the model has them, and says how well the data tell
 //! each unknown.
 
+mod aicc;
 mod bounds;
 mod estimate;
 mod student;
 
+pub use aicc::aicc;
 pub use bounds::Unknown;
 pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate};
 pub use student::t95;

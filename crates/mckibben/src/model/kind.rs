@@ -143,6 +143,8 @@ impl ModelKind {
     /// # Errors
     /// [`ModelError`] where the muscle does not state what the model needs.
     pub fn build(self, muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
+        let whole = muscle;
+        let muscle = &*whole.between_ends();
         let model: Box<dyn ForceModel> = match self {
             ModelKind::Ideal => Box::new(Ideal::new(muscle)),
             ModelKind::ThickWall => Box::new(ThickWall::new(muscle)),
@@ -160,7 +162,7 @@ impl ModelKind {
             ModelKind::UniversalSmall => universal("universal-small", UniversalFormula::small(), muscle)?,
             ModelKind::Paper => Box::new(Paper::new(muscle)),
         };
-        Ok(seated(model))
+        Ok(seated(model, whole))
     }
 }
 

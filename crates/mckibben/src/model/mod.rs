@@ -84,7 +84,7 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
 
 /// What a model leaves out of the rubber that takes it as on its first inflation.
 fn first_inflation(model: &str, muscle: &Muscle) -> Option<String> {
-    muscle.tube().rubber.conditioned().map(|_| {
+    muscle.tube().rubber.is_conditioned().then(|| {
         format!("{model} takes the rubber as on its first inflation: tube.material.conditioned not used")
     })
 }

@@ -58,11 +58,16 @@ pub enum MuscleError {
     Relaxation(OverTimeError),
     /// A muscle that was cycled, of a rubber that does not soften.
     #[error(
-        "tube.material.conditioned is {pressure_mpa} MPa, but the rubber has no tube.material.softening: give its r, m and beta, or leave the pressure out"
+        "tube.material.conditioned is stated, but the rubber has no tube.material.softening: give its r, m and beta, or leave it out"
     )]
-    ConditionedWithoutSoftening {
-        /// The pressure in MPa at which it was cycled.
-        pressure_mpa: f64,
+    ConditionedWithoutSoftening,
+    /// A strain that the rubber cannot have seen.
+    #[error(
+        "tube.material.conditioned is a strain of {strain}, at which the rubber's law has locked: state less, or the pressure of the cycles"
+    )]
+    ConditionedBeyondLock {
+        /// The strain in simple tension.
+        strain: f64,
     },
     /// A named sleeve that is not known, does not fit, or does not say enough.
     #[error("braid: {0}")]
@@ -113,6 +118,18 @@ pub enum MuscleError {
     StrandTooShort {
         /// Strand length in mm.
         strand_length_mm: f64,
+        /// Muscle length in mm.
+        length_mm: f64,
+    },
+    /// Ends that hold all of the muscle.
+    #[error(
+        "terminals.grip is {grip_mm} mm at each end; twice that, with a seating of {seating_mm} mm, must be below the muscle's length of {length_mm} mm"
+    )]
+    GripTooLong {
+        /// At each end, in mm.
+        grip_mm: f64,
+        /// Both ends together, in mm.
+        seating_mm: f64,
         /// Muscle length in mm.
         length_mm: f64,
     },
@@ -190,7 +207,9 @@ impl MuscleError {
             }
             MuscleError::Softening(_) => vec!["tube.material.softening"],
             MuscleError::Relaxation(_) => vec!["tube.material.prony"],
-            MuscleError::ConditionedWithoutSoftening { .. } => vec!["tube.material.conditioned"],
+            MuscleError::ConditionedWithoutSoftening | MuscleError::ConditionedBeyondLock { .. } => {
+                vec!["tube.material.conditioned"]
+            }
             MuscleError::Sleeve(SleeveError::OutOfRange { .. } | SleeveError::NoContraction { .. }) => {
                 vec!["braid.name", "tube.outer_diameter"]
             }
@@ -204,6 +223,7 @@ impl MuscleError {
             MuscleError::StrandCount { .. } => vec!["braid.strands"],
             MuscleError::StrengthWithoutCount => vec!["braid.strand_strength"],
             MuscleError::StrandTooShort { .. } => vec!["braid.strand_length"],
+            MuscleError::GripTooLong { .. } => vec!["terminals.grip", "tube.length"],
             MuscleError::SeatingTooLong { .. } => vec!["terminals.seating", "tube.length"],
             MuscleError::BraidTooThick { .. } => vec!["braid.thickness", "tube.outer_diameter"],
             MuscleError::SleeveTooNarrow { .. } => vec!["braid.diameter", "tube.outer_diameter"],

@@ -6,6 +6,7 @@ mod braid;
 mod crimp;
 mod derived;
 mod direction;
+mod ends;
 mod error;
 pub mod file;
 mod friction;
@@ -19,11 +20,12 @@ pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DE
 pub use crimp::Crimp;
 pub use derived::BuildSheet;
 pub use direction::{Direction, UnknownDirection};
+pub use ends::{Ends, Met};
 pub use error::MuscleError;
 pub use friction::Friction;
 pub use lay::StrandLay;
 pub use reach::largest_stretch;
-pub use rubber::{Bulk, Rubber};
+pub use rubber::{Bulk, Conditioned, Rubber};
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
@@ -71,6 +73,10 @@ impl Muscle {
         if seating_mm >= length_mm {
             return Err(MuscleError::SeatingTooLong { seating_mm, length_mm });
         }
+        let grip_mm = terminals.grip_mm.unwrap_or(0.0);
+        if seating_mm + 2.0 * grip_mm >= length_mm {
+            return Err(MuscleError::GripTooLong { grip_mm, seating_mm, length_mm });
+        }
         let reach = largest_stretch(&tube, &braid);
         tube.rubber = library::following(tube.rubber, reach);
         let muscle = Self { tube, braid, terminals, friction };
@@ -107,12 +113,6 @@ impl Muscle {
     /// The terminals.
     pub fn terminals(&self) -> &Terminals {
         &self.terminals
-    }
-
-    /// δ/L0: by how much the muscle between its ends is contracted more than the whole, as the ends give way by δ
-    /// ([`Terminals::seating_mm`]).
-    pub fn seating_ratio(&self) -> f64 {
-        self.terminals.seating_mm.unwrap_or(0.0) / self.tube.length_mm
     }
 
     /// Braid friction, where it is known.

@@ -2,7 +2,7 @@
 
 use super::error::{MuscleError, positive};
 use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
-use crate::rubber::{Law, MooneyRivlin};
+use crate::rubber::{Law, MooneyRivlin, RubberLaw};
 use serde::{Deserialize, Serialize};
 
 /// How a rubber answers to a change of volume.
@@ -50,6 +50,20 @@ impl From<WrittenBulk> for Bulk {
     }
 }
 
+/// What softening rubber has been through. As data (serde) a pressure in MPa, or `{"strain": 1.0}`; in a muscle file a pressure or a strain such as
+/// `"100 %"`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(untagged, expecting = "a pressure in MPa, or {\"strain\": 1.0}")]
+pub enum Conditioned {
+    /// The muscle was cycled at this pressure in MPa, between rest length and free contraction: each point has its own W_m.
+    Pressure(f64),
+    /// The rubber was stretched by so much, all of it alike: W_m is W0 in simple tension at the stretch 1 + strain.
+    Strain {
+        /// Largest strain in simple tension; 1 is 100 %.
+        strain: f64,
+    },
+}
+
 /// A rubber with its origin. As data (serde) it is what stands in `[tube.material]` of a muscle file, moduli in MPa:
 ///
 /// ```
@@ -78,10 +92,9 @@ pub struct Rubber {
     /// How rubber that was stretched before is softer, where it is known. The law is that of the first loading.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub softening: Option<OgdenRoxburgh>,
-    /// Pressure in MPa at which the muscle was cycled before, between rest length and free contraction; `None` on its first inflation. The
-    /// finite elements of the section have it.
-    #[serde(rename = "conditioned", default, skip_serializing_if = "Option::is_none")]
-    pub conditioned_mpa: Option<f64>,
+    /// What it was stretched by before; `None` on its first inflation. The finite elements of the section have it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub conditioned: Option<Conditioned>,
     /// How the rubber relaxes, where it is known. The law is the one at once, t → 0, in every model; [`Rubber::held`] is the one of later.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prony: Option<Prony>,
@@ -105,7 +118,7 @@ impl Rubber {
             bulk: Bulk::Incompressible,
             fitted_to_stretch: None,
             softening: None,
-            conditioned_mpa: None,
+            conditioned: None,
             prony: None,
         }
     }
@@ -121,12 +134,34 @@ impl Rubber {
 
     /// Whether this is the paper's rubber, unchanged.
     pub fn is_paper(&self) -> bool {
-        self.law == Self::paper().law && self.bulk == Bulk::Incompressible && self.conditioned().is_none()
+        self.law == Self::paper().law && self.bulk == Bulk::Incompressible && !self.is_conditioned()
     }
 
-    /// How a muscle that was cycled before is softer, and the pressure in MPa at which it was; `None` on a first inflation.
+    /// Whether it is softer, as it was stretched before.
+    pub fn is_conditioned(&self) -> bool {
+        self.softening.is_some() && self.conditioned.is_some()
+    }
+
+    /// How a muscle that was cycled before is softer, and the pressure in MPa at which it was; `None` where it was not.
     pub fn conditioned(&self) -> Option<(OgdenRoxburgh, f64)> {
-        self.softening.zip(self.conditioned_mpa)
+        match self.conditioned? {
+            Conditioned::Pressure(pressure_mpa) => Some((self.softening?, pressure_mpa)),
+            Conditioned::Strain { .. } => None,
+        }
+    }
+
+    /// How rubber that was stretched before, all of it alike, is softer, and the largest energy W_m in MPa that it has seen.
+    pub fn conditioned_alike(&self) -> Option<(OgdenRoxburgh, f64)> {
+        match self.conditioned? {
+            Conditioned::Strain { strain } => Some((self.softening?, self.tension_energy_mpa(strain))),
+            Conditioned::Pressure(_) => None,
+        }
+    }
+
+    /// W0 in simple tension.
+    fn tension_energy_mpa(&self, strain: f64) -> f64 {
+        let stretch = 1.0 + strain;
+        self.law.biaxial(1.0 / stretch, stretch * stretch).w
     }
 
     pub(crate) fn check(&self) -> Result<(), MuscleError> {
@@ -134,11 +169,22 @@ impl Rubber {
         if let Some(softening) = self.softening {
             softening.validated().map_err(MuscleError::Softening)?;
         }
-        if let Some(pressure_mpa) = self.conditioned_mpa {
-            positive("tube.material.conditioned", pressure_mpa, "MPa")?;
-            if self.softening.is_none() {
-                return Err(MuscleError::ConditionedWithoutSoftening { pressure_mpa });
+        match self.conditioned {
+            Some(Conditioned::Pressure(p)) => positive("tube.material.conditioned", p, "MPa")?,
+            Some(Conditioned::Strain { strain }) => {
+                positive("tube.material.conditioned", strain, "")?;
+                // Beyond a stretch at which the law locks it has no energy.
+                let energy = self.tension_energy_mpa(strain);
+                let stretched = 1.0 + strain;
+                let first_invariant = stretched * stretched + 2.0 / stretched - 3.0;
+                if !energy.is_finite() || self.law.locks_at().is_some_and(|j| first_invariant >= j) {
+                    return Err(MuscleError::ConditionedBeyondLock { strain });
+                }
             }
+            None => {}
+        }
+        if self.conditioned.is_some() && self.softening.is_none() {
+            return Err(MuscleError::ConditionedWithoutSoftening);
         }
         if let Some(prony) = self.prony.clone() {
             prony.validated().map_err(MuscleError::Relaxation)?;

@@ -42,6 +42,10 @@ pub struct Terminals {
     /// What both ends together give way under a pull, in mm, as strands seat and slip in the clamps: the muscle between them is contracted
     /// by that much more. It is taken as constant, whatever the pull.
     pub seating_mm: Option<f64>,
+    /// What both ends together slip under the load of a clamp, in mm/N ([`Ends`](super::Ends)).
+    pub slip_mm_per_n: Option<f64>,
+    /// Length at each end, within that of the muscle, in which tube and braid are held, in mm ([`Ends`](super::Ends)).
+    pub grip_mm: Option<f64>,
     /// Empirical end factor, where one was measured or fitted.
     pub end_factor: Option<EndFactor>,
     /// kc of the conical-ends model (Tondu 2012 \[tondu2012\] eq. 25): tips of length kc·L0·ε.
@@ -60,6 +64,8 @@ impl Terminals {
     pub(super) fn check(&self) -> Result<(), MuscleError> {
         not_negative("terminals.insertion", self.insertion_mm(), "mm")?;
         not_negative("terminals.seating", self.seating_mm.unwrap_or(0.0), "mm")?;
+        not_negative("terminals.slip", self.slip_mm_per_n.unwrap_or(0.0), "mm/N")?;
+        not_negative("terminals.grip", self.grip_mm.unwrap_or(0.0), "mm")?;
         match self.end_factor {
             Some(EndFactor::Constant(k)) => positive("terminals.end_factor", k, "")?,
             Some(EndFactor::OfPressure { a, b }) => {

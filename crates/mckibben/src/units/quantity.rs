@@ -21,6 +21,8 @@ pub enum Dimension {
     Ratio,
     /// Stiffness of a strand family (force per length of a cut across it), in N/mm.
     Stiffness,
+    /// Compliances, in mm/N.
+    Compliance,
     /// Areas, in mm².
     Area,
     /// Masses, in kg.
@@ -88,6 +90,12 @@ const STIFFNESSES: &[Spelled] = &[
     (&["kN/mm"], 1000.0, 1.0),
     (&["lbf/in"], 4.448_221_615_260_5, 25.4),
 ];
+const COMPLIANCES: &[Spelled] = &[
+    (&["mm/N"], 1.0, 1.0),
+    (&["mm/kN", "um/N", "µm/N", "μm/N"], 1.0, 1000.0),
+    (&["m/N"], 1000.0, 1.0),
+    (&["in/lbf"], 25.4, 4.448_221_615_260_5),
+];
 const AREAS: &[Spelled] = &[
     (&["mm2", "mm²", "mm^2"], 1.0, 1.0),
     (&["cm2", "cm²", "cm^2"], 100.0, 1.0),
@@ -154,13 +162,14 @@ const VOLUMES: &[Spelled] = &[
 
 impl Dimension {
     /// All of them.
-    pub const ALL: [Dimension; 18] = [
+    pub const ALL: [Dimension; 19] = [
         Dimension::Length,
         Dimension::Pressure,
         Dimension::Angle,
         Dimension::Force,
         Dimension::Ratio,
         Dimension::Stiffness,
+        Dimension::Compliance,
         Dimension::Area,
         Dimension::Mass,
         Dimension::Torque,
@@ -183,6 +192,7 @@ impl Dimension {
             Dimension::Force => FORCES,
             Dimension::Ratio => RATIOS,
             Dimension::Stiffness => STIFFNESSES,
+            Dimension::Compliance => COMPLIANCES,
             Dimension::Area => AREAS,
             Dimension::Mass => MASSES,
             Dimension::Torque => TORQUES,
@@ -207,6 +217,7 @@ impl Dimension {
             Dimension::Force => "a force",
             Dimension::Ratio => "a ratio",
             Dimension::Stiffness => "a strand-family stiffness",
+            Dimension::Compliance => "a compliance",
             Dimension::Area => "an area",
             Dimension::Mass => "a mass",
             Dimension::Torque => "a torque",
@@ -233,6 +244,7 @@ impl Dimension {
             Dimension::Force => "a force such as 700N or 0.7kN (a bare number is N)",
             Dimension::Ratio => "a ratio such as 15% or 0.15",
             Dimension::Stiffness => "a stiffness such as 467N/mm (a bare number is N/mm)",
+            Dimension::Compliance => "a compliance such as 0.003mm/N or 3mm/kN (a bare number is mm/N)",
             Dimension::Area => "an area such as 0.3mm2 (a bare number is mm²)",
             Dimension::Mass => "a mass such as 20kg or 500g (a bare number is kg)",
             Dimension::Torque => "a torque such as 8Nm or \"8 N m\" (a bare number is N m)",
@@ -422,6 +434,7 @@ mod tests {
             ("1e2N", Dimension::Force, 100.0),
             ("0.3mm2", Dimension::Area, 0.3),
             ("321 N/mm", Dimension::Stiffness, 321.0),
+            ("3 mm/kN", Dimension::Compliance, 0.003),
             ("30MM", Dimension::Length, 30.0),
             (".5", Dimension::Ratio, 0.5),
             ("8 N m", Dimension::Torque, 8.0),

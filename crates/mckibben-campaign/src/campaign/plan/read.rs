@@ -42,7 +42,7 @@ pub(super) fn plan(text: &str) -> Result<Plan, FileError> {
     let sampling = sampling(&root.section("sampling", "sampling")?)?;
     let axes = vary::axes(&root, &base, &sampling, &ALL)?;
     let testing = testing(&root.section("test", "test")?)?;
-    if base.tube().rubber.conditioned().is_some() {
+    if base.tube().rubber.is_conditioned() {
         let why = "is not kept in a table, whose muscles are on their first inflation: leave it out";
         return Err(source.error("tube.material.conditioned", Problem::Said(why.into())));
     }

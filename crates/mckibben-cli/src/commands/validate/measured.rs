@@ -1,14 +1,15 @@
-//! `validate --measured`: a block a muscle.
+//! `validate --measured`: a block a muscle or rubber.
 
 use super::ValidateArgs;
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::output::show;
-use crate::output::text::{or_dash, pairs, table};
+use crate::output::text::{number, or_dash, pairs, table};
 use crate::progress::Bar;
 use crate::{files, plot};
 use mckibben_app::{
-    MeasuredAnswer, MeasuredCase, MeasuredFit, MeasuredFolder, MeasuredRequest, MeasuredResult, ProblemKind,
+    MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFacts, MeasuredFit, MeasuredFolder,
+    MeasuredRequest, MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind,
     with_error_bar,
 };
 use mckibben_fem::validation::case::built_in;
@@ -18,10 +19,12 @@ use std::path::Path;
 pub fn run(args: &ValidateArgs, folder: Option<&Path>, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let figure = args.plot.plot.as_ref().map(|_| args.output.units.or_typed([&None, &None]));
-    let request = MeasuredRequest { cases: chosen(cases(folder)?, &args.only)?, figure };
+    let cases = chosen(cases(folder)?, &args.only)?;
+    let request = MeasuredRequest { cases, model: args.model.clone(), figure };
     let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    show(&answer, format, "results", || as_text(&answer), args.output.target())?;
+    let rows = if answer.results.is_empty() { "stresses" } else { "results" };
+    show(&answer, format, rows, || as_text(&answer), args.output.target())?;
     Ok(0)
 }
 
@@ -45,7 +48,11 @@ fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
             list.push(MeasuredFolder {
                 name,
                 case: files::text(&path.join("case.toml"))?.text,
-                muscle: files::text(&path.join("muscle.toml"))?.text,
+                muscle: match path.join("muscle.toml") {
+                    muscle if muscle.is_file() => files::text(&muscle)?.text,
+                    // A rubber was measured.
+                    _ => String::new(),
+                },
                 points: files::table(&path.join("points.csv"))?.text,
             });
         }
@@ -53,7 +60,7 @@ fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
     list.sort_by(|a, b| a.name.cmp(&b.name));
     if list.is_empty() {
         let message = format!("{}: no folder in it holds a case.toml", folder.display());
-        let hint = "a measured muscle is a folder with case.toml, muscle.toml and points.csv";
+        let hint = "a measured muscle is a folder with case.toml, muscle.toml and points.csv, a measured rubber one without muscle.toml";
         return Err(Failure::input(ProblemKind::MissingInput, message, hint));
     }
     Ok(list)
@@ -62,26 +69,73 @@ fn cases(folder: Option<&Path>) -> Result<Vec<MeasuredFolder>, Failure> {
 fn chosen(all: Vec<MeasuredFolder>, only: &[String]) -> Result<Vec<MeasuredFolder>, Failure> {
     if let Some(name) = only.iter().find(|name| !all.iter().any(|c| c.name == **name)) {
         let known: Vec<&str> = all.iter().map(|c| c.name.as_str()).collect();
-        let message = format!("there is no measured muscle \"{name}\"; there are {}", known.join(", "));
+        let message =
+            format!("there is no measured muscle or rubber \"{name}\"; there are {}", known.join(", "));
         return Err(Failure::input(ProblemKind::Usage, message, ""));
     }
     Ok(all.into_iter().filter(|c| only.is_empty() || only.contains(&c.name)).collect())
 }
 
 fn as_text(answer: &MeasuredAnswer) -> String {
-    let head = "Validation: fe against measured muscles. Bias is measured less computed; % is of the blocked force; held is the share of the points within the ±\n";
+    let head = format!(
+        "Validation: {} against measured muscles. Bias is measured less computed; % is of the blocked force; held is the share of the points within the ±\n",
+        answer.model
+    );
     let cases = answer.cases.iter().map(|case| block(case, &answer.results));
-    std::iter::once(head.to_owned()).chain(cases).collect()
+    let rubbers = answer.rubbers.iter().map(|case| rubber(case, &answer.stresses));
+    let head = if answer.cases.is_empty() { None } else { Some(head) };
+    head.into_iter().chain(cases).chain(rubbers).collect()
+}
+
+/// What is known, for people.
+fn facts(f: &MeasuredFacts) -> String {
+    pairs(&[
+        ("folder", f.name.clone()),
+        ("source", f.source.clone()),
+        ("terms", f.terms.clone()),
+        ("known", f.known.clone()),
+        ("unknown", f.unknown.clone()),
+    ])
+}
+
+fn rubber(case: &MeasuredRubber, stresses: &[MeasuredStress]) -> String {
+    let one = |f: &MeasuredRubberFit| {
+        let constants = f.parameters.iter().map(|p| format!("{} {} {}", p.name, number(p.value, 3), p.unit));
+        let branches = f.prony.iter().map(|(g, t)| format!("g {} at {} s", number(*g, 2), number(*t, 2)));
+        let doubt = if f.stable { vec![] } else { vec!["not stable in a muscle".to_owned()] };
+        let parts: Vec<String> =
+            constants.chain(branches).map(|t| t.trim().to_owned()).chain(doubt).collect();
+        (f.fit.clone(), parts.join(", "))
+    };
+    let found: Vec<(String, String)> = case.fits.iter().map(one).collect();
+    let found: Vec<(&str, String)> = found.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
+    let header =
+        ["rms [MPa]", "rms [%]", "bias [MPa]", "largest [MPa]", "points", "to stretch", "blind", "of", "fit"];
+    let row = |s: &MeasuredStress| {
+        vec![
+            format!("{:.4}", s.rms_mpa),
+            format!("{:.1}", 100.0 * s.relative),
+            format!("{:+.4}", s.bias_mpa),
+            format!("{:.3}", s.largest_mpa),
+            s.points.to_string(),
+            format!("{:.2}", s.to_stretch),
+            if s.blind { "blind" } else { "" }.into(),
+            s.of.clone(),
+            s.fit.clone(),
+        ]
+    };
+    let own = stresses.iter().filter(|s| s.case == case.facts.name);
+    format!(
+        "\n{}, {} points; % is of the measured stress\n\n{}\nFound\n{}\n{}",
+        case.facts.title,
+        case.points,
+        facts(&case.facts),
+        pairs(&found),
+        table(&header, own.map(row).collect()),
+    )
 }
 
 fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
-    let facts = [
-        ("folder", case.name.clone()),
-        ("source", case.source.clone()),
-        ("terms", case.terms.clone()),
-        ("known", case.known.clone()),
-        ("unknown", case.unknown.clone()),
-    ];
     let fits: Vec<(String, String)> = case
         .fits
         .iter()
@@ -89,7 +143,7 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
         .map(|f| (format!("{} [{}]", f.fit, f.fitted_to), values(f)))
         .collect();
     let fits: Vec<(&str, String)> = fits.iter().map(|(name, text)| (name.as_str(), text.clone())).collect();
-    let own = || results.iter().filter(|r| r.case == case.name);
+    let own = || results.iter().filter(|r| r.case == case.facts.name);
     let header = [
         "rms [N]",
         "rms [%]",
@@ -109,16 +163,32 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
             (format!("{} [{}]", r.fit, r.of), bins.collect::<Vec<_>>().join(", "))
         })
         .collect();
+    let by_branch: Vec<(String, String)> = own()
+        .filter(|r| !r.by_branch.is_empty())
+        .map(|r| {
+            let one = |b: &MeasuredBranch| {
+                let held = or_dash(b.held, |v| format!("{:.0} %", 100.0 * v));
+                format!("{} {:.1} {:+.1}, held {held}", b.branch, b.rms_n, b.bias_n)
+            };
+            (format!("{} [{}]", r.fit, r.of), r.by_branch.iter().map(one).collect::<Vec<_>>().join("; "))
+        })
+        .collect();
+    let by_branch: Vec<(&str, String)> = by_branch.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
+    let branches = if by_branch.is_empty() {
+        String::new()
+    } else {
+        format!("\nSingle branches, rms and bias in N\n{}", pairs(&by_branch))
+    };
     let bias: Vec<(&str, String)> = by_contraction.iter().map(|(n, t)| (n.as_str(), t.clone())).collect();
     format!(
         "\n{}, {} points that pull\n\n{}\nFound, ± 95 %\n{}\n{}\nBias in N from ε 0, 0.05, …, where fitted\n{}",
-        case.title,
+        case.facts.title,
         case.points,
-        pairs(&facts),
+        facts(&case.facts),
         pairs(&fits),
         table(&header, own().map(row).collect()),
         pairs(&bias)
-    )
+    ) + &branches
 }
 
 fn values(fit: &MeasuredFit) -> String {

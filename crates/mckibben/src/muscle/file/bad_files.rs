@@ -85,6 +85,8 @@ const BAD: &[(&str, usize, &str)] = &[
         2,
         "terminals.seating = \"-1 mm\": is -1 mm; it must not be below zero",
     ),
+    ("[terminals]\ngrip = 150", 2, "must be below the muscle's length of 285 mm"),
+    ("[terminals]\nslip = \"-1 mm/N\"", 2, "must not be below zero"),
     ("[terminals]\nseating = 300", 2, "it must be below the muscle's length of 285 mm"),
     ("[terminals]\nend_factor = 0", 2, "terminals.end_factor = 0: is 0; it must"),
     ("[terminals]\nend_factor = { a = -2, b = 1 }", 2, "at 0 MPa (a + b) is -1"),

@@ -3,7 +3,7 @@
 use super::error::{FileError, Problem};
 use super::read::ALL;
 use super::source::{Section, WordOr};
-use crate::muscle::{Bulk, MuscleError, Rubber};
+use crate::muscle::{Bulk, Conditioned, MuscleError, Rubber};
 use crate::nearest::nearest;
 use crate::rubber::over_time::{Held, OgdenRoxburgh, Prony};
 use crate::rubber::{Constant, Law, LawKind, NEEDS_ALL, foreign, library, one_of_all};
@@ -46,7 +46,7 @@ fn own(section: &Section<'_>) -> Result<Rubber, FileError> {
         bulk: bulk(section)?,
         fitted_to_stretch: fitted_to_stretch(section)?,
         softening: softening(section)?,
-        conditioned_mpa: section.quantity("conditioned", Dimension::Pressure)?,
+        conditioned: conditioned(section)?,
         prony: prony(section)?,
     };
     if let Some(held) = held(section)? {
@@ -90,6 +90,15 @@ fn softening(section: &Section<'_>) -> Result<Option<OgdenRoxburgh>, FileError> 
         m_mpa: table.quantity("m", Dimension::Pressure)?.ok_or_else(|| missing("m"))?,
         beta: table.number("beta")?.unwrap_or(0.0),
     }))
+}
+
+/// A pressure, or a strain with its `%`; a bare number is MPa.
+fn conditioned(section: &Section<'_>) -> Result<Option<Conditioned>, FileError> {
+    Ok(if section.is_percent("conditioned") {
+        section.quantity("conditioned", Dimension::Ratio)?.map(|strain| Conditioned::Strain { strain })
+    } else {
+        section.quantity("conditioned", Dimension::Pressure)?.map(Conditioned::Pressure)
+    })
 }
 
 fn prony(section: &Section<'_>) -> Result<Option<Prony>, FileError> {

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "model", "name", "notes"];
 const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", "material"];
 /// The two factors belong to a model; these are their keys of before.
-const TERMINALS: &[&str] = &["insertion", "seating", "end_factor", "cone_factor"];
+const TERMINALS: &[&str] = &["insertion", "seating", "slip", "grip", "end_factor", "cone_factor"];
 const MODELS: &[&str] = &["tondu-lopez", "conical-ends"];
 const FRICTION: &[&str] = &["coefficient", "exponent", "lever"];
 
@@ -55,6 +55,8 @@ const KEYS: &[&str] = &[
     "braid.crimp_stiffness",
     "terminals.insertion",
     "terminals.seating",
+    "terminals.slip",
+    "terminals.grip",
     "terminals.end_factor",
     "terminals.cone_factor",
     "model.tondu-lopez",
@@ -135,6 +137,8 @@ fn terminals(root: &Section<'_>) -> Result<Terminals, FileError> {
     Ok(Terminals {
         insertion_mm: section.quantity("insertion", Dimension::Length)?,
         seating_mm: section.quantity("seating", Dimension::Length)?,
+        slip_mm_per_n: section.quantity("slip", Dimension::Compliance)?,
+        grip_mm: section.quantity("grip", Dimension::Length)?,
         end_factor: end_factor(&ends, "model.tondu-lopez.end_factor")?
             .or(end_factor(&section, "terminals.end_factor")?),
         cone_factor: cones.number("cone_factor")?.or(section.number("cone_factor")?),

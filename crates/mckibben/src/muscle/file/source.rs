@@ -184,6 +184,12 @@ impl<'s> Section<'s> {
         }
     }
 
+    /// Whether a text with `%` behind it stands there.
+    pub fn is_percent(&self, key: &str) -> bool {
+        let written = self.table.and_then(|t| t.get(key)).and_then(Item::as_str);
+        written.is_some_and(|text| text.trim_end().ends_with('%'))
+    }
+
     /// A quantity: a text with a unit, or a bare number.
     ///
     /// # Errors

@@ -39,20 +39,24 @@ fn rubber() -> impl Strategy<Value = Rubber> {
     let name = prop::option::of("[ -~äµ\n\"\\\\]{0,12}");
     let softening = (1.0..9.0, number(1e-6, 0.5), number(0.0, 1.0))
         .prop_map(|(r, m_mpa, beta)| OgdenRoxburgh { r, m_mpa, beta });
+    let conditioned = prop_oneof![
+        number(1e-3, 2.0).prop_map(Conditioned::Pressure),
+        (1..20u32).prop_map(|n| Conditioned::Strain { strain: f64::from(n) / 100.0 }),
+    ];
     let memory = prop_oneof![
         Just((None, None)),
-        (softening, prop::option::of(number(1e-3, 2.0))).prop_map(|(s, conditioned)| (Some(s), conditioned)),
+        (softening, prop::option::of(conditioned)).prop_map(|(s, conditioned)| (Some(s), conditioned)),
     ];
     let branch = (number(0.0, 0.3), number(1e-3, 1e5));
     let prony = prop::option::of(prop::collection::vec(branch, 1..4).prop_map(Prony::from));
     let own = (name, law(), bulk, prop::option::of(1.0..9.0), memory, prony).prop_map(
-        |(name, law, bulk, fitted_to_stretch, (softening, conditioned_mpa), prony)| Rubber {
+        |(name, law, bulk, fitted_to_stretch, (softening, conditioned), prony)| Rubber {
             name,
             law,
             bulk,
             fitted_to_stretch,
             softening,
-            conditioned_mpa,
+            conditioned,
             prony,
         },
     );
@@ -111,6 +115,8 @@ prop_compose! {
         braid in braid(),
         insertion_mm in prop::option::of(number(0.0, 90.0)),
         seating_mm in prop::option::of(number(0.0, 5.0)),
+        slip_mm_per_n in prop::option::of(number(0.0, 0.01)),
+        grip_share in prop::option::of(number(0.0, 0.9)),
         end_factor in prop::option::of(prop_oneof![
             number(0.5, 2.0).prop_map(EndFactor::Constant),
             (-0.4..2.0, 0.5..2.0).prop_map(|(a, b)| EndFactor::OfPressure { a, b }),
@@ -119,7 +125,8 @@ prop_compose! {
         friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)])),
     ) -> Muscle {
         let tube = Tube { outer_diameter_mm, wall_mm: share * outer_diameter_mm / 2.0, length_mm, rubber };
-        let terminals = Terminals { insertion_mm, seating_mm, end_factor, cone_factor };
+        let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
+        let terminals = Terminals { insertion_mm, seating_mm, slip_mm_per_n, grip_mm, end_factor, cone_factor };
         let friction = friction.map(|(coefficient, exponent, lever_mm)| Friction { coefficient, exponent, lever_mm });
         Muscle::new(tube, braid, terminals, friction).unwrap()
     }
@@ -195,6 +202,8 @@ fn every_key_is_understood() {
         [terminals]
         insertion = "2 cm"
         seating = "1.6 mm"
+        slip = "3 mm/kN"
+        grip = "4 mm"
         end_factor = { a = 0.2, b = 1 }
         cone_factor = 0
         [friction]
@@ -207,7 +216,7 @@ fn every_key_is_understood() {
     let rubber = Rubber {
         bulk: Bulk::Modulus(1500.0),
         softening: Some(OgdenRoxburgh { r: 1.5, m_mpa: 0.05, beta: 0.0 }),
-        conditioned_mpa: Some(0.25),
+        conditioned: Some(Conditioned::Pressure(0.25)),
         prony: Some(Prony::from(vec![(0.2, 2.0), (0.1, 180.0)])),
         ..Rubber::of(Law::Ogden(Ogden { terms }))
     };
@@ -221,6 +230,8 @@ fn every_key_is_understood() {
     let terminals = Terminals {
         insertion_mm: Some(20.0),
         seating_mm: Some(1.6),
+        slip_mm_per_n: Some(0.003),
+        grip_mm: Some(4.0),
         end_factor: Some(EndFactor::OfPressure { a: 0.2, b: 1.0 }),
         cone_factor: Some(0.0),
     };
@@ -374,4 +385,25 @@ fn a_held_muscle_has_what_is_left_of_its_moduli() {
     let left = 1.0 - 0.2 * (1.0 - (-30.0_f64).exp()) - 0.1 * (1.0 - (-1.0_f64 / 3.0).exp());
     let Law::Gent(Gent { mu_mpa, .. }) = read("held = \"1 min\"").law else { panic!() };
     assert!((mu_mpa / 0.3 - left).abs() < 1e-14);
+}
+
+/// A strain is a ratio with its `%`, a bare number a pressure in MPa; the largest energy is that of the neo-Hookean law in simple tension,
+/// (μ/2)(λ² + 2/λ − 3).
+#[test]
+fn rubber_is_conditioned_by_a_pressure_or_by_a_strain() {
+    let of = |text: &str| {
+        let material =
+            "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.4\nsoftening = { r = 1.5, m = 0.05 }\n";
+        parse_muscle(&format!("{material}conditioned = {text}")).unwrap().tube().rubber.clone()
+    };
+    for text in ["\"100%\"", "\"100 %\""] {
+        assert_eq!(of(text).conditioned, Some(Conditioned::Strain { strain: 1.0 }));
+        let (_, seen_mpa) = of(text).conditioned_alike().unwrap();
+        assert!((seen_mpa - 0.2 * (4.0 + 1.0 - 3.0)).abs() < 1e-15);
+    }
+    assert_eq!(of("0.25").conditioned, Some(Conditioned::Pressure(0.25)));
+    assert_eq!(of("\"2.5 bar\"").conditioned().map(|c| c.1), Some(0.25));
+    let gent = "[tube.material]\nlaw = \"gent\"\nmu = 0.4\njm = 2\nsoftening = { r = 1.5, m = 0.05 }\n";
+    let locked = parse_muscle(&format!("{gent}conditioned = \"100 %\"")).unwrap_err().to_string();
+    assert!(locked.contains("at which the rubber's law has locked"), "{locked}");
 }

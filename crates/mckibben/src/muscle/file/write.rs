@@ -1,6 +1,6 @@
 //! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
 
-use crate::muscle::{Braid, BraidStiffness, Bulk, EndFactor, Muscle, Rubber};
+use crate::muscle::{Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Muscle, Rubber};
 use crate::rubber::library;
 use crate::rubber::over_time::Branch;
 use crate::sleeve::{self, Sleeve};
@@ -10,7 +10,7 @@ use std::fmt::Write;
 const COMMENT: usize = 33;
 
 /// The text of a muscle file. Reading it gives the same muscle to the last bit, save that a cross-section of
-/// strands which the braid's stiffness does not use is left as a comment.
+/// strands which the braid's stiffness does not use is left as a comment, and that a strain in percent may differ in its last bit.
 pub fn to_toml(muscle: &Muscle) -> String {
     let mut out = Text::default();
     out.line(concat!("# McKibben muscle, written by mckibben ", env!("CARGO_PKG_VERSION"), "."));
@@ -22,15 +22,20 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.key("length", &quantity(tube.length_mm, "mm"), "between the terminals");
     out.rubber(&tube.rubber, muscle.reach());
     out.braid(muscle.braid(), tube.outer_diameter_mm);
-    let (insertion, seating) = (muscle.terminals().insertion_mm, muscle.terminals().seating_mm);
-    if insertion.is_some() || seating.is_some() {
+    let t = muscle.terminals();
+    let ends = [
+        ("insertion", t.insertion_mm, "mm", "tube and braid clamped on each plug"),
+        ("seating", t.seating_mm, "mm", "what both ends together give way under a pull"),
+        ("slip", t.slip_mm_per_n, "mm/N", "what both ends together slip under the load of a clamp"),
+        ("grip", t.grip_mm, "mm", "of the length, held at each end"),
+    ];
+    if ends.iter().any(|end| end.1.is_some()) {
         out.table("terminals");
     }
-    if let Some(insertion_mm) = insertion {
-        out.key("insertion", &quantity(insertion_mm, "mm"), "tube and braid clamped on each plug");
-    }
-    if let Some(seating_mm) = seating {
-        out.key("seating", &quantity(seating_mm, "mm"), "what both ends together give way under a pull");
+    for (key, value, unit, comment) in ends {
+        if let Some(value) = value {
+            out.key(key, &quantity(value, unit), comment);
+        }
     }
     if let Some(friction) = muscle.friction() {
         out.table("friction");
@@ -129,9 +134,16 @@ impl Text {
             let table = format!("{{ r = {r}, m = {m}, beta = {beta} }}");
             self.key("softening", &table, "of rubber that was stretched before (Ogden & Roxburgh 1999)");
         }
-        if let Some(pressure_mpa) = rubber.conditioned_mpa {
-            let comment = "cycled at this pressure, from rest length to free contraction";
-            self.key("conditioned", &quantity(pressure_mpa, "MPa"), comment);
+        match rubber.conditioned {
+            Some(Conditioned::Pressure(pressure_mpa)) => {
+                let comment = "cycled at this pressure, from rest length to free contraction";
+                self.key("conditioned", &quantity(pressure_mpa, "MPa"), comment);
+            }
+            Some(Conditioned::Strain { strain }) => {
+                let comment = "largest strain, in simple tension, that all of the rubber has seen";
+                self.key("conditioned", &percent(strain), comment);
+            }
+            None => {}
         }
         if let Some(prony) = rubber.prony.as_ref().filter(|p| !p.branches.is_empty()) {
             let pair = |b: &Branch| format!("[{}, {}]", number(b.share), quantity(b.time_constant_s, "s"));
@@ -231,6 +243,13 @@ fn text(text: &str) -> String {
 fn quantity(value: f64, unit: &str) -> String {
     let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
     if plain { format!("\"{value} {unit}\"") } else { format!("\"{value:e} {unit}\"") }
+}
+
+/// A ratio in percent that reads back as the same number, where there is one.
+fn percent(ratio: f64) -> String {
+    let usual = 100.0 * ratio;
+    let found = [usual, usual.next_up(), usual.next_down()].into_iter().find(|p| p / 100.0 == ratio);
+    quantity(found.unwrap_or(usual), "%")
 }
 
 /// The shortest digits that read back as the same number.

@@ -6,7 +6,7 @@ use super::mode::Mode;
 use super::point::TensionPoint;
 use super::problem::Problem;
 use super::{FitSettings, Raw, TensionFitError, linear, nonlinear, ogden};
-use crate::least_squares::t95;
+use crate::least_squares::{aicc, t95};
 use crate::rubber::{ConstantValue, Law, LawConstants, Ogden, Stability, is_stable_at, muscle_stability};
 use serde::Serialize;
 
@@ -144,10 +144,8 @@ fn judged(
             }
         });
     let parameters = parameters.collect();
-    let (n, k) = (problem.counting() as f64, form.constants() as f64);
-    // Exact data leave rounding only; its logarithm says nothing.
-    let mean = (squares / n).max(1e-24);
-    let aicc = n * mean.ln() + 2.0 * (k + 1.0) + 2.0 * (k + 1.0) * (k + 2.0) / (n - k - 2.0).max(0.5);
+    let points = problem.counting();
+    let aicc = aicc(points, form.constants(), squares / points as f64);
     let differences: Vec<(f64, f64)> = problem
         .points
         .iter()

@@ -1,0 +1,185 @@
+//! What the ends take of a muscle: a length that is held, a seating, a slip.
+//!
+//! The muscle between its ends, La = L0 − 2h long at rest, is contracted by x where the whole is contracted by ε:
+//!
+//!   x = (ε L0 + u)/La,   u = δ + c N,   N = F + π Ri² P,
+//!   F(P, ε) = F₀(P, x),  V(P, ε) = V₀(P, x) + π Ri² c N,
+//!
+//! F₀ (N) and V₀ (mm³) of a muscle of length La whose ends hold, h the grip at each end (mm), δ the seating (mm), c the slip (mm/N), both of both ends
+//! together, N the load of a clamp (N): what tube and braid carry there, the pull and the pressure P (MPa) on the plug of the bore Ri (mm). As F₀
+//! falls with x, u has one solution; Newton's method for it comes from below, where F₀ is convex. With K₀ = −(1/La) ∂F₀/∂x
+//!
+//!   K = K₀/(1 + c K₀),   ∂F/∂P = (∂F₀/∂P − c K₀ π Ri²)/(1 + c K₀),   ∂F/∂δ = −K,   ∂F/∂c = −K N,
+//!   ∂F/∂h = −2 (∂F₀/∂La + K₀ x)/(1 + c K₀),   ∂F/∂L0 = (∂F₀/∂La + K₀ (x − ε))/(1 + c K₀),
+//!
+//! and by all else ∂F₀/(1 + c K₀), with −K c P ∂(π Ri²) where the bore changes. L0 ∂F/∂P = ∂V/∂ε holds as it does for F₀ and V₀.
+//!
+//! Range: the slip is a spring; strands that slip for good, and only one way, are none. It goes on where a clamp would be pressed (N below 0). In the grip
+//! tube and braid have the plug in them and stay as they are.
+
+use super::{Muscle, Tube};
+use std::borrow::Cow;
+
+/// The ends of a muscle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ends {
+    /// L0 in mm.
+    pub length_mm: f64,
+    /// h: what is held at each end, in mm.
+    pub grip_mm: f64,
+    /// δ in mm.
+    pub seating_mm: f64,
+    /// c in mm/N.
+    pub slip_mm_per_n: f64,
+    /// Ri at rest in mm.
+    pub bore_radius_mm: f64,
+    stated: bool,
+}
+
+/// Where the ends stand at a pressure and a contraction of the whole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Met {
+    /// P in MPa.
+    pub pressure_mpa: f64,
+    /// ε.
+    pub whole: f64,
+    /// x.
+    pub between: f64,
+    /// N in N.
+    pub load_n: f64,
+    /// K₀ in N/mm; 0 where the ends do not slip and it was not asked for.
+    pub stiffness_n_per_mm: f64,
+}
+
+impl Muscle {
+    /// Its ends.
+    pub fn ends(&self) -> Ends {
+        let t = &self.terminals;
+        Ends {
+            length_mm: self.tube.length_mm,
+            grip_mm: t.grip_mm.unwrap_or(0.0),
+            seating_mm: t.seating_mm.unwrap_or(0.0),
+            slip_mm_per_n: t.slip_mm_per_n.unwrap_or(0.0),
+            bore_radius_mm: self.tube.inner_radius_mm(),
+            stated: t.grip_mm.is_some() || t.seating_mm.is_some() || t.slip_mm_per_n.is_some(),
+        }
+    }
+
+    /// The muscle between its ends, which hold: itself where nothing is said of them.
+    pub fn between_ends(&self) -> Cow<'_, Self> {
+        let ends = self.ends();
+        if !ends.give() {
+            return Cow::Borrowed(self);
+        }
+        let mut inner = self.clone();
+        inner.tube = Tube { length_mm: ends.active_mm(), ..inner.tube };
+        (inner.terminals.grip_mm, inner.terminals.seating_mm, inner.terminals.slip_mm_per_n) =
+            (None, None, None);
+        Cow::Owned(inner)
+    }
+}
+
+impl Ends {
+    /// Steps of Newton's method at most; three to five are the rule.
+    pub const STEPS: usize = 40;
+
+    /// Whether anything is said of them.
+    pub fn give(&self) -> bool {
+        self.stated
+    }
+
+    /// La in mm.
+    pub fn active_mm(&self) -> f64 {
+        self.length_mm - 2.0 * self.grip_mm
+    }
+
+    /// π Ri² in mm².
+    pub fn bore_mm2(&self) -> f64 {
+        std::f64::consts::PI * self.bore_radius_mm * self.bore_radius_mm
+    }
+
+    /// N in N at a pressure in MPa and a pull in N.
+    pub fn load_n(&self, pressure_mpa: f64, force_n: f64) -> f64 {
+        force_n + self.bore_mm2() * pressure_mpa
+    }
+
+    /// u in mm at a pressure in MPa and a pull in N.
+    pub fn way_mm(&self, pressure_mpa: f64, force_n: f64) -> f64 {
+        self.seating_mm + self.slip_mm_per_n * self.load_n(pressure_mpa, force_n)
+    }
+
+    /// x of ε, where the ends give way by `way_mm`.
+    pub fn between(&self, contraction: f64, way_mm: f64) -> f64 {
+        contraction * (self.length_mm / self.active_mm()) + way_mm / self.active_mm()
+    }
+
+    /// ε of x.
+    pub fn whole(&self, between: f64, way_mm: f64) -> f64 {
+        (between - way_mm / self.active_mm()) / (self.length_mm / self.active_mm())
+    }
+
+    /// u in mm where x goes with ε.
+    pub fn way_between_mm(&self, contraction: f64, between: f64) -> f64 {
+        between * self.active_mm() - contraction * self.length_mm
+    }
+
+    /// Where the ends stand; `pull` gives F₀ in N and K₀ in N/mm at x. `None` where Newton's method does not find it.
+    ///
+    /// # Errors
+    /// Those of `pull`.
+    pub fn meet<E>(
+        &self,
+        pressure_mpa: f64,
+        contraction: f64,
+        mut pull: impl FnMut(f64) -> Result<(f64, f64), E>,
+    ) -> Result<Option<Met>, E> {
+        let mut way = self.way_mm(pressure_mpa, 0.0);
+        for _ in 0..Self::STEPS {
+            let between = self.between(contraction, way);
+            let (force_n, stiffness_n_per_mm) = pull(between)?;
+            let miss = self.way_mm(pressure_mpa, force_n) - way;
+            if self.slip_mm_per_n == 0.0 || miss.abs() <= 1e-9 * (1.0 + way.abs()) {
+                let load_n = self.load_n(pressure_mpa, force_n);
+                return Ok(Some(Met {
+                    pressure_mpa,
+                    whole: contraction,
+                    between,
+                    load_n,
+                    stiffness_n_per_mm,
+                }));
+            }
+            way += miss / self.softer(stiffness_n_per_mm).max(0.5);
+        }
+        Ok(None)
+    }
+
+    /// 1 + c K₀.
+    pub fn softer(&self, stiffness_n_per_mm: f64) -> f64 {
+        1.0 + self.slip_mm_per_n * stiffness_n_per_mm
+    }
+
+    /// ∂F by a constant or measure of the whole muscle, of which `inner` is ∂F₀; that by the grip needs ∂F₀/∂La.
+    pub fn slope(&self, at: &Met, name: &str, inner: f64) -> f64 {
+        let k = at.stiffness_n_per_mm;
+        let wider = k * self.slip_mm_per_n * at.pressure_mpa * std::f64::consts::PI * self.bore_radius_mm;
+        let held = match name {
+            "terminals.seating" => -k,
+            "terminals.slip" => -k * at.load_n,
+            "terminals.grip" => -2.0 * (inner + k * at.between),
+            "tube.length" => inner + k * (at.between - at.whole),
+            "tube.outer_diameter" => inner - wider,
+            "tube.wall_thickness" => inner + 2.0 * wider,
+            _ => inner,
+        };
+        held / self.softer(k)
+    }
+
+    /// Of which constant of the muscle between its ends [`Ends::slope`] needs ∂F₀; `None` for those of the ends alone.
+    pub fn inner_name(name: &str) -> Option<&str> {
+        match name {
+            "terminals.seating" | "terminals.slip" => None,
+            "terminals.grip" => Some("tube.length"),
+            name => Some(name),
+        }
+    }
+}
