@@ -1,9 +1,10 @@
-"""The Python package beside Rust: the same questions, seconds of the best of several rounds, and their ratio.
+"""The Python package beside Rust: the same questions in turn, medians over several runs of the best of each, and their ratio.
 
     cargo build --release -p mckibben-app --example array_speed
     RAYON_NUM_THREADS=1 python benches/python.py target/release/examples/array_speed
 
-With one thread, as the Rust side has one; without the variable Python's arrays are worked on by all cores.
+`unchecked` is Rust's formula alone; else Rust checks range and slack as Python does. With one thread, as the Rust side has one; without the
+variable Python's arrays are worked on by all cores. A number behind the path says how many runs.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from statistics import median
 
 import numpy as np
 
@@ -48,12 +50,16 @@ def python() -> dict[str, float]:
 
 
 def main() -> None:
-    ours = python()
-    text = subprocess.run([sys.argv[1]], capture_output=True, text=True, check=True).stdout
-    rust = {name: float(seconds) for name, seconds in (line.split(": ") for line in text.splitlines())}
-    print(f"{'case':<20} {'Rust [ms]':>10} {'Python [ms]':>12} {'ratio':>6}")
-    for name, seconds in ours.items():
-        print(f"{name:<20} {rust[name] * 1e3:>10.4f} {seconds * 1e3:>12.4f} {seconds / rust[name]:>6.2f}")
+    rounds = []
+    for _ in range(int(sys.argv[2]) if len(sys.argv) > 2 else 5):
+        text = subprocess.run([sys.argv[1]], capture_output=True, text=True, check=True).stdout
+        rust = {name: float(seconds) for name, seconds in (line.split(": ") for line in text.splitlines())}
+        rounds.append((rust, python()))
+    print(f"{'case':<28} {'Rust [ms]':>10} {'Python [ms]':>12} {'ratio':>6}")
+    for name in rounds[0][0]:
+        pairs = [(rust[name], ours[name.removesuffix(" unchecked")]) for rust, ours in rounds]
+        middle = [median(values) for values in (*zip(*pairs), [b / a for a, b in pairs])]
+        print(f"{name:<28} {middle[0] * 1e3:>10.4f} {middle[1] * 1e3:>12.4f} {middle[2]:>6.2f}")
 
 
 if __name__ == "__main__":

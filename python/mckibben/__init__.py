@@ -12,9 +12,12 @@ Lengths are in mm, pressures in MPa (gauge), forces in N, angles in degrees; a q
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
+# What checkers of types know as true; `typing` itself takes longer to import than all else here.
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from . import jax as jax
     from . import torch as torch
     from ._ask import ask as ask

@@ -12,12 +12,14 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+# One object; to compare it with another type takes longer than all else of a call.
+FLOAT = np.dtype(np.float64)
+
+
 def array(name: str, value: Any) -> NDArray[np.float64]:
     """Numbers in the unit of a name, without a copy where they are such already."""
-    if type(value) is np.ndarray and value.dtype == np.float64:
+    if type(value) is np.ndarray and value.dtype is FLOAT:
         return value
-    if type(value) is float or type(value) is int:
-        return np.asarray(value, dtype=np.float64)
     if isinstance(value, str):
         several = ".." in value or "," in value
         return np.asarray(_quantity.numbers(name, value) if several else _quantity.number(name, value))

@@ -151,7 +151,7 @@ class Model:
             The pull, of the broadcast shape. With ``jac`` a pair: the pull, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
             N, then ∂F/∂θ of each name, in N per its unit, all other constants held.
         """
-        return self._fill("force", ("pressure_mpa", pressure_mpa), ("contraction", contraction), jac, errors, progress)
+        return self._fill("force", "pressure_mpa", pressure_mpa, "contraction", contraction, jac, errors, progress)
 
     def pressure(self, force_n: Any, contraction: Any = 0.0, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
         """P(F, ε): the pressure that gives a pull, in MPa.
@@ -172,7 +172,7 @@ class Model:
         float or numpy.ndarray
             The pressure; with ``jac`` a pair.
         """
-        return self._fill("pressure", ("force_n", force_n), ("contraction", contraction), jac, errors, progress)
+        return self._fill("pressure", "force_n", force_n, "contraction", contraction, jac, errors, progress)
 
     def contraction(self, force_n: Any, pressure_mpa: Any, *, jac: bool | Sequence[str] = False, errors: str = "raise", progress: Progress = None) -> Any:
         """ε(F, P): the contraction at which a pressure gives a pull.
@@ -193,28 +193,35 @@ class Model:
         float or numpy.ndarray
             The contraction ratio; with ``jac`` a pair.
         """
-        return self._fill("contraction", ("force_n", force_n), ("pressure_mpa", pressure_mpa), jac, errors, progress)
+        return self._fill("contraction", "force_n", force_n, "pressure_mpa", pressure_mpa, jac, errors, progress)
 
-    def _fill(self, wanted: str, first: tuple[str, Any], second: tuple[str, Any], jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
+    def _fill(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
         if errors not in ("raise", "nan"):
             raise ValueError(f'errors: "raise" or "nan", not {errors!r}')
+        nan = errors == "nan"
+        # Most calls have neither derivatives nor a bar: they take a microsecond, and every line here a part of one.
+        plain = jac is False and progress is None
+        if plain and type(a) is float and type(b) is float:
+            return self._native.one(wanted, a, b, nan)
+        a, b = array(a_name, a), array(b_name, b)
+        shape = a.shape
+        if shape != b.shape:
+            a, b = np.broadcast_arrays(a, b)
+            shape = a.shape
+            if a.size > _MOST:
+                raise MemoryError(f"{a.size} points are more than memory holds")
+        if plain and shape:
+            out = np.empty(shape)
+            self._native.fill(wanted, a, b, out, False, (), nan, None)
+            return out
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
         slopes = bool(names) or bool(jac)
-        a, b = array(*first), array(*second)
-        if a.shape != b.shape:
-            a, b = np.broadcast_arrays(a, b)
-        width = 3 + len(names) if slopes else 1
-        if a.size > _MOST // width:
-            raise MemoryError(f"{a.size} points are more than memory holds")
-        out = np.empty((*a.shape, width) if slopes else a.shape)
-        if progress is None:
-            self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", None)
-        else:
-            with listening(progress, wanted) as heard:
-                self._native.fill(wanted, a, b, out, slopes, names, errors == "nan", heard)
+        out = np.empty((*shape, 3 + len(names)) if slopes else shape)
+        with listening(progress, wanted) as heard:
+            self._native.fill(wanted, a, b, out, slopes, names, nan, heard)
         if slopes:
-            return out[..., 0] if a.shape else float(out[0]), out[..., 1:]
-        return out if a.shape else float(out)
+            return out[..., 0] if shape else float(out[0]), out[..., 1:]
+        return out if shape else float(out)
 
     def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Any) -> Curve:
         """A family of curves by this model; the arguments are those of :func:`curve`."""

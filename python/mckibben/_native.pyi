@@ -37,6 +37,10 @@ class Model:
         """
         The model's name.
         """
+    def one(self, /, wanted: str, first: float, second: float, nan: bool) -> float:
+        """
+        The answer to one pair of numbers; NaN where it has none and `nan` is true.
+        """
     @property
     def range(self, /) -> tuple[tuple[float, float], tuple[float, float]]:
         """

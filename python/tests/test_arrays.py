@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+import sysconfig
 import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
 import numpy as np
@@ -162,17 +167,36 @@ def test_huge_arrays_end_in_an_exception(thin: mk.Muscle) -> None:
         model.force(tall, wide)
 
 
-def test_threads_share_a_model(thin: mk.Muscle) -> None:
-    model = thin.model()
-    e = np.linspace(0, 0.2, 12)
-    alone = model.force(0.2, e)
-    found: list[np.ndarray] = []
-    threads = [threading.Thread(target=lambda: found.append(model.force(0.2, e))) for _ in range(6)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert len(found) == 6 and all(np.array_equal(f, alone) for f in found)
+def test_threads_ask_at_once(thin: mk.Muscle) -> None:
+    """Models, and a muscle with its commands, shared by threads that begin together, each with another question."""
+    fe, paper, e = thin.model(), thin.model("paper"), np.linspace(0, 0.2, 12)
+    p = np.linspace(0.01, 0.25, 1000)
+    asked: list[Callable[[], object]] = [
+        lambda: fe.force(0.2, e).tolist(),
+        lambda: paper.force(p[:, None], e).tolist(),
+        lambda: paper.force(0.2, 0.1),
+        lambda: thin.model("universal").pressure(300.0, e[:5], jac=True)[1].tolist(),
+        lambda: thin.curve("isometric", pressures_mpa=[0.1, 0.2], contractions=[0.0, 0.1]).force_n.tolist(),
+        lambda: mk.design(force_n=700, contraction=0.15, max_pressure_mpa=0.25, model="universal").candidates,
+    ]
+    alone = [ask() for ask in asked]
+    begin = threading.Barrier(len(asked))
+
+    def answers(first: int) -> list[object]:
+        begin.wait()
+        order = [(first + i) % len(asked) for i in range(3 * len(asked))]
+        found = [(i, asked[i]()) for i in order]
+        return [i for i, answer in found if answer != alone[i]]
+
+    with ThreadPoolExecutor(len(asked)) as pool:
+        assert list(pool.map(answers, range(len(asked)))) == [[]] * len(asked)
+
+
+@pytest.mark.skipif(not sysconfig.get_config_var("Py_GIL_DISABLED"), reason="a Python with a global lock")
+def test_the_global_lock_stays_off() -> None:
+    code = "import sys, mckibben as mk; mk.Muscle().model('paper').force(0.2, [0.0, 0.1]); print(sys._is_gil_enabled())"
+    done = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True)
+    assert done.stdout.strip() == "False", done.stderr
 
 
 def test_pint(thin: mk.Muscle) -> None:

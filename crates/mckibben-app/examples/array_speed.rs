@@ -5,7 +5,10 @@
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Silent;
-use mckibben_app::{CurveRequest, MuscleFields, curve};
+use mckibben_app::{
+    AskFields, BoundModel, CurveRequest, Many, ModelFields, MuscleFields, Pairs, Unanswered, WantedOfPoint,
+    curve,
+};
 use mckibben_fem::axisymmetric::Axisymmetric;
 use std::error::Error;
 use std::hint::black_box;
@@ -43,6 +46,26 @@ fn main() -> Result<(), Box<dyn Error>> {
             let mut out = vec![0.0; n];
             model.forces_n(&mut Workspace::new(), black_box(&p), black_box(&e), &mut out)?;
             black_box(out);
+            Ok(())
+        })?;
+        println!("{} {n} unchecked: {seconds:e}", model.name());
+        let bound = BoundModel::new(
+            &muscle,
+            &ModelFields { model: Some(model.name().into()), ..Default::default() },
+            AskFields::default(),
+            &Silent,
+        )?;
+        let many = Many {
+            wanted: WantedOfPoint::Force,
+            slopes: false,
+            parameters: vec![],
+            unanswered: Unanswered::Refused,
+        };
+        let seconds = best(rounds, || {
+            let mut out = vec![0.0; n];
+            let filled = bound.fill(&Pairs::Lists(black_box([&p, &e])), &many, &mut out, &Silent);
+            black_box(out);
+            filled.map_err(|no| no.problem)?;
             Ok(())
         })?;
         println!("{} {n}: {seconds:e}", model.name());

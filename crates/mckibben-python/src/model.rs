@@ -1,8 +1,9 @@
 //! A model bound to its muscle, asked for arrays.
 
 use crate::error::Wrong;
-use crate::pairs::Spread;
+use crate::pairs::{Spread, lists};
 use crate::{run, value};
+use mckibben::progress::Progress;
 use mckibben_app::{
     AskFields, BoundModel, Many, ModelFields, Pairs, Problem, ProblemKind, TextFile, Unanswered,
     WantedOfPoint, muscle_of,
@@ -75,31 +76,63 @@ impl Model {
         nan: bool,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<usize> {
-        let wanted = match wanted {
-            "force" => WantedOfPoint::Force,
-            "pressure" => WantedOfPoint::Pressure,
-            "contraction" => WantedOfPoint::Contraction,
-            _ => return Err(PyValueError::new_err("force, pressure or contraction")),
-        };
         let parameters = parameters.iter().map(|name| self.bound.parameter(name));
         let many = Many {
-            wanted,
+            wanted: self::wanted(wanted)?,
             slopes,
             parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
-            unanswered: if nan { Unanswered::NotANumber } else { Unanswered::Refused },
+            unanswered: unanswered(nan),
         };
+        let places = out.as_slice_mut().map_err(|e| PyValueError::new_err(e.to_string()))?;
+        if let Some(lists) = lists(&first, &second) {
+            return self.answer(py, &Pairs::Lists(lists), &many, places, progress);
+        }
         let spread = Spread::new(first.as_array(), second.as_array())
             .ok_or_else(|| PyValueError::new_err("two arrays of different shape"))?;
-        let places = out.as_slice_mut().map_err(|e| PyValueError::new_err(e.to_string()))?;
-        let work = |progress: &dyn mckibben::progress::Progress| {
-            let read = |from: usize, a: &mut [f64], b: &mut [f64]| spread.read(from, a, b);
-            let pairs = match spread.lists() {
-                Some(lists) => Pairs::Lists(lists),
-                None => Pairs::Read(spread.count(), &read),
-            };
-            Ok(self.bound.fill(&pairs, &many, places, progress)?)
+        let read = |from: usize, a: &mut [f64], b: &mut [f64]| spread.read(from, a, b);
+        self.answer(py, &Pairs::Read(spread.count(), &read), &many, places, progress)
+    }
+
+    /// The answer to one pair of numbers; NaN where it has none and `nan` is true.
+    fn one(&self, py: Python<'_>, wanted: &str, first: f64, second: f64, nan: bool) -> PyResult<f64> {
+        let many = Many {
+            wanted: self::wanted(wanted)?,
+            slopes: false,
+            parameters: vec![],
+            unanswered: unanswered(nan),
         };
-        let moment = self.bound.is_moment(spread.count().saturating_mul(many.width()));
+        let mut place = [f64::NAN];
+        self.answer(py, &Pairs::Lists([&[first], &[second]]), &many, &mut place, None)?;
+        let [answer] = place;
+        Ok(answer)
+    }
+}
+
+impl Model {
+    /// Answers pairs into their places; how many have no answer.
+    fn answer(
+        &self,
+        py: Python<'_>,
+        pairs: &Pairs<'_>,
+        many: &Many,
+        places: &mut [f64],
+        progress: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<usize> {
+        let moment = self.bound.is_moment(places.len());
+        let work = |progress: &dyn Progress| Ok(self.bound.fill(pairs, many, places, progress)?);
         Ok(if moment { run::quick(py, work) } else { run::long(py, progress, work) }?)
     }
+}
+
+fn wanted(name: &str) -> PyResult<WantedOfPoint> {
+    match name {
+        "force" => Ok(WantedOfPoint::Force),
+        "pressure" => Ok(WantedOfPoint::Pressure),
+        "contraction" => Ok(WantedOfPoint::Contraction),
+        _ => Err(PyValueError::new_err("force, pressure or contraction")),
+    }
+}
+
+fn unanswered(nan: bool) -> Unanswered {
+    if nan { Unanswered::NotANumber } else { Unanswered::Refused }
 }

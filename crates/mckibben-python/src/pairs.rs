@@ -1,6 +1,16 @@
 //! Two arrays of numbers over one shape, read where they lie.
 
 use numpy::ndarray::ArrayViewD;
+use numpy::{PyReadonlyArrayDyn, PyUntypedArrayMethods};
+
+/// Two arrays of one shape as lists, where each lies in one piece.
+pub fn lists<'a>(
+    first: &'a PyReadonlyArrayDyn<'_, f64>,
+    second: &'a PyReadonlyArrayDyn<'_, f64>,
+) -> Option<[&'a [f64]; 2]> {
+    let there = first.is_c_contiguous() && second.is_c_contiguous() && first.shape() == second.shape();
+    if there { Some([first.as_slice().ok()?, second.as_slice().ok()?]) } else { None }
+}
 
 /// Two arrays of one shape; strides may be zero (a number spread over a grid) or negative.
 pub struct Spread<'a> {
@@ -23,12 +33,6 @@ impl<'a> Spread<'a> {
     /// How many pairs.
     pub fn count(&self) -> usize {
         self.shape.iter().product()
-    }
-
-    /// Both as lists, where they lie in one piece.
-    pub fn lists(&self) -> Option<[&[f64]; 2]> {
-        let [a, b] = &self.arrays;
-        Some([a.view.as_slice()?, b.view.as_slice()?])
     }
 
     /// Writes out pairs in the order of the last index, from a place on.

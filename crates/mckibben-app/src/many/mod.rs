@@ -151,7 +151,7 @@ impl BoundModel {
                 *reason = Some(NoList { index: Some(index), problem });
             }
         };
-        Threads::shared().fill(out, share * width, |place, part| {
+        let work = |place: usize, part: &mut [f64]| {
             let mut workspace = Workspace::within(budget.clone());
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
@@ -166,7 +166,13 @@ impl BoundModel {
                 }
                 progress.report(done.fetch_add(length, Ordering::Relaxed) + length, count);
             }
-        });
+        };
+        // To ask whether the process has threads takes as long as some hundred points.
+        if out.len() <= share * width {
+            work(0, out)
+        } else {
+            Threads::shared().fill(out, share * width, work)
+        }
         if progress.cancelled() {
             return Err(Problem::cancelled().into());
         }

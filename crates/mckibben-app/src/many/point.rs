@@ -5,7 +5,7 @@ use crate::point::{finite, ratio};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::analysis::{contraction_at, force_on, pressure_at};
 use mckibben::answer;
-use mckibben::model::{ModelError, Workspace, hang, outside};
+use mckibben::model::{Bounds, ModelError, Workspace};
 use std::f64::consts::PI;
 
 /// What rounding leaves of no pull, as a share of the pressure on the outer section.
@@ -55,16 +55,14 @@ impl BoundModel {
             (self.range.pressure_mpa, (self.range.contraction.0, self.range.contraction.1.min(1.0 - 1e-9)))
         };
         let own = self.options.extrapolate || self.range.muscle.is_empty() && self.range.make.is_empty();
-        let far = |list: &[f64], (low, high): (f64, f64)| outside(list, low - 1e-12, high + 1e-12) > 0;
-        if !own || far(p, pressures) || far(e, contractions) {
-            return false;
-        }
-        if self.model.forces_n(workspace, p, e, out).is_err() {
-            return false;
-        }
-        let push_n = if self.options.two_sided { f64::NEG_INFINITY } else { 0.0 };
-        hang(out, p, push_n, ROUNDING * self.outer_area_mm2());
-        true
+        let wider = |(low, high): (f64, f64)| (low - 1e-12, high + 1e-12);
+        let bounds = Bounds {
+            pressure_mpa: wider(pressures),
+            contraction: wider(contractions),
+            push_n: if self.options.two_sided { f64::NEG_INFINITY } else { 0.0 },
+            rounding_mm2: ROUNDING * self.outer_area_mm2(),
+        };
+        own && self.model.pulls_within(workspace, p, e, &bounds, out)
     }
 
     fn outer_area_mm2(&self) -> f64 {

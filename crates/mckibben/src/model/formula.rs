@@ -1,8 +1,9 @@
 //! A formula as a force model.
 
+use super::bounds::pulls_within;
 use super::{
-    Accuracy, BlockedAt, ForceModel, ForcesError, Interval, ModelError, ModelRange, Quantity, Reference,
-    Response, Workspace, check_finite, same_length,
+    Accuracy, BatchPath, BlockedAt, Bounds, ForceModel, ForcesError, Interval, ModelError, ModelRange,
+    Quantity, Reference, Response, Workspace, check_finite, same_length,
 };
 use crate::formula::{Body, Formula, GlobalSection, Made, Section};
 use crate::muscle::Muscle;
@@ -137,6 +138,21 @@ impl ForceModel for FormulaModel {
             }
         }
         check_finite(&self.formula.name, pressures_mpa, contractions, out)
+    }
+
+    fn pulls_within(
+        &self,
+        workspace: &mut Workspace,
+        pressures_mpa: &[f64],
+        contractions: &[f64],
+        bounds: &Bounds,
+        out: &mut [f64],
+    ) -> bool {
+        let lists = [pressures_mpa, contractions];
+        match &self.bound {
+            Bound::Paper(section) => section.pulls_within(BatchPath::widest(), bounds, lists, out),
+            Bound::Global(_) => pulls_within(self, workspace, lists, bounds, out),
+        }
     }
 
     fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {

@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod belforte;
+mod bounds;
 mod chou_hannaford;
 mod conical_ends;
 mod error;
@@ -20,7 +21,6 @@ mod klute_hannaford;
 mod pantograph;
 mod paper;
 mod paper_batch;
-mod passes;
 mod quadrature;
 mod range;
 mod response;
@@ -37,6 +37,7 @@ mod workspace;
 
 pub use accuracy::{Accuracy, BlockedAt, Reference, Specimen, Where};
 pub use belforte::Belforte;
+pub use bounds::Bounds;
 pub use chou_hannaford::ChouHannaford;
 pub use conical_ends::ConicalEnds;
 pub use error::ModelError;
@@ -53,7 +54,6 @@ pub use kind::{ModelKind, UnknownModel};
 pub use klute_hannaford::KluteHannaford;
 pub use paper::Paper;
 pub use paper_batch::{BatchPath, LengthMismatch};
-pub use passes::{hang, outside};
 pub use range::{Interval, ModelRange, Quantity, RangeViolation};
 pub use response::Response;
 pub(crate) use root::rising_root;
@@ -178,6 +178,19 @@ pub trait ForceModel: Send + Sync {
             *place = self.force_n(workspace, p, e).map_err(|error| ForcesError::Point { index, error })?;
         }
         Ok(())
+    }
+
+    /// The same for points that all lie within `bounds`, slack ones 0; false where one of them does not, or has no answer, and then the
+    /// places hold nothing.
+    fn pulls_within(
+        &self,
+        workspace: &mut Workspace,
+        pressures_mpa: &[f64],
+        contractions: &[f64],
+        bounds: &Bounds,
+        out: &mut [f64],
+    ) -> bool {
+        bounds::pulls_within(self, workspace, [pressures_mpa, contractions], bounds, out)
     }
 
     /// The pull at rest length in N, of which errors are a share: by a faster model where this one is slow.

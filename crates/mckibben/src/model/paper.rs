@@ -8,8 +8,8 @@
 //! one make: θ0 28°, L0 285 mm, one rubber, one braid.
 
 use super::{
-    Accuracy, BlockedAt, ForceModel, ForcesError, Interval, ModelError, ModelRange, Quantity, Reference,
-    Response, Workspace, check_finite,
+    Accuracy, BatchPath, BlockedAt, Bounds, ForceModel, ForcesError, Interval, ModelError, ModelRange,
+    Quantity, Reference, Response, Workspace, check_finite,
 };
 use crate::formula::{Coefficients, Section};
 use crate::muscle::Muscle;
@@ -121,6 +121,17 @@ impl ForceModel for Paper {
     ) -> Result<(), ForcesError> {
         self.section.force_batch(pressures_mpa, contractions, out)?;
         check_finite("paper", pressures_mpa, contractions, out)
+    }
+
+    fn pulls_within(
+        &self,
+        _: &mut Workspace,
+        pressures_mpa: &[f64],
+        contractions: &[f64],
+        bounds: &Bounds,
+        out: &mut [f64],
+    ) -> bool {
+        self.section.pulls_within(BatchPath::widest(), bounds, [pressures_mpa, contractions], out)
     }
 
     fn exact_pressure(&self, force_n: f64, contraction: f64) -> Option<f64> {

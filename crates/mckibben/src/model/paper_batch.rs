@@ -5,6 +5,7 @@
 //! arrays; at run time the widest vectors of the machine are taken (AVX-512F, AVX2 with FMA), with a portable fallback.
 //! Multiply-adds are fused only where the machine has them, so the paths agree to rounding and not to the bit.
 
+use super::Bounds;
 use crate::formula::{Coefficients, Section};
 use thiserror::Error;
 
@@ -120,17 +121,39 @@ fn all<const FUSED: bool>(k: &Coefficients, inputs: [&[f64]; 4], out: &mut [f64]
 }
 
 #[inline(always)]
+fn pull<const FUSED: bool>(k: &Section, p: f64, e: f64) -> f64 {
+    let a = mul_add::<FUSED>(k.a.0, p, k.a.1);
+    let b = mul_add::<FUSED>(k.b.0, p, k.b.1);
+    let c = mul_add::<FUSED>(k.c.0, p, k.c.1);
+    horner::<FUSED>(e, &[a, b, c])
+}
+
+#[inline(always)]
 fn one<const FUSED: bool>(k: &Section, inputs: [&[f64]; 2], out: &mut [f64]) {
     let [p, e] = inputs;
     let n = out.len();
     let (p, e) = (&p[..n], &e[..n]);
     let k = *k;
     for i in 0..n {
-        let a = mul_add::<FUSED>(k.a.0, p[i], k.a.1);
-        let b = mul_add::<FUSED>(k.b.0, p[i], k.b.1);
-        let c = mul_add::<FUSED>(k.c.0, p[i], k.c.1);
-        out[i] = horner::<FUSED>(e[i], &[a, b, c]);
+        out[i] = pull::<FUSED>(&k, p[i], e[i]);
     }
+}
+
+/// Pulls of a muscle that may hang slack; how many points lie outside of the bounds or have no number.
+#[inline(always)]
+fn within<const FUSED: bool>(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], out: &mut [f64]) -> u64 {
+    let [p, e] = inputs;
+    let n = out.len();
+    let (p, e) = (&p[..n], &e[..n]);
+    let (k, bounds) = (*k, *bounds);
+    // A count goes through many numbers at a time, a search through one.
+    let mut without = 0;
+    for i in 0..n {
+        let force = pull::<FUSED>(&k, p[i], e[i]);
+        without += u64::from(!(bounds.hold(p[i], e[i]) & (force.abs() < f64::INFINITY)));
+        out[i] = bounds.hung(force, p[i]);
+    }
+    without
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -155,6 +178,18 @@ fn one_avx512(k: &Section, inputs: [&[f64]; 2], out: &mut [f64]) {
 #[target_feature(enable = "avx2,fma")]
 fn one_avx2(k: &Section, inputs: [&[f64]; 2], out: &mut [f64]) {
     one::<true>(k, inputs, out);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f")]
+fn within_avx512(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], out: &mut [f64]) -> u64 {
+    within::<true>(k, bounds, inputs, out)
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn within_avx2(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], out: &mut [f64]) -> u64 {
+    within::<true>(k, bounds, inputs, out)
 }
 
 impl Coefficients {
@@ -237,6 +272,30 @@ impl Section {
         }
         Ok(())
     }
+
+    /// The same in one pass with what every caller looks at, slack pulls 0 ([`ForceModel::pulls_within`](super::ForceModel::pulls_within));
+    /// false where a point lies outside of the bounds or has no number, or the lists differ in length.
+    pub(crate) fn pulls_within(
+        &self,
+        path: BatchPath,
+        bounds: &Bounds,
+        inputs: [&[f64]; 2],
+        out: &mut [f64],
+    ) -> bool {
+        if inputs.iter().any(|list| list.len() != out.len()) {
+            return false;
+        }
+        let without = match path {
+            // SAFETY: the machine has the instructions, as has just been asked.
+            #[cfg(target_arch = "x86_64")]
+            BatchPath::Avx512 if path.is_available() => unsafe { within_avx512(self, bounds, inputs, out) },
+            // SAFETY: as above.
+            #[cfg(target_arch = "x86_64")]
+            BatchPath::Avx2Fma if path.is_available() => unsafe { within_avx2(self, bounds, inputs, out) },
+            _ => within::<false>(self, bounds, inputs, out),
+        };
+        without == 0
+    }
 }
 
 #[cfg(test)]
@@ -266,6 +325,43 @@ mod tests {
                         // Near a pull of zero the error is that of the terms.
                         let scale = exact.abs().max(section.c.0 * p[i]).max(1.0);
                         assert!((got - exact).abs() <= 1e-12 * scale, "{path:?} {n} {i}: {got} {exact}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pulls_within_bounds_are_those_of_the_batch_and_slack_ones_nothing() {
+        let section = Coefficients::published().section(42.0, 2.5);
+        let bounds = |push_n, rounding_mm2| Bounds {
+            pressure_mpa: (0.0, 0.25),
+            contraction: (0.0, 0.4),
+            push_n,
+            rounding_mm2,
+        };
+        for path in BatchPath::available() {
+            for n in [0, 1, 7, 8, 17, 1000] {
+                let [p, mut e, ..] = points(n);
+                e.iter_mut().for_each(|e| *e *= 2.0);
+                let (mut plain, mut out) = (vec![0.0; n], vec![f64::NAN; n]);
+                section.force_batch_on(path, [&p, &e], &mut plain).unwrap();
+                assert!(section.pulls_within(path, &bounds(f64::NEG_INFINITY, 0.0), [&p, &e], &mut out));
+                assert_eq!(out, plain);
+                assert!(section.pulls_within(path, &bounds(0.0, 100.0), [&p, &e], &mut out));
+                for i in 0..n {
+                    let slack = plain[i] < 0.0 || plain[i].abs() <= 100.0 * p[i];
+                    assert_eq!(out[i], if slack { 0.0 } else { plain[i] });
+                }
+                assert!(n < 1000 || out.contains(&0.0) && out.iter().any(|&f| f > 0.0));
+                for bad in [f64::NAN, f64::INFINITY, -0.1, 1.1] {
+                    for i in [0, n / 2, n.saturating_sub(1)].into_iter().filter(|&i| i < n) {
+                        let (mut p, mut e) = (p.clone(), e.clone());
+                        p[i] = bad;
+                        assert!(!section.pulls_within(path, &bounds(0.0, 0.0), [&p, &e], &mut out));
+                        p[i] = 0.1;
+                        e[i] = bad;
+                        assert!(!section.pulls_within(path, &bounds(0.0, 0.0), [&p, &e], &mut out));
                     }
                 }
             }
