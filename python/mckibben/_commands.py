@@ -981,7 +981,7 @@ def joint(
 
 def measured(
     *,
-    cases: Sequence[dict[str, Any]] | None = None,
+    cases: FileLike | Sequence[FileLike] | None = None,
     figure: str | None = None,
     progress: Progress = None,
 ) -> _answers.MeasuredAnswer:
