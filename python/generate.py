@@ -178,6 +178,8 @@ def field_type(types: Types, name: str, schema: dict[str, Any]) -> str:
         kind = kind.replace("FileLike", "TableLike")
         if kind == "list[TableLike]":
             return "TableLike | Sequence[TableLike] | None"
+    if name == "cases":
+        return "FileLike | Sequence[FileLike] | None"
     if name == "muscles" and kind == "list[FileLike]":
         return "Mapping[str, MuscleLike] | Sequence[FileLike] | None"
     if name == "formulas" or name == "file":

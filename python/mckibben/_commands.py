@@ -1011,7 +1011,7 @@ def joint(
 
 def measured(
     *,
-    cases: Sequence[dict[str, Any]] | None = None,
+    cases: FileLike | Sequence[FileLike] | None = None,
     model: str | Formula | None = None,
     figure: str | None = None,
     progress: Progress = None,

@@ -42,6 +42,16 @@ def table(value: Any) -> dict[str, str]:
     return {"name": "data", "text": Table.of(value).to_csv()}
 
 
+def measured(value: Any) -> dict[str, str]:
+    """A measured muscle: the path of its folder, or its three files as texts."""
+    if isinstance(value, Mapping):
+        return {str(name): str(text) for name, text in value.items()}
+    path = os.fspath(value)
+    case, muscle = (_native.read_text(os.path.join(path, file)) for file in ("case.toml", "muscle.toml"))
+    points = _native.read_table(os.path.join(path, "points.csv"))
+    return {"name": os.path.basename(os.path.abspath(path)), "case": case, "muscle": muscle, "points": points}
+
+
 def beside(values: dict[str, Any]) -> None:
     """The files that a joint or drive file names: those that are given by name, the others from beside it."""
     drive = values.get("drive")

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _native
-from ._files import beside, formula, table, text
+from ._files import beside, formula, measured, table, text
 from ._quantity import kind_of, number, numbers
 
 LISTS = {"pressures_mpa", "contractions", "forces_n", "angles_deg", "outer_diameters_mm", "walls_mm", "hold_out_mm", "strand_length_per_turn_mm"}
@@ -33,6 +33,8 @@ def field(name: str, value: Any, *, within: str = "") -> Any:
         return [table(v) for v in (value if isinstance(value, (list, tuple)) else [value])] if many else table(value)
     if name in FORMULAS:
         return [formula(v) for v in value] if name == "formulas" else formula(value)
+    if name == "cases":
+        return [measured(v) for v in (value if isinstance(value, (list, tuple)) else [value])]
     if isinstance(value, Mapping):
         return {str(k): field(str(k), v, within=name) for k, v in value.items() if v is not None}
     if within == "tolerance" and name in ("modulus", "stiffness"):

@@ -55,6 +55,28 @@ def test_identification_from_the_bench(root: Path) -> None:
     assert [p.value for p in again.parameters] == [p.value for p in found.parameters]
 
 
+def test_every_law_is_identified(root: Path) -> None:
+    found = mk.identify(root / "examples/tondu2012.toml", root / "data/tondu2012/static_force_20deg.csv", branches="mean", model="thick-wall", free=["mu"], laws=True)
+    rows = {row.law: row for row in found.laws or []}
+    assert len(rows) > 5 and min(r.aicc_difference for r in rows.values() if r.aicc_difference is not None) == 0
+    # An identity: the muscle's own law leaves what it leaves without the others.
+    assert rows["neo-hookean"].rms_n == pytest.approx(found.rms_n, rel=1e-6)
+
+
+def test_a_measured_muscle_is_a_folder_or_its_files(root: Path) -> None:
+    folder = root / "examples/measured/bench"
+    found = mk.measured(cases=[folder])
+    assert [fit.fit for fit in found.cases[0].fits] == ["nothing", "modulus, stiffness", "Gent, up to 2 bar"]
+    # Noise of the pattern's points: nothing fitted is far off, two constants fitted are not.
+    rms = {row.fit: row.rms_n for row in found.results if row.of == "all"}
+    assert rms["modulus, stiffness"] < rms["nothing"]
+    files = {"case": "case.toml", "muscle": "muscle.toml", "points": "points.csv"}
+    texts = {"name": "bench", **{name: (folder / file).read_text("utf-8") for name, file in files.items()}}
+    assert mk.measured(cases=[texts]) == found
+    with pytest.raises(mk.FileError):
+        mk.measured(cases=folder / "nowhere")
+
+
 def test_a_rubber_from_its_tensile_test(root: Path) -> None:
     """Treloar (1944): the small-strain shear modulus of his vulcanised rubber is 0.39 MPa (Treloar 1975, chapter 5)."""
     found = mk.rubber_fit(root / "data/treloar/tension.csv")
