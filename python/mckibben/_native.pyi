@@ -9,7 +9,7 @@ The compiled half of mckibben; what users call stands in the package `mckibben`.
 
 from _typeshed import SupportsGetItem
 from os import PathLike
-from typing import Final, final
+from typing import Final, SupportsFloat, SupportsIndex, final
 
 __all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "values"]
 
@@ -37,7 +37,7 @@ class Model:
         """
         The model's name.
         """
-    def one(self, /, wanted: str, first: float, second: float, nan: bool) -> float:
+    def one(self, /, wanted: str, first: SupportsFloat | SupportsIndex, second: SupportsFloat | SupportsIndex, nan: bool) -> float:
         """
         The answer to one pair of numbers; NaN where it has none and `nan` is true.
         """
