@@ -43,11 +43,12 @@ def table(value: Any) -> dict[str, str]:
 
 
 def measured(value: Any) -> dict[str, str]:
-    """A measured muscle: the path of its folder, or its three files as texts."""
+    """A measured muscle or rubber: the path of its folder, or its files as texts. A rubber has no ``muscle.toml``."""
     if isinstance(value, Mapping):
         return {str(name): str(text) for name, text in value.items()}
     path = os.fspath(value)
-    case, muscle = (_native.read_text(os.path.join(path, file)) for file in ("case.toml", "muscle.toml"))
+    case, muscle = os.path.join(path, "case.toml"), os.path.join(path, "muscle.toml")
+    case, muscle = _native.read_text(case), _native.read_text(muscle) if os.path.exists(muscle) else ""
     points = _native.read_table(os.path.join(path, "points.csv"))
     return {"name": os.path.basename(os.path.abspath(path)), "case": case, "muscle": muscle, "points": points}
 

@@ -204,19 +204,19 @@ class Model:
         if plain and type(a) is float and type(b) is float:
             return self._native.one(wanted, a, b, nan)
         a, b = array(a_name, a), array(b_name, b)
-        shape = a.shape
-        if shape != b.shape:
+        if a.shape != b.shape:
             a, b = np.broadcast_arrays(a, b)
-            shape = a.shape
-            if a.size > _MOST:
-                raise MemoryError(f"{a.size} points are more than memory holds")
+        shape = a.shape
+        names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
+        slopes = bool(names) or bool(jac)
+        width = 3 + len(names) if slopes else 1
+        if a.size > _MOST // width:
+            raise MemoryError(f"{a.size} points are more than memory holds")
         if plain and shape:
             out = np.empty(shape)
             self._native.fill(wanted, a, b, out, False, (), nan, None)
             return out
-        names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
-        slopes = bool(names) or bool(jac)
-        out = np.empty((*shape, 3 + len(names)) if slopes else shape)
+        out = np.empty((*shape, width) if slopes else shape)
         with listening(progress, wanted) as heard:
             self._native.fill(wanted, a, b, out, slopes, names, nan, heard)
         if slopes:

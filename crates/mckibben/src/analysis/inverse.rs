@@ -131,8 +131,6 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
                 low.0 = high;
                 step *= 1.5;
             }
-            // Past the last equilibrium, and on the way there the pull falls.
-            Err(_) if before.zip(low.1).is_some_and(|(before, last)| last < before.1) => break,
             // Past the last equilibrium: close in on it.
             Err(_) if high - low.0 > 1e-9 => step = 0.25 * (high - low.0),
             Err(_) => break,

@@ -112,7 +112,7 @@ pub fn universal(text: &str) -> Read<UniversalFormula> {
     formula(read(text)?)
 }
 
-/// Of a text of our own, whose keys nobody mistypes: the messages that name them would make an eighth of a small engine.
+/// Of a text of our own, whose keys nobody mistypes: a small engine does without the messages that name them.
 pub fn built_in(text: &str) -> Read<UniversalFormula> {
     formula(serde_json::from_str(text).map_err(|e| Problem::Json(e.to_string()))?)
 }
