@@ -10,12 +10,13 @@ mod files;
 mod flags;
 mod names;
 mod output;
+mod overlap;
 mod plot;
 mod progress;
 mod quantities;
 mod word;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use failure::Failure;
 use flags::Format;
 use mckibben::threads;
@@ -26,8 +27,10 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     panics_are_problems();
-    let cli = match cli::Cli::try_parse() {
-        Ok(cli) => cli,
+    progress::no_signal_for_long_files();
+    let parsed = cli::Cli::command().try_get_matches();
+    let (cli, matches) = match parsed.and_then(|m| cli::Cli::from_arg_matches(&m).map(|cli| (cli, m))) {
+        Ok(parsed) => parsed,
         Err(error) if error.use_stderr() && json_wanted() => {
             return report(&Failure::usage(&error), Format::Json);
         }
@@ -43,9 +46,13 @@ fn main() -> ExitCode {
         }
     };
     progress::limit(&cli.limit);
-    let done = guarded(|| commands::run(cli.command, cli.format, &cli.limit));
+    let done = guarded(|| {
+        let _entered = progress::budget().enter();
+        overlap::check(&matches)?;
+        commands::run(cli.command, cli.format, &cli.limit)
+    });
     threads::shortage().into_iter().for_each(output::warn);
-    match done {
+    match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
         Err(failure) => report(&failure, cli.format),
     }

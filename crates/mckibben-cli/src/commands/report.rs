@@ -41,8 +41,8 @@ pub struct ReportArgs {
 /// Runs the command.
 pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
     let target = |path| Target { path, overwrite: args.replace.overwrite };
-    check(target(args.output.as_deref()), Content::Other)?;
-    check(target(args.pdf.as_deref()), Content::Other)?;
+    check(target(args.output.as_deref()), &Content::Other)?;
+    check(target(args.pdf.as_deref()), &Content::Other)?;
     let browser = args.pdf.as_ref().map(|_| browser()).transpose()?;
     let request = ReportRequest {
         muscle: args.muscle.fields()?,

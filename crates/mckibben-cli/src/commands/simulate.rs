@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{Content, Target, save, show, warn};
+use crate::output::{Content, Target, check, save, show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -121,7 +121,12 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
-    let mut folder = args.vtu.clone().map(|path| Folder { path, series: VtuSeries::new(""), extent });
+    let mut folder = args.vtu.clone().map(|path| Folder {
+        path,
+        series: VtuSeries::new(""),
+        extent,
+        overwrite: args.output.replace.overwrite,
+    });
     let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
     let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
@@ -130,6 +135,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
+        check(Target::file(path, false), &Content::Figure)?;
         scene.save(path)?;
     }
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
@@ -155,8 +161,10 @@ fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
-/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them.
+/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them. What is no such
+/// file stays.
 struct Folder {
+    overwrite: bool,
     path: PathBuf,
     series: VtuSeries,
     extent: Extent,
@@ -165,6 +173,7 @@ struct Folder {
 impl Folder {
     fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
         let path = self.path.join(&file.name);
+        check(Target::file(&path, self.overwrite), &Content::Vtk).map_err(Failure::into_problem)?;
         mckibben_files::replace(&path, file.text.as_bytes()).map_err(|e| {
             Problem::new(ProblemKind::Output, format!("{} cannot be written: {e}", path.display()), "")
         })?;

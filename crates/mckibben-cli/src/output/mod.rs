@@ -10,7 +10,7 @@ mod stream;
 pub mod text;
 mod write;
 
-pub use guard::{Content, check};
+pub use guard::{Content, check, of_input};
 pub use stream::streamed;
 pub use write::{Target, colour, complain, emit, save, warn};
 
@@ -58,7 +58,7 @@ pub fn show<T: Serialize>(
     let form = form(target.path, format)?;
     check(
         target,
-        match form {
+        &match form {
             Form::Json => Content::Json,
             Form::Parquet => Content::Parquet,
             Form::Text | Form::Csv => Content::Other,

@@ -91,7 +91,7 @@ impl<B: Body> Continuation<B> {
             body,
             newton: B::SETTINGS.newton,
             effort: Effort::default(),
-            budget: Budget::default(),
+            budget: Budget::current(),
             allowed: None,
             kept: Vec::with_capacity(B::SETTINGS.kept),
             oldest: 0,

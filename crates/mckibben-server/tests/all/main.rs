@@ -5,6 +5,7 @@
 mod answers;
 mod common;
 mod door;
+mod ended;
 mod jobs;
 mod limits;
 mod openapi;

@@ -9,5 +9,5 @@ mod unit;
 
 pub(crate) use quantity::tidy;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
-pub use range::{MAX_POINTS, RangeError, Values, parse_values};
+pub use range::{MAX_POINTS, RangeError, Values, parse_at_most, parse_values};
 pub use unit::Unit;
