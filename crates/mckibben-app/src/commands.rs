@@ -11,6 +11,8 @@ use mckibben::progress::Progress;
 use mckibben_campaign::campaign::{Merged, Outcome, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, generate::SchemaSettings};
+#[cfg(feature = "schema")]
+use serde::Deserialize;
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -25,6 +27,8 @@ pub struct CommandEntry {
     #[cfg(feature = "schema")]
     schema: fn() -> Value,
     ask: fn(Value, &dyn Progress) -> Result<Value, Problem>,
+    #[cfg(feature = "schema")]
+    understood: fn(&Value) -> Result<(), Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
     /// Fields of its request, from the schema, which is made once.
@@ -69,9 +73,23 @@ impl CommandEntry {
             .any(|field| ["data", "table", "tables", "load_tables", "cases"].contains(&field.as_str()))
     }
 
+    /// Whether a request is one of this command, before any work is done for it: what is said at once of what begins later.
+    ///
+    /// # Errors
+    /// [`Problem`] of kind `usage`.
+    #[cfg(feature = "schema")]
+    pub fn check(&self, request: &Value) -> Result<(), Problem> {
+        self.check_fields(request)?;
+        (self.understood)(request)
+    }
+
     /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
+        if !request.is_object() {
+            let message = "a request is an object of fields";
+            return Err(Problem::new(ProblemKind::Usage, message, "such as {\"pressure_mpa\": 0.2}"));
+        }
         let known = self.fields();
         let given = request.as_object().into_iter().flat_map(|fields| fields.keys());
         let Some(field) = given.into_iter().find(|field| !known.is_empty() && !known.contains(field)) else {
@@ -95,6 +113,8 @@ macro_rules! command {
                 let answer: $answer = $body?;
                 json(&answer)
             },
+            #[cfg(feature = "schema")]
+            understood: |value| <$request>::deserialize(value).map(drop).map_err(|e| not_understood(&e)),
             #[cfg(feature = "schema")]
             fields: OnceLock::new(),
             long: false,

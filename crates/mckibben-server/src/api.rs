@@ -5,7 +5,7 @@ use crate::events;
 use crate::openapi;
 use crate::refusal::Refusal;
 use crate::serve::State;
-use crate::work::{Asked, answer, worked};
+use crate::work::{Asked, Question, answer, worked};
 use axum::body::{Body, Bytes};
 use axum::extract::{FromRequestParts, Path, State as Shared};
 use axum::http::header::{ACCEPT, CONTENT_TYPE, LOCATION};
@@ -17,7 +17,7 @@ use mckibben_app::{COMMANDS, CommandEntry};
 use serde_json::{Value, json};
 use std::sync::{Arc, LazyLock};
 
-type Ours = Shared<Arc<State>>;
+pub type Ours = Shared<Arc<State>>;
 
 /// The name in a path.
 pub struct Name(String);
@@ -81,9 +81,14 @@ pub async fn schema(Name(name): Name) -> Result<Response, Refusal> {
 }
 
 /// A request to a command.
-async fn asked(state: &State, name: &str, headers: &HeaderMap, body: Body) -> Result<Asked, Refusal> {
+async fn asked(
+    state: &State,
+    command: &'static CommandEntry,
+    headers: &HeaderMap,
+    body: Body,
+) -> Result<Asked, Refusal> {
     is_json(headers)?;
-    let (command, config) = (command(name)?, &state.config);
+    let config = &state.config;
     let small = config.small_body_bytes.min(config.body_bytes);
     let most = if command.takes_tables() { config.body_bytes } else { small };
     let (text, held) = received(config, &state.room, most, headers, body).await?;
@@ -97,7 +102,7 @@ pub async fn ask(
     headers: HeaderMap,
     body: Body,
 ) -> Result<Response, Refusal> {
-    let asked = asked(&state, &name, &headers, body).await?;
+    let asked = asked(&state, command(&name)?, &headers, body).await?;
     let packed = headers.get_all(ACCEPT).iter().any(|v| v.to_str().is_ok_and(|v| v.contains(PACKED)));
     let work = worked(
         state.gate.enter()?,
@@ -113,14 +118,18 @@ pub async fn ask(
 /// Starts a job.
 pub async fn start(
     Shared(state): Ours,
-    Name(name): Name,
+    command: &'static CommandEntry,
     headers: HeaderMap,
     body: Body,
 ) -> Result<Response, Refusal> {
-    let asked = asked(&state, &name, &headers, body).await?;
+    let asked = asked(&state, command, &headers, body).await?;
     let place = state.jobs.enter()?;
     // What can be refused at once is, and not told as a job that failed.
-    let check = move |progress: &dyn Progress| asked.read(&progress.budget());
+    let check = move |progress: &dyn Progress| -> Result<Question, Refusal> {
+        let question = asked.read(&progress.budget())?;
+        question.command.check(&question.request)?;
+        Ok(question)
+    };
     let question =
         worked(state.gate.enter()?, state.stopping.clone(), state.config.limits, |_, _| {}, check).await?;
     let id = state.jobs.start(place, state.stopping.clone(), question)?;

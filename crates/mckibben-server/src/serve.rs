@@ -1,6 +1,6 @@
 //! The server: routes, connections, and its end.
 
-use crate::api;
+use crate::api::{self, Ours};
 use crate::config::Config;
 use crate::door;
 use crate::jobs::Jobs;
@@ -8,13 +8,15 @@ use crate::page::page;
 use crate::refusal::Refusal;
 use crate::room::Room;
 use crate::work::Gate;
+use axum::body::Body;
 use axum::extract::Request;
-use axum::http::StatusCode;
+use axum::http::{HeaderMap, StatusCode};
 use axum::middleware::{Next, from_fn};
 use axum::routing::{Router, get, post};
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
+use mckibben_app::COMMANDS;
 use std::future::Future;
 use std::io;
 use std::num::NonZero;
@@ -88,12 +90,17 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
         stopping,
     });
     let small = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
-    Router::new()
-        .route("/api/v1", get(api::list))
+    // A route a command: what is advertised of a job's address and of that of a command is then right for each.
+    let jobs = COMMANDS.iter().fold(Router::<Arc<State>>::new(), |router, command| {
+        let start =
+            move |state: Ours, headers: HeaderMap, body: Body| api::start(state, command, headers, body);
+        router.route(&format!("/api/v1/jobs/{}", command.name), post(start))
+    });
+    jobs.route("/api/v1", get(api::list))
         .route("/api/v1/health", get(api::health))
         .route("/api/v1/openapi.json", get(api::openapi))
         .route("/api/v1/schema/{command}", get(api::schema))
-        .route("/api/v1/jobs/{name}", post(api::start).get(api::state).delete(api::forget))
+        .route("/api/v1/jobs/{name}", get(api::state).delete(api::forget))
         .route("/api/v1/jobs/{name}/events", get(api::events))
         .route("/api/v1/{command}", post(api::ask))
         .method_not_allowed_fallback(|| async {
@@ -175,6 +182,19 @@ async fn connection(
     let _ = connection.await;
 }
 
+/// A runtime with a thread that answers, and room for what it needs.
+fn started(mut builder: tokio::runtime::Builder, answering: usize) -> Result<Runtime, ServeError> {
+    // A thread that was given is kept: another one might be refused.
+    let kept = Duration::from_secs(365 * 86_400);
+    builder.max_blocking_threads(answering).thread_keep_alive(kept).thread_stack_size(STACK);
+    let runtime = builder.enable_io().enable_time().build()?;
+    let begun = runtime.spawn_blocking(|| ());
+    runtime.block_on(begun).map_err(|e| ServeError::Threads(io::Error::other(e)))?;
+    let room = Vec::<u8>::new().try_reserve_exact(LEAST_MEMORY);
+    room.map_err(|_| ServeError::Memory { bytes: LEAST_MEMORY })?;
+    Ok(runtime)
+}
+
 /// A server with its threads, before anybody can ask it.
 #[derive(Debug)]
 pub struct Server {
@@ -204,22 +224,15 @@ impl Server {
         };
         let answering = config.workers.max(1) + config.jobs.workers.max(1);
         let all = std::thread::available_parallelism().map_or(1, NonZero::get) + answering;
-        let (mut builder, answering) = match spare(all) {
-            Ok(()) => (tokio::runtime::Builder::new_multi_thread(), answering),
-            Err(_) => {
-                spare(1).map_err(ServeError::Threads)?;
-                (tokio::runtime::Builder::new_current_thread(), 1)
-            }
+        let many = || {
+            spare(all).map_err(ServeError::Threads)?;
+            started(tokio::runtime::Builder::new_multi_thread(), answering)
         };
-        // A thread that was given is kept: another one might be refused.
-        let kept = Duration::from_secs(365 * 86_400);
-        builder.max_blocking_threads(answering).thread_keep_alive(kept).thread_stack_size(STACK);
-        let runtime = builder.enable_io().enable_time().build()?;
-        let begun = runtime.spawn_blocking(|| ());
-        runtime.block_on(begun).map_err(|e| ServeError::Threads(io::Error::other(e)))?;
-        // What a request needs at least has to be there as well.
-        let room = Vec::<u8>::new().try_reserve_exact(LEAST_MEMORY);
-        room.map_err(|_| ServeError::Memory { bytes: LEAST_MEMORY })?;
+        let few = |_| {
+            spare(1).map_err(ServeError::Threads)?;
+            started(tokio::runtime::Builder::new_current_thread(), 1)
+        };
+        let runtime = many().or_else(few)?;
         Ok(Self { runtime, config })
     }
 

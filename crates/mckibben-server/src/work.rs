@@ -94,7 +94,7 @@ pub struct Asked {
 #[derive(Debug)]
 pub struct Question {
     pub command: &'static CommandEntry,
-    request: Value,
+    pub request: Value,
     /// Given back when the answer is made.
     _held: Held,
 }

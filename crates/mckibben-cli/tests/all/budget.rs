@@ -72,8 +72,8 @@ const LONG: [&str; 12] = [
     "joint examples/elbow.toml --map 60 --max-pressure 3bar",
     "motion examples/forearm-drive.toml --model fe",
     "compare --models fe,thick-wall -p 0..2.5:0.02bar -e 0..0.15:0.001",
-    "identify examples/bench.toml --data examples/bench.csv --mesh 4x512",
-    "design --torque 5Nm@40deg --radius 10..60mm --model fe --max-pressure 3bar --mesh 2x256",
+    "identify --muscle examples/bench.toml --data examples/bench.csv --mesh 4x512",
+    "design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --model fe",
 ];
 
 #[cfg(unix)]

@@ -111,7 +111,7 @@ fn the_limits_of_the_command_line_are_those_of_its_requests() {
 #[test]
 fn with_little_memory_it_answers_or_says_that_it_cannot() {
     let program = env!("CARGO_BIN_EXE_mckibben");
-    for kilobytes in [30_000, 45_000, 50_000, 80_000, 120_000, 1_000_000] {
+    for kilobytes in [50_000, 60_000, 80_000, 120_000, 200_000, 400_000, 1_000_000] {
         let script = format!("ulimit -v {kilobytes} && exec {program} serve --port 0");
         let mut child = std::process::Command::new("sh")
             .args(["-c", &script])

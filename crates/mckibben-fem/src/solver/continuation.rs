@@ -188,6 +188,8 @@ impl<B: Body> Continuation<B> {
 
     /// The same, where no more than this share of the radius may lie between the iterate and the equilibrium.
     pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
+        // Of what is to end, not even the first tangent is assembled: a search tries many ways before it gives up.
+        self.budget.check()?;
         let mut options = NewtonOptions { reach, ..self.newton };
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;

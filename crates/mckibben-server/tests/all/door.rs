@@ -83,9 +83,14 @@ async fn forms_of_other_pages_cannot_ask() {
 #[tokio::test]
 async fn an_address_without_the_method_is_405_also_without_a_content_type() {
     let client = Client::usual();
-    for path in
-        ["/api/v1", "/api/v1/health", "/api/v1/openapi.json", "/api/v1/schema/force", "/api/v1/jobs/x/events"]
-    {
+    for path in [
+        "/api/v1",
+        "/api/v1/health",
+        "/api/v1/openapi.json",
+        "/api/v1/schema/force",
+        "/api/v1/jobs/x/events",
+        "/api/v1/jobs/0",
+    ] {
         let request = Request::post(path).header("host", "localhost").body(Body::from("x")).unwrap();
         client.send(request).await.problem(405);
     }

@@ -177,7 +177,7 @@ async fn memory_is_given_back() {
     client
         .post(
             "/api/v1/quantities",
-            r#"{"texts": [{"kind": "pressure", "text": "0..1:0.0001", "list": true}]}"#,
+            r#"{"texts": [{"kind": "pressure", "text": "0..1:0.00006", "list": true}]}"#,
         )
         .await
         .problem(429);

@@ -8,6 +8,7 @@ mod door;
 mod ended;
 mod jobs;
 mod limits;
+mod mutated;
 mod openapi;
 mod page;
 mod socket;
