@@ -103,9 +103,9 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 let (d, s, p) = (
                     30.0 + 5.0 * (4.99 * t).floor(),
                     1.0 + (24.95 * t).floor() % 5.0,
-                    0.01 + 0.01 * (624.0 * t).floor() % 0.25,
+                    0.01 + 0.01 * ((624.0 * t).floor() % 25.0),
                 );
-                let e = 0.2 * (19_000.0 * t).round() % 31.0 / 31.0;
+                let e = 0.2 * ((19_000.0 * t).round() % 31.0) / 31.0;
                 format!("{d},{s},285,28,{p},{e},{},ok", p * d * d * (1.0 - 4.0 * e))
             };
             let head =
