@@ -86,9 +86,11 @@ pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
     let most = most.min(MOST_TERMS);
     let full = problem(&used, &candidates, &scales);
     let chosen = select(&full, most);
+    // What was chosen when the work was ended is no choice.
+    ended()?;
     let (coefficients, rms) = nested(&full, &chosen);
     let left_out = leave_out(&used, &candidates, &scales, &diameters, most);
-    Budget::current().check().map_err(|_| FitError::Stopped)?;
+    ended()?;
     let steps: Vec<Step> = (1..=chosen.len())
         .map(|terms| Step {
             terms,
@@ -101,6 +103,10 @@ pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
     let terms = chosen.iter().zip(values.iter()).map(|(&j, &v)| Term { powers: candidates[j], value: v });
     let terms = GlobalTerms { scales, terms: terms.collect() };
     Ok(GlobalFit { terms, steps, candidates: candidates.len(), points: used.len() })
+}
+
+fn ended() -> Result<(), FitError> {
+    Budget::current().check().map_err(|_| FitError::Stopped)
 }
 
 /// All products of powers that the values in the table can tell apart.
@@ -205,8 +211,10 @@ fn leave_out(
     for &d in inner {
         let (out, kept): (Vec<Compared>, Vec<Compared>) =
             used.iter().partition(|c| same(c.point.outer_diameter_mm, d));
+        ended().ok()?;
         let kept = problem(&kept, candidates, scales);
         let chosen = select(&kept, most);
+        ended().ok()?;
         let (coefficients, _) = nested(&kept, &chosen);
         let out = problem(&out, candidates, scales);
         let columns = out.matrix.select_columns(&chosen);
