@@ -1,9 +1,11 @@
 //! What a design answers with.
 
 use super::request::{Searching, Wanted};
+use crate::burst::{put_first, said_of};
 use crate::muscle::MuscleSummary;
 use crate::units::Units;
 use crate::words::{number, percent};
+use mckibben::analysis::{Burst, NoBurst};
 use mckibben::design::{
     BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected,
     Relaxation, Spec, Spread,
@@ -279,11 +281,13 @@ impl DesignAnswer {
             candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
-            warnings: model
-                .seal_warning()
-                .map(Warning::from)
+            warnings: outcome
+                .candidates
+                .first()
+                .map(|c| warnings(c, spec.max_pressure_mpa))
+                .unwrap_or_default()
                 .into_iter()
-                .chain(outcome.candidates.first().map(warnings).unwrap_or_default())
+                .chain(model.seal_warning().map(Warning::from))
                 .collect(),
             tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
             closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
@@ -408,9 +412,12 @@ impl ClosestAnswer {
     }
 }
 
-/// What the user should know of a candidate: of its muscle, and of its operating points.
-fn warnings(c: &Candidate) -> Vec<Warning> {
-    crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response))
+/// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.
+fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
+    let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
+    let found = c.burst.unwrap_or(Burst::Unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
+    put_first(&mut all, said_of(&found, max_pressure_mpa, 0.0));
+    all
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.

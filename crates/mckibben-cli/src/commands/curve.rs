@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use crate::output::loaded::loaded as text_of_load;
 use crate::output::text::{Units, columns, percent, percents};
-use crate::output::{is_json, show, streamed, warn};
+use crate::output::{burst_first, is_json, show, streamed, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, pressures};
@@ -99,8 +99,9 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     }
     plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), args.plot.plot.as_deref())?;
     let text = || {
-        warnings(&answer.warnings, &answer.curves);
-        let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
+        let burst = warnings(&answer.warnings, &answer.curves);
+        let head = burst
+            + &format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
         head + &as_table(&answer, &unit)
             + &doubt(&answer.curves, &unit)
             + &answer.loaded.as_ref().map_or_else(String::new, |loaded| text_of_load(loaded, &unit))
@@ -109,13 +110,14 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
-fn warnings(all: &[Warning], list: &[Curve]) {
-    all.iter().for_each(warn);
+fn warnings(all: &[Warning], list: &[Curve]) -> String {
+    let burst = burst_first(all);
     let failed = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().err());
     let failed: Vec<_> = failed.collect();
     if let Some(first) = failed.first() {
         warn(format!("{} points have no answer (–); the first: {first}", failed.len()));
     }
+    burst
 }
 
 /// The ± of the pulls, from the least to the largest.

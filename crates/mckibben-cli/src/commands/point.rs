@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
 use crate::output::loaded::loaded;
 use crate::output::text::{Units, number, pairs, percent};
-use crate::output::{show, warn};
+use crate::output::{burst_first, show};
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity};
 use clap::Args;
@@ -136,10 +136,7 @@ fn print(
     output: &OutputFlags,
     typed: [&Option<String>; 3],
 ) -> Result<u8, Failure> {
-    let text = || {
-        answer.point.warnings.iter().for_each(warn);
-        text(answer, asked, &output.units.or_typed(typed))
-    };
+    let text = || burst_first(&answer.point.warnings) + &text(answer, asked, &output.units.or_typed(typed));
     show(answer, format, "", text, output.target())?;
     Ok(0)
 }
@@ -209,6 +206,7 @@ fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
     let tension = |v| format!("{} {}", u.force.to(v, 4), u.force.name);
     add("tension of one strand", r.strand_tension_n, &tension);
     add("tension of all strands", r.braid_tension_n, &tension);
+    add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v));
     add("stretch of the rubber at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("99 % of the rubber is stretched by less than", r.max_stretch, &|v| number(v, 3));
     if let Some(parts) = &a.uncertainty_parts_n {

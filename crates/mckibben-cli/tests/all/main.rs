@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod budget;
+mod burst;
 mod campaign;
 mod common;
 mod contract;

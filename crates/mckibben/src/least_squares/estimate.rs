@@ -77,7 +77,7 @@ pub enum EstimateError {
         unknowns: usize,
     },
     /// Bounds or a scale that are not valid for an unknown.
-    #[error("unknown {index} has no sound start, bounds and scale: {unknown:?}")]
+    #[error("unknown {index} has no sound start, bounds and scale: {} from {} to {}, scale {}", .unknown.start, .unknown.low, .unknown.high, .unknown.scale)]
     Unknown {
         /// Counted from zero.
         index: usize,
@@ -206,7 +206,8 @@ pub fn estimate(
                     "the model has no answer next to where the search stands".into()
                 }
                 TerminationReason::LostPatience => "the search goes on and on".into(),
-                other => format!("{other:?}"),
+                TerminationReason::Numerical(what) => format!("{what} is not a finite number"),
+                _ => "the search ended without one".into(),
             };
             return Err(EstimateError::NoMinimum { reason });
         }
