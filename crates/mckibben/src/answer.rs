@@ -3,7 +3,7 @@
 pub use crate::analysis::Options;
 
 use crate::analysis::{
-    AnalysisError, contraction_at, free_contraction, pressure_at, response_on, start_pressure_mpa,
+    AnalysisError, contraction_or_stretch_at, free_contraction, pressure_at, response_on, start_pressure_mpa,
 };
 use crate::model::{ForceModel, ModelError, Response, Workspace};
 use crate::muscle::Direction;
@@ -183,7 +183,10 @@ pub fn pressure<M: ForceModel + ?Sized>(
     Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
 }
 
-/// The point at which the pull is `force_n` at a pressure: ε(F, P).
+/// Said of a contraction below zero that a pull made.
+const STRETCHED: &str = "the pull is above what the muscle holds at its length at rest: it stretches the muscle (contraction below zero)";
+
+/// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull is above the blocked force.
 ///
 /// # Errors
 /// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
@@ -195,8 +198,12 @@ pub fn contraction<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<Answer, AnalysisError> {
     check_range(model, pressure_mpa, model.range().contraction.0.max(0.0), options)?;
-    let contraction = contraction_at(model, workspace, force_n, pressure_mpa, options)?;
-    Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
+    let contraction = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options)?;
+    let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
+    if contraction < 0.0 && force_n > 0.0 {
+        answer.warnings.push(Warning::from(STRETCHED.to_owned()));
+    }
+    Ok(answer)
 }
 
 /// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).
