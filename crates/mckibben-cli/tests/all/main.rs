@@ -20,3 +20,4 @@ mod rubber_fit;
 mod serve;
 mod tables;
 mod threads;
+mod trust;

@@ -127,13 +127,23 @@ pub fn identify_with<B: Build>(
     build: B,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
-    let found = search(request, build, progress);
-    // A model without an answer and a caller who has gone look alike to the search.
-    if progress.cancelled() { Err(IdentifyError::Cancelled) } else { found }
+    let flipped = signs::check(request)?;
+    let found = search(request, &flipped, build, progress);
+    match found {
+        // A model without an answer and a caller who has gone look alike to the search.
+        _ if progress.cancelled() => Err(IdentifyError::Cancelled),
+        Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
+            if !flipped.is_empty() =>
+        {
+            Err(IdentifyError::Flipped(flipped.join("; ")))
+        }
+        found => found,
+    }
 }
 
 fn search<B: Build>(
     request: &Request<'_>,
+    flipped: &[String],
     build: B,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
@@ -144,14 +154,13 @@ fn search<B: Build>(
     let unknowns = unknowns(request)?;
     let start: Vec<f64> = unknowns.iter().map(|u| u.start).collect();
     let free: Vec<Target> = request.free.iter().map(|p| p.target).collect();
-    let flipped = signs::check(request)?;
     let (mut points, slack) = chosen(request);
     if points.len() <= free.len() {
         let (points, dropped) = (points.len(), slack.len());
         return Err(IdentifyError::TooFew { points, dropped, parameters: free.len() });
     }
     let mut notes = advice::before(muscle, &free, &points)?;
-    notes.extend(flipped);
+    notes.extend(flipped.iter().cloned());
     let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
     let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
     build(first.muscle()).map_err(IdentifyError::Model)?;
@@ -167,6 +176,10 @@ fn search<B: Build>(
     let found = estimate(&problem, &unknowns, &weights, request.loss).map_err(|e| match e {
         EstimateError::TooFew { points, unknowns } => {
             IdentifyError::TooFew { points, dropped: slack.len(), parameters: unknowns }
+        }
+        EstimateError::NoMinimum { ref at, .. } => {
+            let fallen = problem.candidate(at).map(|c| rubber_is_left(request, first.muscle(), c.muscle()));
+            fallen.and_then(Result::err).unwrap_or(IdentifyError::Estimate(e))
         }
         other => IdentifyError::Estimate(other),
     })?;

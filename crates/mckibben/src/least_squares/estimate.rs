@@ -94,6 +94,8 @@ pub enum EstimateError {
     NoMinimum {
         /// Why.
         reason: String,
+        /// The unknowns where it ended.
+        at: Vec<f64>,
     },
 }
 
@@ -215,7 +217,7 @@ pub fn estimate(
                 TerminationReason::LostPatience => "the search goes on and on".into(),
                 other => format!("{other:?}"),
             };
-            return Err(EstimateError::NoMinimum { reason });
+            return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }
         u = inner.u.clone();
         let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;

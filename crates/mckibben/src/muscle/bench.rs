@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn it_ends_continuously_over_a_quarter_of_its_range() {
         let b = bench();
-        assert_eq!((b.outside(0.1, 0.0), b.outside(0.3, 0.2), b.outside(0.35, 0.1)), (0.0, 0.0, 1.0));
+        assert_eq!((b.outside(0.1, 0.0), b.outside(0.3, 0.2), b.outside(0.351, 0.1)), (0.0, 0.0, 1.0));
         assert!((b.outside(0.2, 0.225) - 0.5).abs() < 1e-12);
         assert!((b.outside(0.325, 0.21) - 0.5).abs() < 1e-12);
         assert_eq!(b.outside(2.0, 0.0), 1.0);
