@@ -44,6 +44,19 @@ fn friction_n<M: ForceModel + ?Sized>(
     Ok(rule + direction.sign() * friction.lever_mm * pivoting)
 }
 
+/// Half the width of the hysteresis loop by the friction that the muscle states, C P^β + μw G, in N; 0 where it states none.
+///
+/// # Errors
+/// The model's.
+pub(crate) fn friction_half_width_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<f64, ModelError> {
+    friction_n(model, workspace, (pressure_mpa, contraction), Direction::Elongation)
+}
+
 /// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± (C P^β + μw G), and its slopes in
 /// pressure and contraction with those of G.
 ///
