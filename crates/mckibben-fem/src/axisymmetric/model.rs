@@ -101,7 +101,7 @@ impl Axisymmetric {
         let c = self.continuation(workspace)?;
         c.reach(pressure_mpa, contraction)?;
         let force_n = c.pull();
-        c.body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+        c.body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
         Ok(c)
     }
 }
