@@ -32,7 +32,8 @@ export async function served(program) {
     child.stdout.on("data", (data) => { const found = /http:\/\/\S+/.exec(String(data)); if (found) resolve(found[0].replace(/\/?$/, "/")); });
     child.on("exit", (code) => reject(new Error(`serve ended with ${code}`)));
   });
-  return { url: String(url), end: () => child.kill("SIGTERM") };
+  child.removeAllListeners("exit");
+  return { url: String(url), end: () => child.kill("SIGTERM"), kill: () => child.kill("SIGKILL") };
 }
 
 export const launch = () => chromium.launch({

@@ -1,6 +1,6 @@
 // A chart: lines and points by plotly.js, which is loaded when the first chart is shown; with a table, PNG, SVG and CSV.
 import { download, el } from "./dom.js";
-import { number } from "./units.js";
+import { number, outside } from "./units.js";
 
 /**
  * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string }} Series
@@ -201,6 +201,17 @@ export class Chart {
     const url = await Plotly.toImage({ data: this.traces(), layout }, { format: kind, scale: kind === "png" ? 2 : 1, ...size });
     el("a", { href: url, download: `${this.name}.${kind}` }).click();
   }
+}
+
+/** Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the points lie. @param {any[]} points */
+export function isobar(points) {
+  const slack = points.findIndex((q) => q.slack), free = points[slack]?.free_contraction;
+  const taut = slack < 0 ? points : points.slice(0, slack);
+  const ends = slack > 0 && typeof free === "number" && free > taut[slack - 1].contraction ? [100 * free] : [];
+  return {
+    x: [...taut.map((q) => 100 * q.contraction), ...ends],
+    y: [...taut.map((q) => (q.status === "ok" ? outside("force", q.force_n) : null)), ...ends.map(() => 0)],
+  };
 }
 
 /** Labels at the ends of curves, moved apart where they would lie on one another; plotly's shifts are in pixels. @param {any[]} ends */
