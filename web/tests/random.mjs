@@ -18,12 +18,12 @@ export function dice(seed) {
 const LAWS = [
   (/** @type {any} */ d) => `law = "neo-hookean"\nmu = "${d.between(0.1, 1.2)} MPa"`,
   (/** @type {any} */ d) => `law = "mooney-rivlin"\nc10 = "${d.between(60, 300)} kPa"\nc01 = ${d.between(0.005, 0.05)}`,
-  (/** @type {any} */ d) => `law = "yeoh"\nc1 = ${d.between(0.1, 0.3)}\nc2 = ${d.between(0.001, 0.01)}\nc3 = ${d.between(0.0001, 0.001)}\nname = "mine"\nfitted_to_stretch = 2.5`,
+  (/** @type {any} */ d) => `law = "yeoh"\nc10 = ${d.between(0.1, 0.3)}\nc20 = ${d.between(0.001, 0.01)}\nc30 = ${d.between(0.0001, 0.001)}\nname = "mine"\nfitted_to_stretch = 2.5`,
   (/** @type {any} */ d) => `law = "gent"\nmu = ${d.between(0.2, 0.8)}\njm = ${d.between(20, 80)}`,
   (/** @type {any} */ d) => `law = "ogden"\nmu = [${d.between(0.1, 0.3)}, ${d.between(0.01, 0.05)}]\nalpha = [1.8, 3.2]`,
   (/** @type {any} */ d) => `law = "neo-hookean"\nmu = "${d.between(0.2, 1)} MPa"\nsoftening = { r = 1.6, m = "0.05 MPa" }\nconditioned = "2 bar"`,
 ];
-const RUBBERS = ["paper", "dragon-skin-30", "dragon-skin-20", "ecoflex-0050", "rebound-25", "dragon-skin-30:neo-hookean"];
+const RUBBERS = ["paper", "dragon-skin-30", "dragon-skin-20", "ecoflex-00-50", "rebound-25", "dragon-skin-30:neo-hookean"];
 /** Sleeves: name, tubes that suit them in mm, what their sources do not state. @type {[string, number, number, string[]][]} */
 export const SLEEVES = [
   ["s-muscle-13", 0.8, 2, ["sE"]], ["s-muscle-20", 1.2, 4, ["sE"]], ["s-muscle-40", 2, 5, ["sE"]], ["flexo-overexpanded-0.25in", 7, 14, ["sd"]], ["flexo-overexpanded-0.31in", 8.5, 16, ["sd"]],

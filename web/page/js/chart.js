@@ -136,10 +136,12 @@ export class Chart {
     const spec = /** @type {Spec} */ (this.spec);
     const [ink, line, faint] = [token("--ink"), token("--line"), token("--faint")];
     const axis = (/** @type {string} */ title) => ({ title: { text: title, standoff: 8 }, gridcolor: faint, linecolor: line, zerolinecolor: line, tickcolor: line, automargin: true, color: ink, fixedrange: true, zeroline: false });
-    const last = (/** @type {Series} */ s) => { let i = s.x.length - 1; while (i > 0 && (s.y[i] === null || s.y[i] === undefined)) i--; return i; };
-    const ends = spec.series.filter((s) => s.end && s.x.length).map((s) => {
-      const start = s.at === "start", i = start ? 0 : last(s);
-      return { x: s.x[i], y: s.y[i], text: s.end, showarrow: false, xanchor: "left", yanchor: start ? "bottom" : "middle", xshift: start ? 10 : 4, font: { color: s.colour ?? ink, size: 12 } };
+    // A label without a place would take the axis to where the library puts it.
+    const known = (/** @type {Series} */ s, /** @type {number} */ i) => Number.isFinite(s.x[i]) && Number.isFinite(s.y[i]);
+    const ends = spec.series.flatMap((s) => {
+      const start = s.at === "start", places = s.x.map((_, i) => i), i = (start ? places : places.reverse()).find((i) => known(s, i));
+      if (!s.end || i === undefined) return [];
+      return [{ x: s.x[i], y: s.y[i], text: s.end, showarrow: false, xanchor: "left", yanchor: start ? "bottom" : "middle", xshift: start ? 10 : 4, font: { color: s.colour ?? ink, size: 12 } }];
     });
     const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
     return {

@@ -72,11 +72,10 @@ export class MuscleState {
    */
   async read(params, own = []) {
     unitsFromAddress(params.get("u") ?? "");
-    const { state, wrong } = fromWords(params, await understood(texts(params).map(({ text, kind }) => ({ text, kind }))));
-    Object.assign(this, { state, wrong });
+    const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))), this.known()]);
+    Object.assign(this, fromWords(params, readings));
     const known = new Set([...KEYS, "u", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
-    await this.known();
     // What cannot be read the page says when it asks for more.
     try { await this.look(); } catch { this.shown = undefined; }
   }

@@ -43,8 +43,8 @@ export function mount(main) {
   main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", { class: "side" }, said, numbers)));
 
   const stale = (/** @type {boolean} */ on) => [arm, numbers, torque.element].forEach((part) => part.classList.toggle("stale", on));
-  let settling = 0;
-  const pointSlot = new Slot(), familySlot = new Slot();
+  let settling = 0, asking = 0, decided = 0;
+  const pointSlot = new Slot(), elementSlot = new Slot(), familySlot = new Slot();
   const clamp = (/** @type {number} */ phi) => Math.max(-v.range, Math.min(v.range, Math.round(phi)));
 
   const request = () => ({ ...joint(first, second, v), model: "universal", extrapolate: true });
@@ -60,10 +60,12 @@ export function mount(main) {
       paint();
     };
     const fail = (/** @type {any} */ problem) => { said.replaceChildren(problemBox(problem)); stale(true); };
-    pointSlot.ask("joint", { ...request(), ...wanted }, take, fail);
+    const mine = ++asking;
+    pointSlot.ask("joint", { ...request(), ...wanted }, (answer) => { if (decided !== mine) take(answer); }, (problem) => { if (decided !== mine) fail(problem); });
     // What stays is what finite elements say.
     clearTimeout(settling);
-    if (settled) settling = window.setTimeout(() => pointSlot.ask("joint", { ...request(), model: "fe", extrapolate: false, ...wanted }, take, fail), 50);
+    elementSlot.end();
+    if (settled) settling = window.setTimeout(() => elementSlot.ask("joint", { ...request(), model: "fe", extrapolate: false, ...wanted }, (answer) => { decided = mine; take(answer); }, (problem) => { decided = mine; fail(problem); }), 50);
     const angles = Array.from({ length: 25 }, (_, i) => -v.range + (2 * v.range * i) / 24);
     const pairs = [[1, 0], [0.75, 0.25], [0.5, 0.5], [0.25, 0.75], [0, 1]].map((pair) => pair.map((x) => x * v.pmax));
     familySlot.ask("joint", { ...request(), pressures_mpa: pairs, angles_deg: angles }, (answer) => { family = { answer, angles, pairs }; drawFamily(); }, () => {});
@@ -164,6 +166,6 @@ export function mount(main) {
       ask(true);
       map.run();
     },
-    unmount() { off(); clearTimeout(settling); map.end(); pointSlot.end(); familySlot.end(); },
+    unmount() { off(); clearTimeout(settling); map.end(); [pointSlot, elementSlot, familySlot].forEach((slot) => slot.end()); },
   };
 }
