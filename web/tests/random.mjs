@@ -26,8 +26,8 @@ const LAWS = [
 const RUBBERS = ["paper", "dragon-skin-30", "dragon-skin-20", "ecoflex-00-50", "rebound-25", "dragon-skin-30:neo-hookean"];
 /** Sleeves: name, tubes that suit them in mm, what their sources do not state. @type {[string, number, number, string[]][]} */
 export const SLEEVES = [
-  ["s-muscle-13", 0.8, 2, ["sE"]], ["s-muscle-20", 1.2, 4, ["sE"]], ["s-muscle-40", 2, 5, ["sE"]], ["flexo-overexpanded-0.25in", 7, 14, ["sd"]], ["flexo-overexpanded-0.31in", 8.5, 16, ["sd"]],
-  ["flexo-overexpanded-0.38in", 10, 20, ["sd"]], ["flexo-overexpanded-0.50in", 14, 26, ["sd"]], ["flexo-overexpanded-0.75in", 20, 38, ["sd"]], ["nfl-19", 14, 26, ["sd", "sE"]], ["kevlar-sock", 8, 30, ["sd", "sE"]],
+  ["s-muscle-13", 1.4, 2.1, ["sE"]], ["s-muscle-20", 2.2, 3.2, ["sE"]], ["s-muscle-40", 4.4, 6.5, ["sE"]], ["flexo-overexpanded-0.25in", 9, 13, ["sd"]], ["flexo-overexpanded-0.31in", 11, 16, ["sd"]],
+  ["flexo-overexpanded-0.38in", 13.5, 19.5, ["sd"]], ["flexo-overexpanded-0.50in", 18, 26, ["sd"]], ["flexo-overexpanded-0.75in", 27, 39, ["sd"]], ["nfl-19", 15.5, 19, ["sd", "sE"]], ["kevlar-sock", 80, 86, ["sd", "sE"]],
 ];
 
 /** What the words of the address are called on the command line, and in which units people type them: unit, mm (MPa, N, …) of one. @type {Record<string, [string, [string, number][]]>} */
@@ -75,7 +75,7 @@ export function muscle(seed) {
     over[key] = `${Number((mm / of).toPrecision(d.pick([3, 5])))}${unit && d.chance(0.5) ? " " : ""}${unit}`;
   };
   // Over a file with a sleeve the diameter stays within it.
-  if (d.chance(said)) say("D", filed ? D * d.between(0.95, 1.1) : d.between(20, 45));
+  if (d.chance(said)) say("D", filed ? D * d.between(0.98, 1.08) : d.between(20, 45));
   if (d.chance(said)) say("s", filed ? D * d.between(0.06, 0.15) : d.between(1, 3));
   if (d.chance(said)) say("L", filed ? D * d.between(4, 9) : d.between(150, 350));
   if (!filed || !sleeve) {

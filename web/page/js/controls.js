@@ -12,7 +12,9 @@ let count = 0;
  */
 export function quantity({ label, symbol = "", kind, value, low, high, change }) {
   const id = `q${++count}`;
-  let now = /** @type {number} */ (value);
+  let now = /** @type {number} */ (value), painted = "";
+  /** Whether somebody is typing. */
+  const typing = () => document.activeElement === field && field.value !== painted;
   const slider = el("input", { type: "range", min: 0, max: 1000, step: "any", "aria-label": label });
   const field = el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", "aria-describedby": `${id}w` });
   const unit = hasChoice(kind)
@@ -35,7 +37,7 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
   }
   function paint(fieldToo = true) {
     slider.value = now === undefined ? "0" : toSlider(now);
-    if (fieldToo) field.value = now === undefined ? "" : asText(now);
+    if (fieldToo) field.value = painted = now === undefined ? "" : asText(now);
     unit.textContent = kind === "ratio" ? "" : unitName(kind);
     slider.setAttribute("aria-valuetext", now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`);
     field.title = expectation(kind);
@@ -62,7 +64,7 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
   async function read() {
     const text = field.value.trim();
     // What stands there is not read again: it may have fewer digits than the value.
-    if (now !== undefined && text === asText(now) && !field.hasAttribute("aria-invalid")) return;
+    if (text === painted && (now === undefined || !field.hasAttribute("aria-invalid"))) return;
     const { text: asked, value, note } = meant(kind, text);
     const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
     if (reading.problem) return wrongly(reading.problem.message);
@@ -85,11 +87,11 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
     element,
     get value() { return now; },
     /** @param {number | undefined} v */
-    set(v) { if (v !== now) { now = /** @type {number} */ (v); good(); paint(document.activeElement !== field); } },
+    set(v) { if (v !== now) { now = /** @type {number} */ (v); good(); paint(!typing()); } },
     /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
-    mark(message) { if (message) wrongly(message); else if (field.getAttribute("aria-invalid")) { good(); paint(document.activeElement !== field); } },
+    mark(message) { if (message) wrongly(message); else if (field.getAttribute("aria-invalid")) { good(); paint(!typing()); } },
     /** @param {number} newLow @param {number} newHigh */
-    reach(newLow, newHigh) { bounds.low = newLow; bounds.high = newHigh; paint(document.activeElement !== field); },
+    reach(newLow, newHigh) { bounds.low = newLow; bounds.high = newHigh; paint(!typing()); },
     /** @param {boolean} on */
     enable(on) { slider.disabled = !on; field.disabled = !on; },
   };

@@ -2,26 +2,26 @@
 // what the engine says that the muscle file and the fields over it are, and no page makes another one of them.
 
 /**
- * Measures: key of the address, field of requests, kind, name, symbol, bounds of the slider.
- * @typedef {{ key: string, field: string, kind: import("./units.js").Kind, label: string, symbol?: string, low: number, high: number }} Measure
+ * Measures: key of the address, field of requests, key of muscle files, kind, name, symbol, bounds of the slider.
+ * @typedef {{ key: string, field: string, filed?: string, kind: import("./units.js").Kind, label: string, symbol?: string, low: number, high: number }} Measure
  */
 export const QUANTITIES = /** @type {const} @satisfies {readonly Measure[]} */ ([
-  { key: "D", field: "outer_diameter_mm", kind: "length", label: "Outer diameter", symbol: "D0", low: 6, high: 80 },
-  { key: "s", field: "wall_mm", kind: "length", label: "Wall", symbol: "s", low: 0.3, high: 10 },
-  { key: "L", field: "length_mm", kind: "length", label: "Length", symbol: "L0", low: 60, high: 900 },
-  { key: "angle", field: "angle_deg", kind: "angle", label: "Braid angle", symbol: "θ0", low: 12, high: 45 },
+  { key: "D", field: "outer_diameter_mm", filed: "tube.outer_diameter", kind: "length", label: "Outer diameter", symbol: "D0", low: 6, high: 80 },
+  { key: "s", field: "wall_mm", filed: "tube.wall_thickness", kind: "length", label: "Wall", symbol: "s", low: 0.3, high: 10 },
+  { key: "L", field: "length_mm", filed: "tube.length", kind: "length", label: "Length", symbol: "L0", low: 60, high: 900 },
+  { key: "angle", field: "angle_deg", filed: "braid.angle", kind: "angle", label: "Braid angle", symbol: "θ0", low: 12, high: 45 },
 ]);
 /** Of the strands of a named sleeve, where its source does not state them. */
 export const STRANDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
   { key: "sd", field: "strand_diameter_mm", kind: "length", label: "Diameter of a strand", low: 0.05, high: 1 },
   { key: "sE", field: "strand_modulus_mpa", kind: "modulus", label: "Young's modulus of a strand", low: 500, high: 200000 },
 ]);
-export const STIFFNESS = /** @type {const} @satisfies {Measure} */ ({ key: "k", field: "stiffness", kind: "stiffness", label: "Stiffness of a strand family", symbol: "k", low: 20, high: 2000 });
+export const STIFFNESS = /** @type {const} @satisfies {Measure} */ ({ key: "k", field: "stiffness", filed: "braid.stiffness", kind: "stiffness", label: "Stiffness of a strand family", symbol: "k", low: 20, high: 2000 });
 /** What the ends of the muscle do. */
 export const ENDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
-  { key: "seating", field: "seating_mm", kind: "length", label: "Give of both ends", low: 0, high: 10 },
-  { key: "slip", field: "slip_mm_per_n", kind: "compliance", label: "Slip of both ends", low: 0, high: 0.02 },
-  { key: "grip", field: "grip_mm", kind: "length", label: "Held at each end", low: 0, high: 40 },
+  { key: "seating", field: "seating_mm", filed: "terminals.seating", kind: "length", label: "Give of both ends", low: 0, high: 10 },
+  { key: "slip", field: "slip_mm_per_n", filed: "terminals.slip", kind: "compliance", label: "Slip of both ends", low: 0, high: 0.02 },
+  { key: "grip", field: "grip_mm", filed: "terminals.grip", kind: "length", label: "Held at each end", low: 0, high: 40 },
 ]);
 export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure", symbol: "p", low: 0, high: 0.6 });
 export const CONTRACTION = /** @type {const} @satisfies {Measure} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction", symbol: "ε", low: 0, high: 0.35 });
@@ -76,6 +76,13 @@ export function fields({ file, said }) {
   for (const { key, field } of MEASURES) if (said[key] !== undefined) out[field] = said[key];
   for (const key of NAMES) if (said[key] !== undefined) out[key] = said[key];
   return out;
+}
+
+/** The measure that a problem is about: that of its field, or the first that its message names as muscle files do. @param {{ field: string, message: string }} problem */
+export function about({ field, message }) {
+  const at = (/** @type {Measure} */ { filed }) => (filed && message.includes(filed) ? message.indexOf(filed) : Infinity);
+  const named = MEASURES.filter((m) => at(m) < Infinity).sort((a, b) => at(a) - at(b));
+  return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])?.key;
 }
 
 /** Where it is asked. @param {State} state */

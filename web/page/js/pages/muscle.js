@@ -6,7 +6,7 @@ import { choice, fileField, onDrop, quantity } from "../controls.js";
 import { capital, download, el, problemBox, say, tabs } from "../dom.js";
 import { gauge } from "../gauge.js";
 import { muscle } from "../muscle.js";
-import { CONTRACTION, ENDS, LOAD, MEASURES, PRESSURE, QUANTITIES, STIFFNESS, STRANDS, point as pointOf } from "../state.js";
+import { CONTRACTION, ENDS, LOAD, PRESSURE, QUANTITIES, STIFFNESS, STRANDS, about, point as pointOf } from "../state.js";
 import { inside, number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
 import { inWords } from "../words.js";
 import { View, reach } from "../view3d.js";
@@ -36,7 +36,7 @@ export function mount(main) {
   };
   const rubber = choice("Rubber", [["", ""]], "", (name) => changed("rubber", name, true));
   const braid = choice("Braid", [["", ""]], "", (name) => changed("braid", name, true));
-  const strands = choice("Strands", [["", ""], ["inextensible", "inextensible"], ["paper", "of the paper's braid"], ["k", "of this stiffness"]], "", (name) => changed("k", name === "k" ? Math.round(facts?.stiffness_n_per_mm ?? 300) : name, true));
+  const strands = choice("Strands", [["", ""], ["inextensible", "inextensible"], ["paper", "paper's braid"], ["k", "of this stiffness"]], "", (name) => changed("k", name === "k" ? Math.round(facts?.stiffness_n_per_mm ?? 300) : name, true));
   const held = choice("Held", [["e", "contraction"], ["F", "load"]], "e", (what) => changed("F", what === "F" ? Math.max(1, Math.round(point?.force_n ?? 100)) : undefined, true));
   const fileName = el("p", { class: "small soft" });
   const controlsBox = el("section", { class: "controls", "aria-label": "Muscle" },
@@ -127,7 +127,7 @@ export function mount(main) {
       if (pressure === undefined) say(`Pull ${withUncertainty("force", answer.force_n, answer.uncertainty_n)}`);
     }, (problem) => {
       const lacks = muscle.missing().filter((key) => state.said[key] === undefined);
-      const key = [...MEASURES, PRESSURE, CONTRACTION, LOAD].find((q) => q.field === problem.field)?.key;
+      const key = about(problem);
       if (lacks.length) lacks.forEach((key) => controls[key].mark(`The source of ${state.said.braid} does not state it: measure it, or choose a stiffness.`));
       else if (key) controls[key].mark(problem.message);
       said.replaceChildren(problemBox(problem), shape ? el("p", { class: "small soft" }, "What is shown is the last answer, of another muscle or state.") : "", problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
@@ -365,9 +365,9 @@ export function mount(main) {
     for (const key of Object.keys(controls)) controls[key].set(muscle.value(key));
     for (const [key, message] of muscle.wrong) controls[key]?.mark(message);
     const own = file ? "as the file has it" : "";
-    rubber.first(own || "paper (as always)");
+    rubber.first(own || "paper (default)");
     braid.first(own || "its own angle");
-    strands.first(said.braid ? "of the sleeve" : own || "of the paper's braid (as always)");
+    strands.first(said.braid ? "of the sleeve" : own || "paper's braid (default)");
     rubber.set(String(said.rubber ?? ""));
     braid.set(String(said.braid ?? ""));
     strands.set(typeof said.k === "number" ? "k" : String(said.k ?? ""));
