@@ -37,7 +37,6 @@ angle = "24 deg"
 stiffness = "inextensible"
 
 [terminals]
-seating = "0.8 mm"
 slip = "1 mm/kN"
 grip = "3 mm"
 `;
