@@ -177,6 +177,8 @@ for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end
       const said = ask("contraction", "-F", "300N", "-p", "2.5bar");
       await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);
       assert.match(page.url(), /F=300/);
+      // P′ is that of the contraction that was found.
+      await reads(page, ".numbers", `starts at${bar(said.start_pressure_mpa)}`);
       await page.screenshot({ path: `${shots}/load-held-${name}.png` });
       await page.reload();
       await reads(page, ".stage .say", `and ${Number((100 * said.contraction).toPrecision(3))} %`);

@@ -6,7 +6,7 @@ import { fileField } from "../controls.js";
 import { capital, el, problemBox } from "../dom.js";
 import { form, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
-import { MEASURES, QUANTITIES, STIFFNESS, STIFFNESS_NAMES, STRANDS, missing, shownValue, side as asked } from "../state.js";
+import { QUANTITIES, STIFFNESS, STIFFNESS_NAMES, STRANDS, missing, shownValue, side as asked } from "../state.js";
 import { number, onUnits, show, unitName, withUncertainty } from "../units.js";
 import { View, reach } from "../view3d.js";
 
@@ -38,6 +38,7 @@ export function mount(main) {
   const files = () => Object.fromEntries(sides.map((s) => [`${s.name}file`, s.file]));
 
   async function ask() {
+    usual();
     write(address("compare", { ...muscle.params(), ...sides[0].fields.texts(), ...sides[1].fields.texts(), ...files() }), true);
     for (const side of sides) {
       // What a sleeve needs beside its name has a field.
@@ -80,13 +81,14 @@ export function mount(main) {
   /** What a field says where nothing is typed into it: that of the muscle. */
   function usual() {
     for (const side of sides) {
-      const own = Boolean(side.file);
-      for (const m of MEASURES) {
-        const value = own ? undefined : shownValue(muscle.state, muscle.shown, m);
-        side.fields.usual(side.name + m.key, own ? "as its file has it" : value === undefined ? "" : show(m.kind, value));
+      const put = (/** @type {string} */ key, /** @type {string | undefined} */ text) => side.fields.usual(side.name + key, side.file ? "as its file has it" : text ?? "");
+      for (const m of QUANTITIES) {
+        const value = shownValue(muscle.state, muscle.shown, m);
+        put(m.key, m.key === "angle" && side.fields.text(`${side.name}braid`) ? "of the sleeve" : value === undefined ? "" : show(m.kind, value));
       }
-      side.fields.usual(`${side.name}rubber`, own ? "as its file has it" : muscle.shown?.rubber ?? "");
-      side.fields.usual(`${side.name}braid`, own ? "as its file has it" : muscle.shown?.sleeve ?? "");
+      put("rubber", muscle.shown?.rubber);
+      put("braid", muscle.shown?.sleeve);
+      put("k", muscle.shown?.braid);
       side.fields.usual(`${side.name}p`, show("pressure", muscle.p));
       side.fields.usual(`${side.name}e`, show("ratio", muscle.e));
     }
@@ -102,7 +104,6 @@ export function mount(main) {
         side.file = params.get(`${side.name}file`) ?? "";
         side.fields.options(`${side.name}braid`, muscle.sleeves.map((s) => s.name));
       }
-      usual();
       await ask();
     },
     unmount() { off(); sides.forEach((s) => [s.point, s.shape, s.curve].forEach((slot) => slot.end())); },

@@ -2,7 +2,7 @@
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
 import { Chart, KINDS, token } from "../chart.js";
-import { capital, el } from "../dom.js";
+import { capital, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
@@ -52,21 +52,29 @@ export function mount(main) {
   ], () => search.run());
   const forms = [fields, choices, spreads];
   /** What the sleeves need beside their names has a field. */
-  const ask_for = () => {
-    const k = choices.text("k") || undefined;
+  const lacking = () => {
+    const k = choices.text("k");
     const names = choices.text("braid").split(",").map((name) => name.trim()).filter(Boolean);
-    const lacks = names.flatMap((braid) => missing({ said: k === undefined ? { braid } : { braid, k } }, muscle.sleeves));
+    return [...new Set(names.flatMap((braid) => missing({ said: k ? { braid, k } : { braid } }, muscle.sleeves)))];
+  };
+  const offer = () => {
+    const lacks = lacking();
     for (const key of ["sd", "sE"]) choices.shown(key, lacks.includes(key));
     if (lacks.length) vary.open = true;
   };
-  choices.element.addEventListener("input", ask_for);
+  choices.element.addEventListener("input", offer);
   const results = el("div", {});
   const figures = new Figures("design");
   const feasible = new Chart("design-map", { tools: el("h3", {}, "What is feasible, over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
   feasible.element.hidden = true;
   const vary = el("details", {}, el("summary", {}, "What may be varied"), choices.element);
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
-  const search = job("Design", "design", request, take, (problem) => { forms.some((f) => f.at(problem)); stale(true); });
+  const search = job("Design", "design", request, take, (problem) => {
+    forms.some((f) => f.at(problem));
+    for (const key of lacking()) if (!choices.text(key)) choices.mark(key, "The source of the sleeve does not state it: measure it, or give a stiffness.");
+    if (!found) results.replaceChildren(problemBox(problem));
+    stale(true);
+  });
   /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
   const stale = (on) => [results, picked, feasible.element, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
   main.replaceChildren(el("div", { class: "bench two" },
@@ -210,7 +218,7 @@ export function mount(main) {
       forms.forEach((f) => f.set(params));
       await muscle.known();
       choices.options("braid", muscle.sleeves.map((s) => s.name));
-      ask_for();
+      offer();
       await search.run();
     },
     unmount() { off(); search.end(); mapping.abort(); },

@@ -42,7 +42,7 @@ export function mount(main) {
   const map = job("Map what it reaches", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => drawMap(answer.map));
   main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", { class: "side" }, said, numbers)));
 
-  const stale = (/** @type {boolean} */ on) => [arm, numbers, torque.element].forEach((part) => part.classList.toggle("stale", on));
+  const stale = (/** @type {boolean} */ on) => [arm, numbers].forEach((part) => part.classList.toggle("stale", on));
   let settling = 0, asking = 0, decided = 0;
   const pointSlot = new Slot(), elementSlot = new Slot(), familySlot = new Slot();
   const clamp = (/** @type {number} */ phi) => Math.max(-v.range, Math.min(v.range, Math.round(phi)));
@@ -59,7 +59,11 @@ export function mount(main) {
       point = { ...answer.points[0], model: answer.model };
       paint();
     };
-    const fail = (/** @type {any} */ problem) => { said.replaceChildren(problemBox(problem)); stale(true); };
+    const fail = (/** @type {any} */ problem) => {
+      said.replaceChildren(problemBox(problem));
+      if (point) stale(true);
+      else drawArm();
+    };
     const mine = ++asking;
     pointSlot.ask("joint", { ...request(), ...wanted }, (answer) => { if (decided !== mine) take(answer); }, (problem) => { if (decided !== mine) fail(problem); });
     // What stays is what finite elements say.

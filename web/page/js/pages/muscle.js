@@ -88,7 +88,7 @@ export function mount(main) {
   const factSlot = new Slot(), startSlot = new Slot(), curveSlot = new Slot({ lane: "curves" }), overSlot = new Slot({ lane: "curves" });
   const slots = [stateSlot, factSlot, startSlot, curveSlot, overSlot];
   const settleTimer = { id: 0 };
-  let curveTimer = 0;
+  let curveTimer = 0, startTimer = 0;
 
   /** @param {string} key @param {any} value @param {boolean} settled */
   function changed(key, value, settled) {
@@ -114,7 +114,11 @@ export function mount(main) {
       shape = point = answer;
       if (muscle.state === state) {
         muscle.shown = { ...muscle.shown, ...answer.muscle };
-        if (state.F !== undefined) muscle.state = { ...state, e: answer.contraction };
+        if (state.F !== undefined) {
+          muscle.state = { ...state, e: answer.contraction };
+          clearTimeout(startTimer);
+          startTimer = window.setTimeout(starts, 120);
+        }
         sync();
       }
       said.replaceChildren();
@@ -156,7 +160,13 @@ export function mount(main) {
       if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
       controls.F.reach(0, Math.max(10, niceUp(answer.characteristics?.blocked_force_n ?? 1000)));
     }, () => {});
-    startSlot.ask("force", { ...muscle.fields(), pressure_mpa: state.p, contraction: muscle.e }, (answer) => { facts = { ...facts, start: answer.start_pressure_mpa }; paintNumbers(); }, () => { facts = { ...facts, start: undefined }; });
+    // Of a load the contraction is known with its shape.
+    if (state.F === undefined) starts();
+  }
+
+  /** P′, at the contraction of the state. */
+  function starts() {
+    startSlot.ask("force", { ...muscle.fields(), pressure_mpa: muscle.p, contraction: muscle.e }, (answer) => { facts = { ...facts, start: answer.start_pressure_mpa }; paintNumbers(); }, () => { facts = { ...facts, start: undefined }; });
   }
 
   // Curves: five pressures up to a round one above this, and the state's own.
@@ -397,7 +407,7 @@ export function mount(main) {
       ask();
       follow();
     },
-    unmount() { offUnits(); stopPump(); clearTimeout(curveTimer); slots.forEach((slot) => slot.end()); },
+    unmount() { offUnits(); stopPump(); [curveTimer, startTimer, settleTimer.id].forEach(clearTimeout); slots.forEach((slot) => slot.end()); },
   };
 }
 
