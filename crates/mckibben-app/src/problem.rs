@@ -9,6 +9,7 @@ use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
 use mckibben::table::TableError;
+use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
 use mckibben_fem::FemError;
 use schemars::JsonSchema;
@@ -150,7 +151,9 @@ pub struct Problem {
 impl Problem {
     /// A problem.
     pub fn new(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { kind, message: message.into(), hint: hint.into(), field: None, nearest: None }
+        // A number of an error has its digits as a computer has them.
+        let message = short_numbers(&message.into()).into_owned();
+        Self { kind, message, hint: hint.into(), field: None, nearest: None }
     }
 
     /// The same with the field that is to blame.

@@ -1,13 +1,12 @@
 //! `muscle show`: what was understood of a muscle, what follows from it, and how to build it.
 
+use crate::burst::{burst_of, said_of};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::Problem;
-use mckibben::analysis::{
-    air_per_stroke, blocked_force_n, burst_pressure_mpa, free_contraction, work_per_stroke_j,
-};
+use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contraction, work_per_stroke_j};
 use mckibben::answer::check_range;
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
@@ -134,7 +133,7 @@ pub struct Characteristics {
     pub volume_mm3: Option<f64>,
     /// Air from rest to there, normal litres.
     pub air_normal_litres: Option<f64>,
-    /// Pressure at which the strands break, MPa, where their strength is known.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
     pub burst_pressure_mpa: Option<f64>,
 }
 
@@ -144,7 +143,9 @@ pub struct Characteristics {
 /// [`Problem`].
 pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
-    let characteristics = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
+    let asked = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
+    let said = asked.as_ref().and_then(|(c, found)| said_of(found, c.pressure_mpa, 0.0));
+    let characteristics = asked.map(|a| a.0);
     let (sheet, rubber) = (muscle.build_sheet(), &muscle.tube().rubber);
     let (law, reach) = (&rubber.law, muscle.reach());
     let warnings = library::warnings(rubber);
@@ -185,9 +186,10 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             strands: sheet.strands,
             rubber_volume_mm3: sheet.rubber_volume_mm3,
         },
-        warnings: muscle
-            .warnings()
+        warnings: said
+            .map(|w| w.to_string())
             .into_iter()
+            .chain(muscle.warnings())
             .chain(warnings.iter().map(ToString::to_string))
             .chain(beyond)
             .collect(),
@@ -201,16 +203,18 @@ fn characteristics(
     request: &MuscleShowRequest,
     muscle: &Muscle,
     pressure_mpa: f64,
-) -> Result<Characteristics, Problem> {
+) -> Result<(Characteristics, Burst), Problem> {
     let pressure_mpa = finite("pressure_mpa", pressure_mpa)?;
     let options = request.asking.options(muscle)?;
-    let model = Model::choose(&request.model, Purpose::Answer)?.build(muscle)?;
+    let choice = Model::choose(&request.model, Purpose::Answer)?;
+    let model = choice.build(muscle)?;
     let (model, w) = (&*model, &mut Workspace::new());
     check_range(model, pressure_mpa, 0.0, options)?;
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
     let free = free_contraction(model, w, pressure_mpa, options).ok();
     let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
-    Ok(Characteristics {
+    let found = burst_of(&choice, model, w.budget())?;
+    let characteristics = Characteristics {
         model: model.name().into(),
         pressure_mpa,
         blocked_force_n,
@@ -218,6 +222,7 @@ fn characteristics(
         work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.map(|a| a.normal_litres),
-        burst_pressure_mpa: burst_pressure_mpa(model, w, 0.0).ok().flatten(),
-    })
+        burst_pressure_mpa: found.pressure_mpa(),
+    };
+    Ok((characteristics, found))
 }

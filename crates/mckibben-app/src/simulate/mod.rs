@@ -6,6 +6,7 @@ mod request;
 pub use answer::*;
 pub use request::{PictureFields, SimulateRequest};
 
+use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
 use crate::curve::{check_count, contractions, forces, list, reach, steps};
 use crate::fields::AskFields;
 use crate::figure;
@@ -197,7 +198,10 @@ pub fn simulate(
     let figure = request.figure.as_ref().filter(|_| problem.is_none());
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
     let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
-    let warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
+    let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
+    let found = burst_of(&model, &*simulation, &budget)?;
+    let highest_mpa = questions.iter().map(|q| q.0).fold(0.0, f64::max);
+    put_first(&mut warnings, said_of(&found, highest_mpa, QUIET_MPA));
     let picture = match (&request.picture, last) {
         (Some(fields), Some(response)) => {
             let shape = meshed.shape(workspace, &ends, &response, Extent::Whole)?;
@@ -212,6 +216,7 @@ pub fn simulate(
         points: simulated.iter().map(SimulatedRow::from).collect(),
         notes: simulation.notes(workspace),
         warnings,
+        burst_pressure_mpa: found.pressure_mpa(),
         figure,
         deck,
         picture,

@@ -7,7 +7,7 @@ use crate::files;
 use crate::flags::{Format, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
-use crate::output::{Content, Target, check, clean, colour, emit, save, show, warn};
+use crate::output::{Content, Target, burst_first, check, clean, colour, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
@@ -204,10 +204,7 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     if let Some(winner) = winner {
         save(target, Content::Muscle, to_toml(winner).as_bytes())?;
     }
-    let text = || {
-        answer.warnings.iter().for_each(warn);
-        text::of(&answer, &unit)
-    };
+    let text = || burst_first(&answer.warnings) + &text::of(&answer, &unit);
     show(&answer, format, "candidates", text, Target::STDOUT)?;
     if let Some(figure) = figure.as_ref().filter(|_| chart) {
         emit(format!("\n{}\n", clean::chart(&figure.to_text(100, 24, colour()))), None)?;

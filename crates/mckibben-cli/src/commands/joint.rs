@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
 use crate::output::text::{Units, number, table};
-use crate::output::{show, warn};
+use crate::output::{burst_first, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{points, quantity, values};
@@ -105,10 +105,7 @@ pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
         return Err(Failure::input(ProblemKind::Usage, message, "give --angle with a range, or --map"));
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    let text = || {
-        answer.warnings.iter().for_each(warn);
-        as_text(&answer, &unit)
-    };
+    let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "points", text, args.output.target())?;
     Ok(0)
 }
@@ -117,6 +114,9 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
     let mut text = format!("model {}\n", answer.model);
     for (i, muscle) in answer.muscles.iter().enumerate() {
         text += &format!("muscle {}: {}\n", i + 1, muscle.line(u));
+    }
+    if let Some(burst) = answer.burst_pressure_mpa {
+        text += &format!("burst pressure {}\n", u.pressure.show(burst));
     }
     if !answer.points.is_empty() {
         text += &format!("\n{}", rows(&answer.points, u));

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
 use crate::output::text::{Units, number, pairs, percent};
-use crate::output::{show, warn};
+use crate::output::{burst_first, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::quantity;
@@ -150,18 +150,18 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     let mut answer = motion(&request, &bar)?;
     drop(bar);
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    let text = || {
-        answer.warnings.iter().for_each(warn);
-        as_text(&answer, &unit)
-    };
+    let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "series", text, args.output.target())?;
-    Ok(0)
+    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
 fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     let mut text = format!("model {}\n", answer.model);
     for muscle in &answer.muscles {
         text += &format!("muscle: {}\n", muscle.line(u));
+    }
+    if let Some(burst) = answer.burst_pressure_mpa {
+        text += &format!("burst pressure {}\n", u.pressure.show(burst));
     }
     if let Some(c) = answer.sonic_conductance_l_per_s_bar {
         text += &format!("\nthe smallest valve has {} L/(s bar)\n", number(c, 4));
@@ -184,6 +184,12 @@ fn one(run: &MotionRun, u: &Units) -> String {
     if let Some(muscle) = &run.series.muscle {
         let ends = last(&muscle.contraction).zip(last(&muscle.pressure_mpa));
         list.extend(ends.map(|(e, p)| ("ends at", format!("{}, {}", percent(e), u.pressure.show(p)))));
+    }
+    if run.at_rest == Some(false) {
+        let angle = run.equilibrium_angle_deg.map(|v| format!("{} °", number(v, 4)));
+        let at = run.equilibrium_contraction.map(percent).or(angle);
+        let at = at.map_or_else(String::new, |at| format!("; its equilibrium is {at}"));
+        list.push(("at rest", format!("not yet{at}")));
     }
     let times = [
         ("rise time (10–90 %)", run.rise_time_s),

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
 use crate::output::text::{Units, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
-use crate::output::{json, show as print, warn};
+use crate::output::{burst_first, json, show as print};
 use crate::quantities::quantity;
 use clap::Args;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
@@ -41,10 +41,10 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
         return Ok(0);
     }
     let text = || {
-        answer.warnings.iter().for_each(warn);
+        let burst = burst_first(&answer.warnings);
         let u = args.output.units.or_typed([&args.pressure, &args.muscle.outer_diameter]);
         let does = answer.characteristics.as_ref().map(|c| characteristics(c, &u));
-        as_text(&answer.muscle, &u) + &does.unwrap_or_default()
+        burst + &as_text(&answer.muscle, &u) + &does.unwrap_or_default()
     };
     print(&answer, format, "", text, path)?;
     Ok(0)
@@ -57,10 +57,7 @@ fn characteristics(c: &Characteristics, u: &Units) -> String {
         ("work of a free stroke", or_dash(c.work_j, |v| format!("{} J", number(v, 4)))),
         ("cavity at its end", or_dash(c.volume_mm3, |v| u.volume.show(v))),
         ("air of a free stroke", or_dash(c.air_normal_litres, |v| format!("{} normal litres", number(v, 4)))),
-        (
-            "strands break at",
-            c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v)),
-        ),
+        ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
     ];
     format!("\nAt {}, model {}\n{}", u.pressure.show(c.pressure_mpa), c.model, pairs(&list))
 }

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OverwriteFlag, UnitsFlag};
-use crate::output::{Content, Target, check, emit, json, save};
+use crate::output::{Content, Target, check, emit, json, save, warn};
 use crate::progress::Bar;
 use crate::quantities::{contraction, quantity};
 use clap::Args;
@@ -51,6 +51,7 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
         units: args.units.or_typed([&args.pressure, &args.muscle.outer_diameter]),
     };
     let answer = report(&request, &Bar::new("parts"))?;
+    answer.warnings.iter().filter(|w| w.starts_with("BURST")).for_each(warn);
     let bytes = match format {
         Format::Json => format!("{:#}\n", json(&answer)?).into_bytes(),
         _ => answer.document.to_html(&mckibben_web::viewer())?.into_bytes(),

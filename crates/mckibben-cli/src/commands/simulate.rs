@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{Content, Target, save, show, warn};
+use crate::output::{Content, Target, burst_first, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
@@ -136,9 +136,9 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         return Err(problem.into());
     }
     let text = || {
-        answer.warnings.iter().for_each(warn);
+        let burst = burst_first(&answer.warnings);
         let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", place(path)));
-        as_text(&answer, &unit) + &opened.unwrap_or_default()
+        burst + &as_text(&answer, &unit) + &opened.unwrap_or_default()
     };
     show(&answer, format, "points", text, args.output.target())?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))

@@ -12,7 +12,7 @@ mod write;
 
 pub use guard::{Content, check};
 pub use stream::streamed;
-pub use write::{Target, colour, complain, emit, save, warn};
+pub use write::{Target, burst_first, colour, complain, emit, save, warn};
 
 use crate::failure::Failure;
 use crate::flags::Format;
@@ -73,6 +73,12 @@ pub fn show<T: Serialize>(
         Form::Csv => csv::rows(&list()?)?,
         Form::Parquet => parquet::rows(&list()?)?,
     };
+    if matches!(form, Form::Csv | Form::Parquet) {
+        // A table has no place for it.
+        let value = json(answer)?;
+        let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
+        all.filter_map(Value::as_str).filter(|w| w.starts_with("BURST")).for_each(warn);
+    }
     emit(&out, target.path)
 }
 

@@ -48,6 +48,15 @@ pub fn warn(message: impl std::fmt::Display) {
         writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
 }
 
+/// Warnings in the place where they are read: those of the burst pressure as the first lines of the text, which come back; the others
+/// beside it.
+pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
+    let all = warnings.iter().map(ToString::to_string);
+    let (first, others): (Vec<String>, Vec<String>) = all.partition(|w| w.starts_with("BURST"));
+    others.into_iter().for_each(warn);
+    if first.is_empty() { String::new() } else { first.join("\n") + "\n\n" }
+}
+
 /// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).
 pub fn complain(text: &str) {
     let styled =

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod budget;
+mod burst;
 mod campaign;
 mod common;
 mod contract;
@@ -20,3 +21,4 @@ mod rubber_fit;
 mod serve;
 mod tables;
 mod threads;
+mod trust;

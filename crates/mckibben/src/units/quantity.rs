@@ -306,6 +306,14 @@ pub enum QuantityError {
         /// What was asked for.
         expected: Dimension,
     },
+    /// A number so large or so small that its powers leave the range of a double.
+    #[error("\"{text}\" is beyond what is computed with ({BOUNDS}); expected {}", .expected.expectation())]
+    Beyond {
+        /// The text as written.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
     /// A unit of another kind of quantity, such as `30bar` for a length.
     #[error("\"{text}\" is {}; expected {}", .found.noun(), .expected.expectation())]
     WrongDimension {
@@ -326,6 +334,14 @@ pub enum QuantityError {
         /// What was asked for.
         expected: Dimension,
     },
+}
+
+/// The sizes of quantities that are computed with, beside 0, in words.
+pub(crate) const BOUNDS: &str = "1e-30 to 1e30, or 0";
+
+/// Whether a quantity is of a size that can be computed with: powers of it are finite, and above zero.
+pub(crate) fn plausible(value: f64) -> bool {
+    value == 0.0 || (1e-30..=1e30).contains(&value.abs())
 }
 
 /// Splits `text` into its number and the unit behind it; the unit may be empty.
@@ -413,11 +429,10 @@ pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, QuantityEr
     let (value, unit) = split(text, expected)?;
     let (num, den) = factor(unit, text, expected)?;
     let out = convert(value, (num, den));
-    if out.is_finite() {
-        Ok(out)
-    } else {
-        Err(QuantityError::NotFinite { text: text.trim().into(), expected })
+    if !out.is_finite() {
+        return Err(QuantityError::NotFinite { text: text.trim().into(), expected });
     }
+    if plausible(out) { Ok(out) } else { Err(QuantityError::Beyond { text: text.trim().into(), expected }) }
 }
 
 #[cfg(test)]

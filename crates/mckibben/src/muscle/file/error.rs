@@ -145,6 +145,7 @@ fn without_subject(error: &QuantityError) -> String {
     match error {
         QuantityError::NotANumber { text, .. }
         | QuantityError::NotFinite { text, .. }
+        | QuantityError::Beyond { text, .. }
         | QuantityError::WrongDimension { text, .. } => {
             message.strip_prefix(&format!("\"{text}\" ")).unwrap_or(&message).to_string()
         }
