@@ -162,4 +162,4 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
 }
 
 /** Warnings of an answer. @param {string[] | undefined} list */
-export const warnings = (list) => el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", {}, capital(w))));
+export const warnings = (list) => el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", {}, capital(inWords(w)))));

@@ -153,7 +153,7 @@ export function mount(main) {
   function follow() {
     const { state } = muscle;
     factSlot.ask("muscle-show", { ...muscle.fields(), pressure_mpa: state.p }, (answer) => {
-      facts = { ...answer, start: facts?.start };
+      facts = { ...answer, start: facts?.start, said: facts?.said };
       if (muscle.state.said === state.said) { muscle.shown = answer; sync(); }
       paintNumbers();
       const free = answer.characteristics?.free_contraction;
@@ -164,9 +164,10 @@ export function mount(main) {
     if (state.F === undefined) starts();
   }
 
-  /** P′, at the contraction of the state. */
+  /** P′, at the contraction of the state, and what `force` has to say of it: whether it bursts takes more than a shape. */
   function starts() {
-    startSlot.ask("force", { ...muscle.fields(), pressure_mpa: muscle.p, contraction: muscle.e }, (answer) => { facts = { ...facts, start: answer.start_pressure_mpa }; paintNumbers(); }, () => { facts = { ...facts, start: undefined }; });
+    const { state } = muscle;
+    startSlot.ask("force", { ...muscle.fields(), pressure_mpa: state.p, contraction: state.e }, (answer) => { facts = { ...facts, start: answer.start_pressure_mpa, said: { state, warnings: answer.warnings } }; paintNumbers(); }, () => { facts = { ...facts, start: undefined }; });
   }
 
   // Curves: five pressures up to a round one above this, and the state's own.
@@ -295,6 +296,7 @@ export function mount(main) {
       ["starts at", show("pressure", facts?.start, 3)],
       ["blocked force", show("force", c?.blocked_force_n)],
       ["free contraction", show("ratio", c?.free_contraction, 3)],
+      ["bursts at", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
       ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
       ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
     ]);
@@ -310,7 +312,8 @@ export function mount(main) {
       meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
     ];
     meterBox.replaceChildren(...meters.filter((m) => m !== null));
-    const said = [...(point.warnings ?? []).map((/** @type {string} */ w) => capital(inWords(w))), ...muscle.wrong.values(), ...(muscle.unknown.length ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`] : [])];
+    const warned = new Set([...(facts?.said?.state === muscle.state ? facts.said.warnings : []), ...(point.warnings ?? [])]);
+    const said = [...[...warned].map((/** @type {string} */ w) => capital(inWords(w))), ...muscle.wrong.values(), ...(muscle.unknown.length ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`] : [])];
     if (said.join() !== noted) {
       noted = said.join();
       notes.replaceChildren(...said.map((w) => el("li", {}, w)));
