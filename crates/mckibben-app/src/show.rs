@@ -9,6 +9,7 @@ use crate::problem::Problem;
 use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contraction, work_per_stroke_j};
 use mckibben::answer::check_range;
 use mckibben::model::Workspace;
+use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::{RubberLaw, library};
 use schemars::JsonSchema;
@@ -30,6 +31,9 @@ pub struct MuscleShowRequest {
     pub asking: AskFields,
     /// Also what it does at this pressure, MPa.
     pub pressure_mpa: Option<f64>,
+    /// The answer shall carry the muscle file that says the same.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub muscle_file: bool,
 }
 
 /// What was understood of a muscle, and what follows from it.
@@ -50,6 +54,15 @@ pub struct MuscleShowAnswer {
     pub bulk_modulus_mpa: Option<f64>,
     /// Stiffness k of one strand family, N/mm; none for inextensible strands.
     pub stiffness_n_per_mm: Option<f64>,
+    /// What both ends together give way under a pull, mm, where it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seating_mm: Option<f64>,
+    /// What both ends together slip under the load of a clamp, mm/N, where it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slip_mm_per_n: Option<f64>,
+    /// Length at each end, within that of the muscle, in which tube and braid are held, mm, where it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grip_mm: Option<f64>,
     /// What follows from the measures.
     pub derived: Derived,
     /// What to cut.
@@ -59,6 +72,9 @@ pub struct MuscleShowAnswer {
     /// What it does at the pressure that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
+    /// The muscle file (TOML) that says the same, where it was asked for: file and fields of the request in one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub muscle_file: Option<String>,
     /// The muscle itself.
     #[serde(skip)]
     pub muscle: Muscle,
@@ -150,6 +166,9 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             Bulk::Modulus(k) => Some(k),
         },
         stiffness_n_per_mm: muscle.family_stiffness_n_per_mm(),
+        seating_mm: muscle.terminals().seating_mm,
+        slip_mm_per_n: muscle.terminals().slip_mm_per_n,
+        grip_mm: muscle.terminals().grip_mm,
         derived: Derived {
             inner_diameter_mm: muscle.inner_diameter_mm(),
             strand_length_mm: muscle.strand_length_mm(),
@@ -175,6 +194,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             .chain(beyond)
             .collect(),
         characteristics,
+        muscle_file: request.muscle_file.then(|| to_toml(&muscle)),
         muscle,
     })
 }

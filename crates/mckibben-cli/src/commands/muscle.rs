@@ -33,6 +33,7 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+        muscle_file: false,
     })?;
     let path = args.output.target();
     if format == Format::Csv {
