@@ -106,8 +106,13 @@ fn with(text: &str, (section, key): &(String, String), size: &str) -> String {
         }
         match line.split_once(" = ") {
             Some((k, old)) if at == *section && k == key => {
-                let unit: String = old.trim_matches('"').split_once(' ').map_or(String::new(), |u| format!(" {}", u.1));
-                let value = if old.contains("..") { format!("{size}..{size}{unit}") } else { format!("{size}{unit}") };
+                let unit: String =
+                    old.trim_matches('"').split_once(' ').map_or(String::new(), |u| format!(" {}", u.1));
+                let value = if old.contains("..") {
+                    format!("{size}..{size}{unit}")
+                } else {
+                    format!("{size}{unit}")
+                };
                 if old.starts_with('"') { format!("{k} = \"{value}\"") } else { format!("{k} = {value}") }
             }
             _ => line.to_owned(),

@@ -31,14 +31,16 @@ fn first_warning(answer: &Value) -> &str {
     answer["warnings"][0].as_str().unwrap_or_default()
 }
 
-const MOTION: &str = "motion --muscle hose.toml --load mass:5kg --valve festo-mh2 --damping 200Ns/m --until 0.3s";
+const MOTION: &str =
+    "motion --muscle hose.toml --load mass:5kg --valve festo-mh2 --damping 200Ns/m --until 0.3s";
 
 /// The identity that defines it: there the tension of the most loaded strand of the blocked muscle is its strength.
 #[test]
 fn one_burst_pressure_in_every_command_to_the_last_digit() {
     let dir = with(STRENGTH);
     let dir = dir.path();
-    let burst = as_json(dir, "muscle show hose.toml -p 6bar")["characteristics"]["burst_pressure_mpa"].clone();
+    let burst =
+        as_json(dir, "muscle show hose.toml -p 6bar")["characteristics"]["burst_pressure_mpa"].clone();
     let there = as_json(dir, &format!("force hose.toml -p {burst}MPa"));
     let tension = there["strand_tension_n"].as_f64().unwrap();
     assert!((tension / 40.0 - 1.0).abs() < 1e-8, "{tension} at {burst}");

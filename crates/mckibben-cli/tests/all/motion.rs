@@ -160,7 +160,8 @@ fn flags_say_what_a_file_says() {
 }
 
 /// The muscle of a design for 700 N at 15 % and 2.5 bar, thrown up and caught without a damper.
-const THROWN: &str = "[tube]\nouter_diameter = \"38.61 mm\"\nwall_thickness = \"0.5 mm\"\nlength = \"285 mm\"\n";
+const THROWN: &str =
+    "[tube]\nouter_diameter = \"38.61 mm\"\nwall_thickness = \"0.5 mm\"\nlength = \"285 mm\"\n";
 
 #[test]
 fn a_load_that_is_thrown_and_caught_by_finite_elements_swings_to_the_end() {
@@ -180,7 +181,10 @@ fn a_load_that_is_thrown_and_caught_by_finite_elements_swings_to_the_end() {
         assert!(number(pair[1], "time_s") - number(pair[0], "time_s") > 0.01, "{pair:?}");
     }
     // The equilibrium is the static one, and the answer says that it is not reached.
-    let held = run_in(dir.path(), &["contraction", "thrown.toml", "-p", "2bar", "--load", "mass:10kg", "--format", "json"]);
+    let held = run_in(
+        dir.path(),
+        &["contraction", "thrown.toml", "-p", "2bar", "--load", "mass:10kg", "--format", "json"],
+    );
     let still = number(&held.ok().json(), "contraction");
     assert!((number(&found, "equilibrium_contraction") - still).abs() < 1e-6, "{still}");
     assert_eq!(found["at_rest"], false);
@@ -192,7 +196,9 @@ fn a_load_that_is_thrown_and_caught_by_finite_elements_swings_to_the_end() {
 
 #[test]
 fn a_muscle_whose_ends_are_held_fills_and_pulls_as_the_static_model_says() {
-    let found = json("motion --muscle examples/prototype.toml --load held:10% -p 2bar --valve festo-mh2 --model universal --until 1s");
+    let found = json(
+        "motion --muscle examples/prototype.toml --load held:10% -p 2bar --valve festo-mh2 --model universal --until 1s",
+    );
     let still = json("force -p 2bar -e 10% --model universal --muscle examples/prototype.toml");
     let force = found["series"]["force_n"].as_array().unwrap().last().unwrap().as_f64().unwrap();
     assert!((force / number(&still, "force_n") - 1.0).abs() < 1e-4, "{force}");
@@ -207,7 +213,8 @@ fn a_muscle_whose_ends_are_held_fills_and_pulls_as_the_static_model_says() {
     std::fs::write(dir.path().join("stops.toml"), text).unwrap();
     let path = dir.path().join("stops.toml").display().to_string();
     let stopped = json(&format!("motion {path} --model universal"));
-    let list = |v: &serde_json::Value| v["series"]["force_n"].as_array().unwrap().last().unwrap().as_f64().unwrap();
+    let list =
+        |v: &serde_json::Value| v["series"]["force_n"].as_array().unwrap().last().unwrap().as_f64().unwrap();
     assert!((list(&stopped) / force - 1.0).abs() < 1e-6, "{}", list(&stopped));
 }
 

@@ -27,8 +27,12 @@ fn a_muscle_that_hangs_loose_without_pressure_is_filled_and_lifts() {
                 damping_n_s_per_m: 300.0,
                 ..SingleMuscle::hanging(&*model, 2.0)
             };
-            let drive =
-                Drive::new(&load, vec![Actuated::new(&*model, valve())], steps(&[(0.0, 0.0), (0.05, 0.2)]), 3.0);
+            let drive = Drive::new(
+                &load,
+                vec![Actuated::new(&*model, valve())],
+                steps(&[(0.0, 0.0), (0.05, 0.2)]),
+                3.0,
+            );
             let motion = ran(&drive);
             let still = equilibrium(&drive, &[0.2]).unwrap().coordinate;
             close(*motion.coordinate.last().unwrap(), still, 1e-3);
@@ -66,10 +70,17 @@ fn without_a_damper_a_load_swings_and_with_one_it_rests() {
 #[test]
 fn the_largest_speed_does_not_follow_the_points_of_the_series() {
     let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
-    let load = SingleMuscle { stops_mm: (0.0, 90.0), damping_n_s_per_m: 100.0, ..SingleMuscle::hanging(&*model, 5.0) };
+    let load = SingleMuscle {
+        stops_mm: (0.0, 90.0),
+        damping_n_s_per_m: 100.0,
+        ..SingleMuscle::hanging(&*model, 5.0)
+    };
     let of = |until_s: f64, output_step_s: f64| {
         let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
-        let drive = Drive { output_step_s, ..Drive::new(&load, vec![Actuated::new(&*model, valve())], target, until_s) };
+        let drive = Drive {
+            output_step_s,
+            ..Drive::new(&load, vec![Actuated::new(&*model, valve())], target, until_s)
+        };
         ran(&drive)
     };
     let fine = of(2.0, 1e-4);
@@ -105,7 +116,9 @@ fn what_ends_early_gives_what_was_computed() {
 
 #[test]
 fn measures_without_bounds_are_refused() {
-    for (diameter, length) in [(1e200, 500.0), (1e-200, 500.0), (4.0, 1e200), (4.0, 1e-200), (0.0, 1.0), (-1.0, 1.0)] {
+    for (diameter, length) in
+        [(1e200, 500.0), (1e-200, 500.0), (4.0, 1e200), (4.0, 1e-200), (0.0, 1.0), (-1.0, 1.0)]
+    {
         assert!(matches!(Hose::new(diameter, length), Err(MotionError::Value { .. })), "{diameter} {length}");
     }
     // A valve that is nearly closed has the flow of its own small opening, and no overflow of its cube.

@@ -8,8 +8,8 @@ mod range;
 mod short;
 mod unit;
 
-pub(crate) use quantity::{plausible, tidy};
 pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub(crate) use quantity::{plausible, tidy};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
 pub use short::short_numbers;
 pub use unit::Unit;

@@ -15,7 +15,11 @@ fn muscle(d: f64, s: f64, l: f64, angle_deg: f64, mu_mpa: f64, braid: Braid) -> 
 
 fn strands(count: u32, section: Option<(f64, f64)>, strength_n: f64) -> Braid {
     let stiffness = if section.is_some() { BraidStiffness::OfStrands } else { BraidStiffness::Inextensible };
-    Braid { stiffness, strands: Some(Strands { count, section, strength_n: Some(strength_n) }), ..Braid::paper() }
+    Braid {
+        stiffness,
+        strands: Some(Strands { count, section, strength_n: Some(strength_n) }),
+        ..Braid::paper()
+    }
 }
 
 /// Rigid strands, next to no rubber: T = P b² cosθ/(2π N n²).
@@ -86,7 +90,8 @@ fn what_is_not_stated_is_not_known() {
     let of = |m: &Muscle| burst(&ThickWall::new(m), &Workspace::new()).unwrap();
     assert_eq!(of(&Muscle::prototype()), Burst::Unknown(NoBurst::NoStrands));
     let known = strands(96, Some((0.0491, 8500.0)), 40.0);
-    let without = Braid { strands: known.strands.map(|s| Strands { strength_n: None, ..s }), ..known.clone() };
+    let without =
+        Braid { strands: known.strands.map(|s| Strands { strength_n: None, ..s }), ..known.clone() };
     let m = muscle(14.0, 2.0, 200.0, 22.0, 1.2, without);
     assert_eq!(of(&m), Burst::Unknown(NoBurst::NoStrength));
     assert!(NoBurst::NoStrength.to_string().contains("strand_strength"));
