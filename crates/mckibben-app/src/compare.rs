@@ -390,6 +390,7 @@ fn fitted(
         IdentifyError::Estimate(_) => {
             Problem::new(ProblemKind::NotConverged, format!("the fit did not converge: {error}"), "")
         }
+        error @ (IdentifyError::Flipped(_) | IdentifyError::NoRubber { .. }) => error.into(),
         other => Problem::new(ProblemKind::Fit, other.to_string(), ""),
     })?;
     Ok((found.muscle, known.into_iter().zip(found.parameters.iter().map(|p| p.value)).collect()))

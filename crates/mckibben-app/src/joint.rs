@@ -219,7 +219,9 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             let points = (count as f64).powi(joint.muscles().len() as i32);
             budget.admit(Resource::Points, points)?;
             budget.admit(Resource::Bytes, MAP_POINT_BYTES * points)?;
-            Some(model.map(supply(request)?, count, progress)?)
+            let supply = supply(request)?;
+            asked.said.extend(model.outside(supply, progress)?.into_iter().map(Warning::from));
+            Some(model.map(supply, count, progress)?)
         }
     };
     if rows.is_empty() && map.is_none() {

@@ -57,7 +57,7 @@ impl MuscleFields {
                 return Err(Problem::new(ProblemKind::Usage, message, ""));
             }
         }
-        Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?)
+        Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?.with_bench_of(base))
     }
 
     /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.

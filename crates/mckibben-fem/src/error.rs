@@ -136,15 +136,27 @@ fn ended(
     last: &LastConverged,
     other_n: Option<f64>,
 ) -> String {
+    let percent = |contraction: f64| (1e4 * contraction).round() / 1e2;
+    let asked = format!("at {pressure} MPa and a contraction of {} %", percent(contraction));
     let begins = match (status, other_n) {
-        (Status::Collapsed, _) => "no equilibrium found (the tube may have collapsed)".into(),
-        (_, Some(force)) => format!("only an equilibrium of another branch was found ({force:.1} N)"),
-        _ => "no equilibrium found".to_owned(),
+        (_, Some(force)) => {
+            format!(
+                "no equilibrium found that continues the taut muscle {asked} (another one pulls {force:.1} N)"
+            )
+        }
+        (Status::Collapsed, None) => format!("no equilibrium found {asked} (the tube may have collapsed)"),
+        _ => format!("no equilibrium found {asked}"),
     };
-    format!(
-        "{begins} at {pressure} MPa and contraction {contraction}: {reason}; on the way from the taut muscle the last one stands at {:.4} MPa and contraction {:.4} (smallest J {:.3})",
-        last.pressure_mpa, last.contraction, last.smallest_j
-    )
+    let followed = if last.pressure_mpa > 0.0 || last.contraction != 0.0 {
+        format!(
+            "; the muscle was followed up to {:.4} MPa and {} %",
+            last.pressure_mpa,
+            percent(last.contraction)
+        )
+    } else {
+        String::new()
+    };
+    format!("{begins}: {reason}{followed}; lower the pressure or the contraction, or take stiffer strands")
 }
 
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {

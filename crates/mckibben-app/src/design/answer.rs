@@ -1,6 +1,6 @@
 //! What a design answers with.
 
-use super::request::{Searching, Wanted};
+use super::request::{Searching, TorqueWanted, Wanted};
 use crate::burst::{put_first, said_of};
 use crate::muscle::MuscleSummary;
 use crate::units::Units;
@@ -8,7 +8,7 @@ use crate::words::{number, percent};
 use mckibben::analysis::{Burst, NoBurst};
 use mckibben::design::{
     BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected,
-    Relaxation, Spec, Spread,
+    Relaxation, Spec, Spread, Sure,
 };
 use mckibben::model::Response;
 use mckibben::warning::Warning;
@@ -45,6 +45,9 @@ pub struct DesignAnswer {
     /// Spread of the winner's pull under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<SpreadAnswer>,
+    /// Where the winner has less to spare than its ±: what to ask for to be sure of what is wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to_be_sure: Option<SureAnswer>,
     /// Where nothing fits: the muscle that comes closest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closest: Option<ClosestAnswer>,
@@ -129,6 +132,21 @@ pub struct DesignPoint {
     /// Air from rest to this point, normal litres.
     pub air_normal_litres: Option<f64>,
     /// 95 % half-width of the pull, N.
+    pub uncertainty_n: Option<f64>,
+}
+
+/// What to ask for so that the lower end of the ± of the muscle that answers it is what is wanted.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct SureAnswer {
+    /// Pulls at contractions; of a load those that it takes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<Wanted>,
+    /// Torques at angles, of a joint.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub torques: Vec<TorqueWanted>,
+    /// Outer diameter D0 of the muscle that answers, mm.
+    pub outer_diameter_mm: f64,
+    /// Its largest 95 % half-width, N.
     pub uncertainty_n: Option<f64>,
 }
 
@@ -290,6 +308,7 @@ impl DesignAnswer {
                 .chain(model.seal_warning().map(Warning::from))
                 .collect(),
             tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
+            to_be_sure: None,
             closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
             figure,
             spec,
@@ -328,6 +347,19 @@ impl CandidateAnswer {
             model: c.model.clone(),
             binds: c.binds,
         }
+    }
+}
+
+impl From<&Sure> for SureAnswer {
+    fn from(sure: &Sure) -> Self {
+        let muscle = &sure.candidate.muscle;
+        let torque = |&(torque_nm, angle_deg): &(f64, f64)| TorqueWanted { torque_nm, angle_deg };
+        let (points, torques) = match &sure.demand {
+            Demand::Joint(joint) => (vec![], joint.torques.iter().map(torque).collect()),
+            other => (other.points(muscle.length_mm()).iter().map(|&q| q.into()).collect(), vec![]),
+        };
+        let uncertainty_n = sure.candidate.largest(|q| q.uncertainty_n);
+        Self { points, torques, outer_diameter_mm: muscle.outer_diameter_mm(), uncertainty_n }
     }
 }
 

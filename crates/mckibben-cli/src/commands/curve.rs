@@ -3,13 +3,14 @@
 use crate::failure::Failure;
 use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use crate::output::loaded::loaded as text_of_load;
-use crate::output::text::{Units, columns, percent, percents};
+use crate::output::text::{Units, columns, number, percent, percents};
 use crate::output::{burst_first, is_json, show, streamed, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, pressures};
 use crate::word::word;
 use clap::{Args, ValueEnum};
+use mckibben::answer::Answer;
 use mckibben::curve::{Curve, Test};
 use mckibben::muscle::Direction;
 use mckibben::warning::Warning;
@@ -103,7 +104,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
         let head = burst
             + &format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
         head + &as_table(&answer, &unit)
-            + &doubt(&answer.curves, &unit)
+            + &doubt(answer.test, &answer.curves, &unit)
             + &answer.loaded.as_ref().map_or_else(String::new, |loaded| text_of_load(loaded, &unit))
     };
     show(&answer, format, "points", text, target)?;
@@ -120,21 +121,24 @@ fn warnings(all: &[Warning], list: &[Curve]) -> String {
     burst
 }
 
-/// The ± of the pulls, from the least to the largest.
-fn doubt(list: &[Curve], u: &Units) -> String {
+/// The ± of what was asked, from the least to the largest.
+fn doubt(test: Test, list: &[Curve], u: &Units) -> String {
     let answers = list.iter().flat_map(|c| &c.points).filter_map(|q| q.answer.as_ref().ok());
-    let known: Vec<f64> = answers.filter(|a| !a.slack).filter_map(|a| a.uncertainty_n).collect();
+    let half = |a: &Answer| match test {
+        Test::Isotonic => a.contraction_uncertainty,
+        _ => a.uncertainty_n.filter(|_| !a.slack),
+    };
+    let known: Vec<f64> = answers.filter_map(half).collect();
     let (Some(low), Some(high)) =
         (known.iter().copied().reduce(f64::min), known.iter().copied().reduce(f64::max))
     else {
         return String::new();
     };
-    format!(
-        "\n± {} to {} {}: 95 %, against a measured muscle\n",
-        u.force.to(low, 2),
-        u.force.to(high, 2),
-        u.force.name
-    )
+    let (low, high, unit) = match test {
+        Test::Isotonic => (number(100.0 * low, 2), number(100.0 * high, 2), "%"),
+        _ => (u.force.to(low, 2), u.force.to(high, 2), &*u.force.name),
+    };
+    format!("\n± {low} to {high} {unit}: 95 %, against a measured muscle\n")
 }
 
 /// One row per value along the curves, one column per curve.

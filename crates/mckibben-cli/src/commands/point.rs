@@ -169,18 +169,41 @@ impl Asked {
 
 fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
     let (a, r) = (&answer.point, &answer.point.response);
-    let pull = if a.slack {
-        format!("{} (slack: the muscle would have to push)", u.force.show(0.0))
-    } else {
-        let error = a.uncertainty_n.map_or_else(|| "unknown".into(), |e| u.force.to(e, 2));
-        format!("{} ± {error} {}", u.force.within(r.force_n, a.uncertainty_n), u.force.name)
+    // The ± belongs to what was asked; the rest was given.
+    let unknown = || "unknown".to_owned();
+    let pull = match asked {
+        _ if a.slack => format!("{} (slack: the muscle would have to push)", u.force.show(0.0)),
+        Asked::Force => {
+            let half = a.uncertainty_n.map_or_else(unknown, |e| u.force.to(e, 2));
+            format!("{} ± {half} {}", u.force.within(r.force_n, a.uncertainty_n), u.force.name)
+        }
+        _ => u.force.show(r.force_n),
+    };
+    let pressure = match asked {
+        Asked::Pressure => {
+            let half = a.pressure_uncertainty_mpa;
+            let value = u.pressure.within(r.pressure_mpa, half);
+            format!("{value} ± {} {}", half.map_or_else(unknown, |v| u.pressure.to(v, 2)), u.pressure.name)
+        }
+        _ => u.pressure.show(r.pressure_mpa),
+    };
+    let half = match asked {
+        Asked::Contraction => {
+            let half = a.contraction_uncertainty.map_or_else(unknown, |v| number(100.0 * v, 2));
+            format!(" ± {half} %")
+        }
+        _ => String::new(),
+    };
+    let ratio = match half.is_empty() {
+        true => percent(r.contraction),
+        false => format!("{}{half}", percent(r.contraction).trim_end_matches(" %")),
     };
     let shortening = u.length.to(r.contraction * answer.muscle.length_mm, 4);
     let mut list = vec![
         ("muscle", answer.muscle.line(u)),
         ("model", format!("{} ({})", a.model, answer.about.source)),
-        ("pressure", u.pressure.show(r.pressure_mpa)),
-        ("contraction", format!("{}  ({shortening} {})", percent(r.contraction), u.length.name)),
+        ("pressure", pressure),
+        ("contraction", format!("{ratio}  ({shortening} {})", u.length.name)),
         ("pull", pull),
     ];
     if let [shortening, lengthening] = &answer.branches[..] {
@@ -212,10 +235,14 @@ fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
     if let Some(parts) = &a.uncertainty_parts_n {
         let each: Vec<String> =
             parts.named().map(|(name, part)| format!("{name} {}", u.force.to(part, 2))).collect();
-        let of = each.join(", ");
+        let (of, force) = (each.join(", "), &u.force.name);
+        let whole = match asked {
+            Asked::Force => String::new(),
+            _ => format!(" {} {force} of the pull:", u.force.to(parts.total_n(), 2)),
+        };
         list.push((
             "the ± is",
-            format!("95 %, against a measured muscle: {of} {} (mckibben models {})", u.force.name, a.model),
+            format!("95 %, against a measured muscle:{whole} {of} {force} (mckibben models {})", a.model),
         ));
     }
     pairs(&list) + &answer.loaded.as_ref().map_or_else(String::new, |load| loaded(load, u))

@@ -21,3 +21,4 @@ mod rubber_fit;
 mod serve;
 mod tables;
 mod threads;
+mod trust;

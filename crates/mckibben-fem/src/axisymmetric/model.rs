@@ -227,6 +227,10 @@ impl ForceModel for Axisymmetric {
         Ok(self.contact(workspace, pressure_mpa, contraction)?.pivoting_n_per_mm)
     }
 
+    fn is_costly(&self) -> bool {
+        true
+    }
+
     fn pressure_under_load(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         simulation::pressure(self, workspace, force_n, contraction)
     }

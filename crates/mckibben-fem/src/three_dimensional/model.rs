@@ -181,6 +181,10 @@ impl ForceModel for ThreeDimensional {
         simulation::force_n(self, workspace, pressure_mpa, contraction)
     }
 
+    fn is_costly(&self) -> bool {
+        true
+    }
+
     fn pressure_under_load(&self, workspace: &mut Workspace, force_n: f64, contraction: f64) -> Option<f64> {
         simulation::pressure(self, workspace, force_n, contraction)
     }

@@ -122,8 +122,14 @@ pub(super) fn candidate(
             margin: available_n / point.force_n - 1.0,
             response,
             air_normal_litres,
-            uncertainty_n: uncertainty(model, workspace, pressure_mpa, point.contraction, point.force_n)
-                .map(|parts| parts.total_n()),
+            uncertainty_n: uncertainty(
+                model,
+                workspace,
+                (pressure_mpa, point.contraction),
+                point.force_n,
+                options.direction,
+            )
+            .map(|parts| parts.total_n()),
         });
     }
     let max = spec.max_pressure_mpa;

@@ -124,6 +124,37 @@ fn a_map_holds_the_rests_that_are_found_one_by_one() {
     }
 }
 
+/// The box of `universal` ends at a pressure, at no contraction and at walls that the prototype does not have.
+#[test]
+fn a_map_outside_of_a_models_range_is_refused_or_said() {
+    let within = antagonists();
+    let mut muscles = within.muscles().to_vec();
+    muscles[1].contraction_at_neutral = 0.02;
+    let stretched = Joint::new(muscles.clone(), None, Link::default(), (-60.0, 60.0)).unwrap();
+    muscles = within.muscles().to_vec();
+    muscles[0].muscle = muscles[0].muscle.with_section(30.0, 9.0).unwrap();
+    let thick = Joint::new(muscles, None, Link::default(), (-60.0, 60.0)).unwrap();
+    for (joint, supply, said) in [
+        (&within, 20.0, "pressure 20 MPa"),
+        (&stretched, 0.25, "contraction"),
+        (&thick, 0.25, "wall_ratio 0.3"),
+    ] {
+        let models = models(joint, ModelKind::Universal);
+        let list = || models.iter().map(|m| &**m).collect();
+        let strict = JointModel::new(joint, list(), false).unwrap();
+        let error = strict.map(supply, 3, &Silent).unwrap_err();
+        assert!(
+            error.to_string().contains("outside the range") && error.to_string().contains(said),
+            "{error}"
+        );
+        let open = JointModel::new(joint, list(), true).unwrap();
+        assert!(open.outside(supply, &Silent).unwrap().iter().any(|s| s.contains(said)));
+    }
+    let models = models(&within, ModelKind::Universal);
+    let strict = JointModel::new(&within, models.iter().map(|m| &**m).collect(), false).unwrap();
+    assert!(strict.outside(0.25, &Silent).unwrap().is_empty() && strict.map(0.25, 3, &Silent).is_ok());
+}
+
 #[test]
 fn geometry_that_cannot_be_built_is_refused() {
     let near = vec![muscle(Path::Points { origin_mm: [0.0, 200.0], insertion_mm: [30.0, 0.0] }, 0.1)];

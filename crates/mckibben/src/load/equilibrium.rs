@@ -147,7 +147,7 @@ pub fn balances<M: ForceModel + ?Sized>(
             let stable = stiffness > 0.0;
             let frequency = (1e3 * stiffness / mass).sqrt() / std::f64::consts::TAU;
             Ok(Balance {
-                answer,
+                answer: answer.with_contraction_sought(Some(stiffness), length),
                 shortening_mm: e * length,
                 stiffness_n_per_mm: stiffness,
                 stable,

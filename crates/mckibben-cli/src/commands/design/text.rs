@@ -5,7 +5,7 @@ use mckibben::design::{
     BraidChoice, Candidate, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Way,
 };
 use mckibben::muscle::BraidStiffness;
-use mckibben_app::{DesignAnswer, SpreadAnswer};
+use mckibben_app::{DesignAnswer, SpreadAnswer, TorqueWanted, Wanted};
 
 /// The design for people.
 pub fn of(answer: &DesignAnswer, u: &Units) -> String {
@@ -34,6 +34,7 @@ pub fn of(answer: &DesignAnswer, u: &Units) -> String {
         }
     } else {
         out.push_str(&candidates(outcome, spec.length_mm.is_some(), u));
+        out.push_str(&doubt(answer, u));
         out.push_str(&joint(answer, u));
         out.push_str(&verified(answer, u));
         out.push_str(&spread_text(&answer.tolerance, u));
@@ -191,27 +192,41 @@ fn candidates(outcome: &Outcome, lengths: bool, u: &Units) -> String {
         if strands { "strand" } else { "braid" }
     ));
     out.push_str(&list.first().map_or_else(String::new, binds));
-    out.push_str(&list.first().map_or_else(String::new, |c| doubt(c, u)));
     if let Some(first) = list.first().filter(|c| !c.from_thick_wall.is_empty()) {
         out.push_str(&format!("From the thick-wall model: {}.\n", first.from_thick_wall.join(", ")));
     }
     out
 }
 
-/// Where the model's error is larger than what is to spare, how to ask for a muscle that is sure to pull enough.
-fn doubt(best: &Candidate, u: &Units) -> String {
-    let tight = best.points.iter().find_map(|q| {
-        let error = q.uncertainty_n?;
-        (q.available_n - q.wanted.force_n < error).then_some((q.wanted.force_n, error))
+/// Where the ± is larger than what is to spare, how to ask for a muscle that is sure to do what is wanted.
+fn doubt(answer: &DesignAnswer, u: &Units) -> String {
+    let Some(first) = answer.outcome.candidates.first() else { return String::new() };
+    let tight = first.points.iter().find_map(|q| {
+        let half = q.uncertainty_n?;
+        (q.available_n - q.wanted.force_n < half).then_some(half)
     });
-    tight.map_or_else(String::new, |(force, error)| {
-        let ask = format!("{} {}", u.force.value(force + error).ceil(), u.force.name);
-        let (error, force) = (u.force.to(error, 2), u.force.show(force));
-        format!(
-            "The first has less to spare than the ± of {error} {}: to be sure of {force}, ask for {ask}.\n",
-            u.force.name
-        )
-    })
+    let Some(half) = tight else { return String::new() };
+    let joined = |list: Vec<String>| list.join(", ");
+    let force = |q: &Wanted| u.force.show(q.force_n);
+    let (half, wanted) = match &answer.spec.wanted {
+        Demand::Joint(joint) => {
+            let half = format!("{} N m", number(1e-3 * half * joint.radius_mm, 2));
+            (half, joined(joint.torques.iter().map(|t| format!("{} N m", number(t.0, 4))).collect()))
+        }
+        _ => {
+            let wanted = first.points.iter().map(|q| u.force.show(q.wanted.force_n));
+            (format!("{} {}", u.force.to(half, 2), u.force.name), joined(wanted.collect()))
+        }
+    };
+    let ask = match &answer.to_be_sure {
+        Some(sure) if sure.points.is_empty() => {
+            let torque = |t: &TorqueWanted| format!("{} N m", number(t.torque_nm, 5));
+            format!("ask for {}", joined(sure.torques.iter().map(torque).collect()))
+        }
+        Some(sure) => format!("ask for {}", joined(sure.points.iter().map(force).collect())),
+        None => "no muscle of this search is strong enough".to_owned(),
+    };
+    format!("The first has less to spare than the ± of {half}: to be sure of {wanted}, {ask}.\n")
 }
 
 /// What finite elements say of the first candidate.
