@@ -12,7 +12,7 @@ mod write;
 
 pub use guard::{Content, check};
 pub use stream::streamed;
-pub use write::{Target, burst_first, colour, complain, emit, save, warn};
+pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_behind};
 
 use crate::failure::Failure;
 use crate::flags::Format;
@@ -79,7 +79,9 @@ pub fn show<T: Serialize>(
         let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
         all.filter_map(Value::as_str).filter(|w| w.starts_with("BURST")).for_each(warn);
     }
-    emit(&out, target.path)
+    emit(&out, target.path)?;
+    warn_behind();
+    Ok(())
 }
 
 /// Whether an answer is wanted as JSON.

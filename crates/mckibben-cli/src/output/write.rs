@@ -6,6 +6,7 @@ use crate::failure::Failure;
 use anstyle::{AnsiColor, Style};
 use std::io::Write;
 use std::path::Path;
+use std::sync::Mutex;
 
 /// Where a result goes.
 #[derive(Debug, Clone, Copy)]
@@ -48,13 +49,26 @@ pub fn warn(message: impl std::fmt::Display) {
         writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
 }
 
-/// Warnings in the place where they are read: those of the burst pressure as the first lines of the text, which come back; the others
-/// beside it.
+/// Warnings that are printed behind the text.
+static BEHIND: Mutex<Vec<String>> = Mutex::new(vec![]);
+
+/// Prints what was left for behind the text.
+pub fn warn_behind() {
+    let mut list = BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    list.drain(..).for_each(warn);
+}
+
+/// Warnings in the place where they are read: those of the burst pressure as the first lines of the text, which come back, with the others
+/// behind it; without them the others before it.
 pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
     let all = warnings.iter().map(ToString::to_string);
     let (first, others): (Vec<String>, Vec<String>) = all.partition(|w| w.starts_with("BURST"));
-    others.into_iter().for_each(warn);
-    if first.is_empty() { String::new() } else { first.join("\n") + "\n\n" }
+    if first.is_empty() {
+        others.into_iter().for_each(warn);
+        return String::new();
+    }
+    BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend(others);
+    first.join("\n") + "\n\n"
 }
 
 /// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).
