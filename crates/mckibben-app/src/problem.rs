@@ -248,11 +248,13 @@ impl From<AnalysisError> for Problem {
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa, contraction: None });
             }
             AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
-                if nearest_force_n > force_n {
-                    hint = format!(
+                hint = if nearest_force_n > force_n {
+                    format!(
                         "it still pulls where the range of {model} ends; fe and thick-wall have no such limit"
-                    );
-                }
+                    )
+                } else {
+                    "take more pressure, or a larger muscle".to_owned()
+                };
                 let contraction = Some(nearest_contraction);
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
             }

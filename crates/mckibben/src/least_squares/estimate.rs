@@ -79,7 +79,10 @@ pub enum EstimateError {
         unknowns: usize,
     },
     /// Bounds or a scale that are not valid for an unknown.
-    #[error("unknown {index} has no sound start, bounds and scale: {} from {} to {}, scale {}", .unknown.start, .unknown.low, .unknown.high, .unknown.scale)]
+    #[error(
+        "unknown {index} cannot be sought: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+        .unknown.start, .unknown.low, .unknown.high, .unknown.scale
+    )]
     Unknown {
         /// Counted from zero.
         index: usize,
@@ -211,12 +214,9 @@ pub fn estimate(
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         if !(settled || report.termination.was_successful()) {
             let reason = match report.termination {
-                TerminationReason::User(_) => {
-                    "the model has no answer next to where the search stands".into()
-                }
-                TerminationReason::LostPatience => "the search goes on and on".into(),
-                TerminationReason::Numerical(what) => format!("{what} is not a finite number"),
-                _ => "the search ended without one".into(),
+                TerminationReason::User(_) => "the model has no answer beside the best values so far".into(),
+                TerminationReason::LostPatience => "the search did not end; free fewer unknowns".into(),
+                _ => "the data leave the unknowns open, or the model's answers are not smooth".into(),
             };
             return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }
