@@ -1,6 +1,6 @@
 //! `muscle show`: what was understood of a muscle, what follows from it, and how to build it.
 
-use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
@@ -128,6 +128,19 @@ pub struct Characteristics {
 /// [`Problem`].
 pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
+    if request.pressure_mpa.is_none() {
+        let (model, asking) = (&request.model, request.asking);
+        let fields = [
+            ("model", model.model.is_some()),
+            ("mesh", model.mesh != MeshFields::default()),
+            ("extrapolate", asking.extrapolate),
+            ("two_sided", asking.two_sided),
+            ("direction", !asking.direction.is_mean()),
+        ];
+        let why = "a model is asked what the muscle does at a pressure, and no `pressure_mpa` is given";
+        Problem::refuse_unused(&fields, why)
+            .map_err(|p| p.with_hint("give `pressure_mpa`, such as 0.2 MPa"))?;
+    }
     let characteristics = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
     let (sheet, rubber) = (muscle.build_sheet(), &muscle.tube().rubber);
     let (law, reach) = (&rubber.law, muscle.reach());

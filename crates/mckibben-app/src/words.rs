@@ -2,6 +2,7 @@
 
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::Law;
+use std::borrow::Cow;
 
 /// A number with so many significant digits, without an exponent where it is short without.
 pub fn number(v: f64, digits: usize) -> String {
@@ -48,6 +49,55 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
     let one =
         |v: &Option<f64>| v.filter(|v| v.is_finite()).map_or_else(|| "–".into(), |v| fixed(v, decimals));
     column.iter().map(one).collect()
+}
+
+/// A sentence whose numbers have no more digits than anybody reads: `1e300` for a one with three hundred zeros, `0.0357` for
+/// `0.03569728515256208`. Digits within words, as in names of files, stay.
+pub fn readable(text: &str) -> Cow<'_, str> {
+    const MOST_WHOLE: usize = 15;
+    const MOST_DECIMALS: usize = 9;
+    let mut out = String::new();
+    let mut done = 0;
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    while at < bytes.len() {
+        let from = at;
+        let digits = |mut i: usize| {
+            while bytes.get(i).is_some_and(u8::is_ascii_digit) {
+                i += 1;
+            }
+            i
+        };
+        let whole = digits(at);
+        if whole == at {
+            at += 1;
+            continue;
+        }
+        let decimal = bytes.get(whole) == Some(&b'.') && bytes.get(whole + 1).is_some_and(u8::is_ascii_digit);
+        let end = if decimal { digits(whole + 1) } else { whole };
+        at = end;
+        let in_word = |c: char| c.is_alphanumeric() || "_-/\\.".contains(c);
+        let before = text[..from].trim_end_matches(['-', '+']);
+        let word = before.ends_with(in_word) && !before.ends_with("..")
+            || text[end..].starts_with(|c: char| c.is_alphanumeric() || "_/\\".contains(c));
+        let long = whole - from > MOST_WHOLE || decimal && end - whole - 1 > MOST_DECIMALS;
+        let Some(value) = text[from..end].parse::<f64>().ok().filter(|v| long && !word && v.is_finite()) else {
+            continue;
+        };
+        out.push_str(&text[done..from]);
+        out.push_str(&if value < 1e15 { number(value, 6) } else { format!("{:e}", tidied(value)) });
+        done = end;
+    }
+    if done == 0 {
+        return Cow::Borrowed(text);
+    }
+    out.push_str(&text[done..]);
+    Cow::Owned(out)
+}
+
+/// A number to four digits.
+fn tidied(v: f64) -> f64 {
+    format!("{v:.3e}").parse().unwrap_or(v)
 }
 
 /// A ratio as a percentage.
@@ -98,6 +148,22 @@ mod tests {
         assert_eq!(within(326.31, 41.0), "326.3");
         assert_eq!(within(0.012_345, 0.000_4), "0.012345");
         assert_eq!(within(-0.2, 118.0), "0");
+    }
+
+    #[test]
+    fn sentences_have_no_digits_that_nobody_reads() {
+        let zeros = format!("{} MPa", 1e300);
+        assert_eq!(readable(&zeros), "1e300 MPa");
+        for (text, shown) in [
+            ("it is 0.03569728515256208 s", "it is 0.0356973 s"),
+            ("between -0.30000000000000004 and 12.5", "between -0.3 and 12.5"),
+            ("1..0.30000000000000004", "1..0.3"),
+            ("run_20261122123456789012.parquet, a1234567890123456789b", "run_20261122123456789012.parquet, a1234567890123456789b"),
+            ("123456789012345 of 0.095000 MPa.", "123456789012345 of 0.095000 MPa."),
+            ("é 测 1234567890123456789", "é 测 1.235e18"),
+        ] {
+            assert_eq!(readable(text), shown);
+        }
     }
 
     #[test]

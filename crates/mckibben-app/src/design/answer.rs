@@ -26,6 +26,9 @@ pub struct DesignAnswer {
     /// The load that is lifted, as it was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
+    /// What was assumed where nothing was said, in sentences.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<String>,
     /// Muscles that were looked at.
     pub looked_at: usize,
     /// How many of them fit.
@@ -161,7 +164,7 @@ pub struct ClosestAnswer {
     pub rejected: RejectedAnswer,
     /// Limits that could give, each alone.
     pub relaxations: Vec<RelaxationAnswer>,
-    /// Contractions that no braid of the search reaches, and the angle that would.
+    /// Contractions that no braid of the search reaches, and the angle that would; a stiffer sleeve that would do.
     pub hint: Option<String>,
 }
 
@@ -274,6 +277,7 @@ impl DesignAnswer {
             searched_with: model.searches().into(),
             max_pressure_mpa: spec.max_pressure_mpa,
             load: None,
+            assumptions: vec![],
             looked_at: outcome.looked_at.0,
             fitting: outcome.looked_at.1,
             candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
@@ -410,7 +414,10 @@ impl ClosestAnswer {
 
 /// What the user should know of a candidate: of its muscle, and of its operating points.
 fn warnings(c: &Candidate) -> Vec<Warning> {
-    crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response))
+    let thin = super::assumed::thin_wall(&c.muscle).map(Warning::from);
+    let mut out = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
+    out.extend(thin);
+    out
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.

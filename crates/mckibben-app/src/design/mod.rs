@@ -1,6 +1,7 @@
 //! `design`: from a specification to ranked muscles.
 
 mod answer;
+mod assumed;
 mod request;
 
 pub use answer::{
@@ -51,8 +52,13 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
-    let answer = DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure);
-    Ok(DesignAnswer { load: request.load.load.clone(), ..answer })
+    let hint = outcome.closest.as_ref().and_then(|closest| assumed::stiffer_sleeve(&spec, &decide, closest));
+    let assumptions = assumed::assumptions(request, &spec);
+    let mut answer = DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure);
+    if let (Some(closest), Some(hint)) = (&mut answer.closest, hint) {
+        closest.hint = Some(closest.hint.take().map_or(hint.clone(), |first| format!("{first} {hint}")));
+    }
+    Ok(DesignAnswer { load: request.load.load.clone(), assumptions, ..answer })
 }
 
 fn spreads(request: &DesignRequest, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>, Problem> {

@@ -11,6 +11,7 @@ use crate::output::{Content, Target, check, clean, colour, emit, save, show, war
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
+use crate::shown;
 use crate::word::word;
 use clap::Args;
 use mckibben::muscle::file::to_toml;
@@ -195,7 +196,7 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, Content::Muscle)?;
-    let unit = args.units.or_typed([&args.max_pressure, &args.force, &args.outer_diameter]);
+    let unit = shown::units();
     let chart = format == Format::Text && !args.no_chart;
     let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
@@ -206,7 +207,7 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     }
     let text = || {
         answer.warnings.iter().for_each(warn);
-        text::of(&answer, &unit)
+        text::of(&answer, args.output.as_deref(), &unit)
     };
     show(&answer, format, "candidates", text, Target::STDOUT)?;
     if let Some(figure) = figure.as_ref().filter(|_| chart) {

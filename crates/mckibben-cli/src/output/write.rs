@@ -3,6 +3,8 @@
 use super::clean;
 use super::guard::{Content, check};
 use crate::failure::Failure;
+use crate::shown;
+use mckibben_app::words::readable;
 use anstyle::{AnsiColor, Style};
 use std::io::Write;
 use std::path::Path;
@@ -42,10 +44,12 @@ const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 const HINT: Style = AnsiColor::Cyan.on_default();
 
-/// A line for the user beside the result; nothing better can be done if nobody can read it.
+/// A line for the user beside the result, in the units that he reads; nothing better can be done if nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
-    let _ =
-        writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
+    let message = message.to_string();
+    let text = shown::sentence(&message);
+    let text = readable(&text);
+    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&text));
 }
 
 /// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).

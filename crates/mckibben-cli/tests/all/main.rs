@@ -11,6 +11,7 @@ mod design;
 mod examples;
 mod files;
 mod formulas;
+mod frictions;
 mod fuzz_cli;
 mod identify;
 mod joint;
