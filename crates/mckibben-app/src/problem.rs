@@ -149,11 +149,10 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// A problem.
+    /// A problem; numbers in its words have no more digits than anybody reads.
     pub fn new(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        // A number of an error has its digits as a computer has them.
         let message = short_numbers(&message.into()).into_owned();
-        Self { kind, message, hint: hint.into(), field: None, nearest: None }
+        Self { kind, message, hint: short_numbers(&hint.into()).into_owned(), field: None, nearest: None }
     }
 
     /// The same with the field that is to blame.
@@ -171,6 +170,26 @@ impl Problem {
     /// A field that must be there and is not.
     pub fn missing(field: &str, expected: &str) -> Self {
         Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
+    }
+
+    /// A field that is there and would change nothing, with the reason, which names the other field.
+    pub fn unused(field: &str, why: impl fmt::Display) -> Self {
+        Self::new(
+            ProblemKind::Usage,
+            format!("`{field}` would change nothing: {why}"),
+            "leave one of them out",
+        )
+    }
+
+    /// Refuses fields that are there and would change nothing.
+    ///
+    /// # Errors
+    /// [`Problem`] about the first of them.
+    pub fn refuse_unused(fields: &[(&str, bool)], why: impl fmt::Display) -> Result<(), Self> {
+        match fields.iter().find(|field| field.1) {
+            Some((field, _)) => Err(Self::unused(field, why)),
+            None => Ok(()),
+        }
     }
 
     /// The caller wanted the work to end.

@@ -13,20 +13,31 @@ mod output;
 mod plot;
 mod progress;
 mod quantities;
+mod shown;
+mod typed;
 mod word;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use failure::Failure;
 use flags::Format;
 use mckibben::threads;
 use mckibben_app::{guarded, panics_are_problems};
+use quantities::to_mind;
 use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     panics_are_problems();
-    let cli = match cli::Cli::try_parse() {
+    let args: Vec<String> = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
+    if let Err(failure) = typed::check_quotes(&args) {
+        return report(&failure, if json_wanted() { Format::Json } else { Format::Text });
+    }
+    let parsed = cli::Cli::command().try_get_matches().and_then(|matches| {
+        shown::take(&matches);
+        cli::Cli::from_arg_matches(&matches)
+    });
+    let cli = match parsed {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() && json_wanted() => {
             return report(&Failure::usage(&error), Format::Json);
@@ -47,7 +58,7 @@ fn main() -> ExitCode {
     threads::shortage().into_iter().for_each(output::warn);
     match done {
         Ok(code) => ExitCode::from(code),
-        Err(failure) => report(&failure, cli.format),
+        Err(failure) => report(&failure.with_hint(to_mind()), cli.format),
     }
 }
 

@@ -3,7 +3,9 @@
 use super::clean;
 use super::guard::{Content, check};
 use crate::failure::Failure;
+use crate::shown;
 use anstyle::{AnsiColor, Style};
+use mckibben::units::short_numbers;
 use std::io::Write;
 use std::path::Path;
 use std::sync::Mutex;
@@ -43,10 +45,12 @@ const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 const HINT: Style = AnsiColor::Cyan.on_default();
 
-/// A line for the user beside the result; nothing better can be done if nobody can read it.
+/// A line for the user beside the result, in the units that he reads; nothing better can be done if nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
-    let _ =
-        writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
+    let message = message.to_string();
+    let text = shown::sentence(&message);
+    let text = short_numbers(&text);
+    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&text));
 }
 
 /// Warnings that are printed behind the text.
@@ -68,7 +72,7 @@ pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
         return String::new();
     }
     BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend(others);
-    first.join("\n") + "\n\n"
+    shown::sentence(&first.join("\n")).into_owned() + "\n\n"
 }
 
 /// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).

@@ -12,6 +12,7 @@ mod design;
 mod examples;
 mod files;
 mod formulas;
+mod frictions;
 mod fuzz_cli;
 mod identify;
 mod joint;

@@ -151,7 +151,7 @@ impl ForceModel for Axisymmetric {
     }
 
     fn range(&self) -> ModelRange {
-        ModelRange::open().stretched()
+        ModelRange::open().stretched(self.muscle().braid().angle_deg)
     }
 
     fn notes(&self, _: &Workspace) -> Vec<String> {

@@ -94,7 +94,7 @@ impl ForceModel for ThreeDimensional {
     }
 
     fn range(&self) -> ModelRange {
-        ModelRange::open().stretched()
+        ModelRange::open().stretched(self.muscle().braid().angle_deg)
     }
 
     fn accuracy(&self) -> Accuracy {

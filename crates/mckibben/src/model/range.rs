@@ -158,9 +158,13 @@ impl ModelRange {
         }
     }
 
-    /// The same, also for muscles that a load stretches: contractions from −1.
-    pub fn stretched(self) -> Self {
-        Self { contraction: (-1.0, self.contraction.1), ..self }
+    /// The same, also for muscles that a load stretches: until strands at this angle at rest, in degrees, are straight and as long as no
+    /// strand becomes.
+    pub fn stretched(self, angle_deg: f64) -> Self {
+        /// Fibres of sleeves break at strains of 0.03 (aramid) to about 0.2 (polyamide).
+        const LONGEST: f64 = 1.2;
+        let lowest = 1.0 - LONGEST / angle_deg.to_radians().cos();
+        Self { contraction: ((1e4 * lowest).floor() / 1e4, self.contraction.1), ..self }
     }
 
     /// The same with bounds on measures of the muscle, of which each is given with its value.
