@@ -100,10 +100,13 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         if p >= lowest - bits && p <= highest + bits {
             return Ok(p.clamp(lowest, highest.max(lowest)));
         }
-        let mut end =
-            |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| (p, f - force_n));
-        let (low, high) = (end(lowest)?, end(highest)?);
-        return Err(none(if apart(high.1) < apart(low.1) { high } else { low }));
+        // Of a formula the nearest is sought below: its pull may rise and fall.
+        if model.is_costly() {
+            let mut end =
+                |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| (p, f - force_n));
+            let (low, high) = (end(lowest)?, end(highest)?);
+            return Err(none(if apart(high.1) < apart(low.1) { high } else { low }));
+        }
     }
     let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
     // A shortened muscle may have no equilibrium before its strands are taut; it does not pull there either.
@@ -187,7 +190,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         if options.extrapolate && lowest > 0.0 {
             sweep.fill((0.0, lowest), fineness.beyond, &mut at)?;
         }
-        sweep.fill((lowest, low.0), fineness.beyond, &mut at)?;
+        sweep.finer(4, &mut at)?;
         sweep.refine(&mut at)?;
         if let Some(zero) = sweep.zeros(&mut at)?.first() {
             return Ok(zero.at);

@@ -66,6 +66,18 @@ impl Sweep {
         Ok(())
     }
 
+    /// Cuts the way from each sample to the next into `parts`.
+    pub fn finer<E>(
+        &mut self,
+        parts: usize,
+        at: &mut impl FnMut(f64) -> Result<Option<f64>, E>,
+    ) -> Result<(), E> {
+        for pair in self.samples.clone().windows(2) {
+            self.fill((pair[0].0, pair[1].0), parts, at)?;
+        }
+        Ok(())
+    }
+
     /// More samples where the function may reach zero between those there are: at the edges of what has a value, beside the ends of
     /// each run of values, and at extrema towards zero.
     pub fn refine<E>(&mut self, at: &mut impl FnMut(f64) -> Result<Option<f64>, E>) -> Result<(), E> {
