@@ -16,6 +16,7 @@ use mckibben::joint::{
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use mckibben::units::short_numbers;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -405,7 +406,7 @@ impl From<JointError> for Problem {
             JointError::Cancelled => Self::cancelled(),
             JointError::Muscle { error, .. } => {
                 let inner = Self::from(error);
-                Self { message, ..inner }
+                Self { message: short_numbers(&message).into_owned(), ..inner }
             }
             JointError::NoTorque { .. } | JointError::NoStiffness { .. } => Self::new(
                 ProblemKind::NoAnswer,
