@@ -52,7 +52,7 @@ pub fn aligned(column: &[Option<f64>], digits: usize) -> Vec<String> {
 }
 
 /// A sentence whose numbers have no more digits than anybody reads: `1e300` for a one with three hundred zeros, `0.0357` for
-/// `0.03569728515256208`. Digits within words, as in names of files, stay.
+/// `0.03569728515256208`, `0` for `-0.0000`. Digits within words, as in names of files, stay.
 pub fn readable(text: &str) -> Cow<'_, str> {
     const MOST_WHOLE: usize = 15;
     const MOST_DECIMALS: usize = 9;
@@ -80,11 +80,14 @@ pub fn readable(text: &str) -> Cow<'_, str> {
         let before = text[..from].trim_end_matches(['-', '+']);
         let word = before.ends_with(in_word) && !before.ends_with("..")
             || text[end..].starts_with(|c: char| c.is_alphanumeric() || "_/\\".contains(c));
-        let long = whole - from > MOST_WHOLE || decimal && end - whole - 1 > MOST_DECIMALS;
-        let Some(value) = text[from..end].parse::<f64>().ok().filter(|v| long && !word && v.is_finite()) else {
+        let zero = decimal && text[from..end].bytes().all(|b| b"0.".contains(&b));
+        let long = zero || whole - from > MOST_WHOLE || decimal && end - whole - 1 > MOST_DECIMALS;
+        let Some(value) = text[from..end].parse::<f64>().ok().filter(|v| long && !word && v.is_finite())
+        else {
             continue;
         };
-        out.push_str(&text[done..from]);
+        let signed = zero && text[..from].ends_with('-');
+        out.push_str(&text[done..from - usize::from(signed)]);
         out.push_str(&if value < 1e15 { number(value, 6) } else { format!("{:e}", tidied(value)) });
         done = end;
     }
@@ -158,7 +161,11 @@ mod tests {
             ("it is 0.03569728515256208 s", "it is 0.0356973 s"),
             ("between -0.30000000000000004 and 12.5", "between -0.3 and 12.5"),
             ("1..0.30000000000000004", "1..0.3"),
-            ("run_20261122123456789012.parquet, a1234567890123456789b", "run_20261122123456789012.parquet, a1234567890123456789b"),
+            ("reaches -0.0000 to 0.000 N m, 10.000 and 0.0001", "reaches 0 to 0 N m, 10.000 and 0.0001"),
+            (
+                "run_20261122123456789012.parquet, a1234567890123456789b",
+                "run_20261122123456789012.parquet, a1234567890123456789b",
+            ),
             ("123456789012345 of 0.095000 MPa.", "123456789012345 of 0.095000 MPa."),
             ("é 测 1234567890123456789", "é 测 1.235e18"),
         ] {

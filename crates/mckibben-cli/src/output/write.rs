@@ -4,8 +4,8 @@ use super::clean;
 use super::guard::{Content, check};
 use crate::failure::Failure;
 use crate::shown;
-use mckibben_app::words::readable;
 use anstyle::{AnsiColor, Style};
+use mckibben_app::words::readable;
 use std::io::Write;
 use std::path::Path;
 
