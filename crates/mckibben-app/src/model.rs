@@ -78,15 +78,13 @@ impl Model {
     /// # Errors
     /// [`Problem`] of kind `model`, `mesh`, `terminal` or `formula`.
     pub fn choose(fields: &ModelFields, purpose: Purpose) -> Result<Self, Problem> {
-        match (&fields.model, purpose) {
-            (Some(name), _) => {
-                let model = Self::named(name, &fields.formulas, &fields.mesh)?;
-                fields.mesh.check_used(&[&model])?;
-                Ok(model)
-            }
-            (None, Purpose::Answer) => Self::named("fe", &[], &fields.mesh),
-            (None, Purpose::Search) => Self::named("universal", &[], &fields.mesh),
+        if fields.model.is_none() && purpose == Purpose::Search {
+            return Self::named("universal", &[], &fields.mesh);
         }
+        let name = fields.model.as_deref().unwrap_or("fe");
+        let model = Self::named(name, &fields.formulas, &fields.mesh)?;
+        fields.mesh.check_used(&[&model])?;
+        Ok(model)
     }
 
     /// The model of a name: of one of the formulas, or of the list.

@@ -274,7 +274,6 @@ pub const NOT_CONVERGED: u8 = Ending::NotConverged as u8;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn fields_become_flags() {
@@ -287,50 +286,6 @@ mod tests {
         );
         assert_eq!(failure.exit(), 2);
         assert!(failure.to_json().contains("\"field\":\"pressures_mpa\""));
-    }
-
-    /// Fields that no flag sets: files, which are arguments, and what the program itself fills in.
-    const NO_FLAG: &[&str] = &[];
-
-    /// The subcommand behind a command of the application layer; what the command line does not have is none.
-    fn subcommand(name: &str) -> Option<clap::Command> {
-        let words: Vec<&str> = match name {
-            "study" => vec!["curve"],
-            "measured" | "sweep" => vec!["validate"],
-            "fit-report" => vec!["fit"],
-            "plan" | "shape" | "quantities" | "units" => return None,
-            other => other.split('-').collect(),
-        };
-        let of = |command: clap::Command, word: &&str| command.find_subcommand(word).cloned().unwrap();
-        Some(words.iter().fold(crate::cli::Cli::command(), of))
-    }
-
-    #[test]
-    fn a_field_is_named_by_a_flag_that_its_command_has() {
-        let mut wrong = vec![];
-        for entry in mckibben_app::COMMANDS.iter() {
-            let Some(command) = subcommand(entry.name) else { continue };
-            let schema = entry.schema();
-            let fields = schema["request"]["properties"].as_object().into_iter().flat_map(|p| p.keys());
-            for field in fields.filter(|field| !NO_FLAG.contains(&field.as_str())) {
-                let flags = FLAGS.iter().find(|f| f.0 == field).map(|f| f.1);
-                let named: Vec<String> = match flags {
-                    Some(flags) => flags.iter().map(|flag| format!("--{flag}")).collect(),
-                    None => flag(field).into_iter().collect(),
-                };
-                let has = |flag: &String| {
-                    let word = &flag[2..];
-                    command.get_arguments().any(|arg| {
-                        arg.get_long() == Some(word)
-                            || arg.get_all_aliases().is_some_and(|all| all.contains(&word))
-                    })
-                };
-                if !named.iter().any(has) {
-                    wrong.push(format!("{} {field}: {named:?}", entry.name));
-                }
-            }
-        }
-        assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     }
 
     #[test]

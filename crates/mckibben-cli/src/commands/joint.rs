@@ -176,9 +176,12 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     }
     let torque = |v: f64| number(if v.abs() < 1e-9 { 0.0 } else { v }, 4);
     let some = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), torque);
-    // What a column's largest pull leaves of the others: a muscle without pressure pulls by rounding alone.
+    // Beside the largest pull of the table: a muscle without pressure pulls by rounding alone.
+    let all = points.iter().flat_map(|q| [Some(q.force_1_n), q.force_2_n]).flatten();
+    let nothing = 1e-6 * all.fold(0.0, |most: f64, f| most.max(f.abs()));
     let pulls = |of: &dyn Fn(&JointRow) -> (Option<f64>, bool)| -> Vec<String> {
-        let cells = u.force.column(points.iter().map(|q| of(q).0), 4);
+        let pull = |q: &JointRow| of(q).0.map(|f| if f.abs() < nothing { 0.0 } else { f });
+        let cells = u.force.column(points.iter().map(pull), 4);
         let slack = points.iter().map(|q| of(q).1);
         cells.into_iter().zip(slack).map(|(cell, slack)| if slack { "slack".into() } else { cell }).collect()
     };

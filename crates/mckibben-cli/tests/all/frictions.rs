@@ -290,7 +290,7 @@ fn tables_of_tension_machines_are_read() {
         "rubber fit crates/mckibben-cli/tests/tension/zwick.csv --gauge-length 25mm --area 8mm2 --law yeoh",
     );
     let zwick = zwick.ok();
-    assert!(zwick.text().contains("13 points"), "{}", zwick.text());
+    assert!(zwick.text().contains("14 points"), "{}", zwick.text());
     assert!(zwick.text().contains("Standardweg → extension (mm"), "{}", zwick.text());
     assert!(zwick.text().contains("Standardkraft → force (N"), "{}", zwick.text());
     // Columns by blanks, and blanks within the headings.
@@ -302,9 +302,10 @@ fn tables_of_tension_machines_are_read() {
 #[test]
 fn what_rounding_leaves_is_zero_and_no_muscle_is_half_as_long_again() {
     let dir = muscle();
-    let slack =
-        mckibben("joint examples/forearm.toml -p 4bar,0bar --angle -60..60:60deg --model thick-wall").ok();
-    assert!(!slack.text().contains("0.0000"), "{}", slack.text());
+    let slack = mckibben("joint examples/forearm.toml -p 4bar,0bar --angle -60..60:60deg").ok();
+    assert!(!slack.text().contains(" 0.0000") && !slack.text().contains("e-"), "{}", slack.text());
+    let hair = mckibben("joint examples/forearm.toml -p 4bar,0bar --angle -60..60:30deg --model thick-wall");
+    assert!(!hair.err.contains("contraction -0,") && !hair.err.contains("contraction 0,"), "{}", hair.err);
     let starts = line(dir.path(), "pressure my.toml -F 0N -e 0 --units bar --model ideal").ok();
     assert!(!starts.text().contains("e-"), "{}", starts.text());
     let far = line(dir.path(), "force my.toml -p 6bar -e -50%");
@@ -364,4 +365,73 @@ fn walls_that_nobody_makes_are_warned_of() {
     assert!(thin.err.contains("a wall of 0.5 mm on a tube of 40 mm is hardly made"), "{}", thin.err);
     let usual = line(dir.path(), &words.replace("WALL", "1.5")).ok();
     assert!(!usual.err.contains("hardly made"), "{}", usual.err);
+}
+
+/// Every flag of a question, with a value and with the question in which it counts: the answer becomes another one, or the flag is
+/// refused.
+const COUNTS: &[(&str, &str, &str)] = &[
+    ("outer-diameter", "15mm", ""),
+    ("wall", "1.5mm", ""),
+    ("length", "210mm", ""),
+    ("angle", "24deg", ""),
+    ("rubber", "dragon-skin-30", ""),
+    ("braid", "nfl-19", ""),
+    ("strand-diameter", "0.2mm", ""),
+    ("strand-modulus", "3GPa", ""),
+    ("stiffness", "300", ""),
+    ("seating", "1mm", ""),
+    ("slip", "4mm/kN", ""),
+    ("grip", "5mm", ""),
+    ("end-factor", "1.2", ""),
+    ("cone-factor", "0.4", "--model conical-ends"),
+    ("strand-length", "216mm", "--model belforte --turns 1.84"),
+    ("turns", "1.84", "--model belforte --strand-length 216mm"),
+    ("model", "ideal", ""),
+    ("muscle", "my.toml", ""),
+    ("extrapolate", "", "--model paper"),
+    ("two-sided", "", "-e 45%"),
+    ("mesh", "8", ""),
+    ("match", "angle", ""),
+    ("terminal", "rigid", ""),
+    ("branch", "contraction", ""),
+    ("pressure", "3bar", ""),
+    ("contraction", "6%", ""),
+    ("both", "", ""),
+];
+
+/// Flags that say how an answer is shown, not what is asked.
+const SHOWS: &[&str] = &["format", "units", "output", "overwrite", "limit", "help"];
+
+#[test]
+fn every_flag_of_a_question_counts_or_is_refused() {
+    let dir = muscle();
+    let help = mckibben("force --help").ok();
+    let flags = help.text().lines().filter_map(|l| {
+        let words =
+            l.trim_start().split_once("--").filter(|(short, _)| short.is_empty() || short.len() == 4)?;
+        Some(words.1.split([' ', '=']).next()?.to_owned())
+    });
+    let flags: Vec<String> = flags.filter(|f| !SHOWS.contains(&f.as_str())).collect();
+    assert!(flags.len() > 20, "{flags:?}");
+    for flag in flags {
+        let known = COUNTS.iter().find(|c| c.0 == flag);
+        let (_, value, with) = known.unwrap_or_else(|| panic!("say in which question --{flag} counts"));
+        let mut base: Vec<&str> = vec!["force", "my.toml", "--format", "json"];
+        base.extend(with.split_whitespace());
+        for (own, usual) in [
+            ("pressure", ["-p", "2bar"]),
+            ("contraction", ["-e", "5%"]),
+            ("model", ["--model", "thick-wall"]),
+        ] {
+            if flag != own && !with.contains(usual[0]) {
+                base.extend(usual);
+            }
+        }
+        let asked = format!("--{flag}");
+        let more: Vec<&str> =
+            base.iter().copied().chain([asked.as_str()]).chain(value.split_whitespace()).collect();
+        let (without, with) = (run_in(dir.path(), &base), run_in(dir.path(), &more));
+        let counts = with.code == 2 || (with.code == 0 && with.out != without.out);
+        assert!(counts, "--{flag} {value} changes nothing: {more:?}");
+    }
 }

@@ -106,7 +106,10 @@ impl fmt::Display for RangeViolation {
         let Interval { quantity, low, high } = self.interval;
         let (name, unit) = (quantity.name(), quantity.unit());
         let space = if unit.is_empty() { "" } else { " " };
-        let value = (self.value * 1e6).round() / 1e6;
+        let rounded = (self.value * 1e6).round() / 1e6;
+        // A hair beyond the bound is shown as it is.
+        let hidden = rounded >= low && rounded <= high;
+        let value = if hidden { format!("{:.1e}", self.value) } else { rounded.to_string() };
         if low == high {
             write!(f, "{name} {value}{space}{unit}, which must be {low}{space}{unit}")
         } else if high.is_infinite() {
