@@ -91,10 +91,12 @@ pub enum Ending {
     NoAnswer = 1,
     /// The request is wrong.
     WrongInput = 2,
-    /// The computation did not converge, or was cancelled.
+    /// The computation did not converge.
     NotConverged = 3,
     /// The program itself is at fault.
     Internal = 4,
+    /// The work was ended from outside, as shells have it.
+    Cancelled = 130,
 }
 
 impl ProblemKind {
@@ -102,7 +104,8 @@ impl ProblemKind {
     pub fn ending(self) -> Ending {
         match self {
             Self::NoAnswer => Ending::NoAnswer,
-            Self::NotConverged | Self::Cancelled => Ending::NotConverged,
+            Self::NotConverged => Ending::NotConverged,
+            Self::Cancelled => Ending::Cancelled,
             Self::Internal => Ending::Internal,
             _ => Ending::WrongInput,
         }

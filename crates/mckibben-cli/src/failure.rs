@@ -217,6 +217,16 @@ impl Failure {
         self.broken_pipe
     }
 
+    /// What is wrong.
+    pub fn into_problem(self) -> Problem {
+        *self.problem
+    }
+
+    /// Whether the program itself is at fault.
+    pub fn is_internal(&self) -> bool {
+        self.problem.kind == ProblemKind::Internal
+    }
+
     /// The exit code.
     pub fn exit(&self) -> u8 {
         self.problem.kind.ending() as u8

@@ -10,6 +10,7 @@ mod files;
 mod flags;
 mod names;
 mod output;
+mod overlap;
 mod plot;
 mod progress;
 mod quantities;
@@ -33,12 +34,13 @@ fn main() -> ExitCode {
     if let Err(failure) = typed::check_quotes(&args) {
         return report(&failure, if json_wanted() { Format::Json } else { Format::Text });
     }
+    progress::no_signal_for_long_files();
     let parsed = cli::Cli::command().try_get_matches().and_then(|matches| {
         shown::take(&matches);
-        cli::Cli::from_arg_matches(&matches)
+        cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches))
     });
-    let cli = match parsed {
-        Ok(cli) => cli,
+    let (cli, matches) = match parsed {
+        Ok(parsed) => parsed,
         Err(error) if error.use_stderr() && json_wanted() => {
             return report(&Failure::usage(&error), Format::Json);
         }
@@ -54,9 +56,13 @@ fn main() -> ExitCode {
         }
     };
     progress::limit(&cli.limit);
-    let done = guarded(|| commands::run(cli.command, cli.format, &cli.limit));
+    let done = guarded(|| {
+        let _entered = progress::budget().enter();
+        overlap::check(&matches)?;
+        commands::run(cli.command, cli.format, &cli.limit)
+    });
     threads::shortage().into_iter().for_each(output::warn);
-    match done {
+    match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
         Err(failure) => report(&failure.with_hint(to_mind()), cli.format),
     }

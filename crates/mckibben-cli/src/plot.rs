@@ -1,7 +1,7 @@
 //! Figures into files.
 
 use crate::failure::Failure;
-use crate::output::ending;
+use crate::output::{Content, Target, check as check_lost, ending};
 use mckibben_app::ProblemKind;
 use mckibben_report::{Figure, FigureError};
 use std::path::Path;
@@ -18,7 +18,10 @@ pub fn check(path: Option<&Path>) -> Result<(), Failure> {
 /// Writes a figure, where there is one and a file is named for it.
 pub fn save(figure: Option<Figure>, path: Option<&Path>) -> Result<(), Failure> {
     match (figure, path) {
-        (Some(figure), Some(path)) => Ok(figure.save(path)?),
+        (Some(figure), Some(path)) => {
+            check_lost(Target::file(path, false), &Content::Figure)?;
+            Ok(figure.save(path)?)
+        }
         _ => Ok(()),
     }
 }

@@ -15,7 +15,7 @@ use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
-use mckibben::budget::Exceeded;
+use mckibben::budget::{Exceeded, Resource};
 use mckibben::design::{
     Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, Sure, design_joint, design_with, fits,
     is_doubtful, spread, to_be_sure,
@@ -35,8 +35,9 @@ const DRAWN: usize = 3;
 /// # Errors
 /// [`Problem`] for a specification that cannot be searched; that nothing fits is an answer.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
-    let Search { spec, model, radius_mm } = request.search()?;
     let budget = progress.budget();
+    budget.admit(Resource::Points, request.points_held())?;
+    let Search { spec, model, radius_mm } = request.search()?;
     // A mesh that one muscle has no room for is no reason against each of them.
     model.decide(&spec.base, &budget)?;
     let (look, decide) = (|m: &Muscle| model.look(m, &budget), |m: &Muscle| model.decide(m, &budget));

@@ -195,7 +195,7 @@ pub struct DesignArgs {
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, Content::Muscle)?;
+    check(target, &Content::Muscle)?;
     let unit = shown::units();
     let chart = format == Format::Text && !args.no_chart;
     let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;

@@ -6,12 +6,12 @@ mod text;
 pub use text::{error_rows, errors_table, made_text, range_text, universal as universal_text};
 
 use crate::failure::Failure;
-use crate::files;
 use crate::flags::{Format, OverwriteOrForceFlag, stiffness};
 use crate::output::{Content, Target, check, json, save, show};
 use crate::progress::Bar;
 use crate::quantities::points;
 use crate::word::word;
+use crate::{files, plot};
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::{FitAnswer, FitMethod, FitRequest};
@@ -81,15 +81,15 @@ pub struct FitArgs {
 pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     let Some(path) = &args.file else { return report::run(format, target) };
-    check(target, Content::Formula)?;
+    check(target, &Content::Formula)?;
     let mut answer = mckibben_app::fit(&request(args, path)?, &Bar::new("steps"))?;
     if let Some(folder) = &args.tables {
-        write_tables(folder, &mut answer)?;
+        write_tables(folder, &mut answer, target.overwrite)?;
     }
     if let Some(folder) = &args.plots {
         make(folder)?;
         for named in std::mem::take(&mut answer.figures) {
-            named.figure.save(&folder.join(format!("{}.svg", named.name)))?;
+            plot::save(Some(named.figure), Some(&folder.join(format!("{}.svg", named.name))))?;
         }
     }
     save(target, Content::Formula, answer.formula_file().as_bytes())?;
@@ -129,16 +129,17 @@ struct Tables<'a> {
     tables: Map<String, Value>,
 }
 
-fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
+fn write_tables(folder: &Path, answer: &mut FitAnswer, overwrite: bool) -> Result<(), Failure> {
     make(folder)?;
     let mut tables = Map::new();
     for table in std::mem::take(&mut answer.tables) {
         let file = folder.join(format!("{}.csv", table.name));
-        save(Target::file(&file, true), Content::Other, table.to_csv().as_bytes())?;
+        let content = Content::Table { head: table.header.join(",") };
+        save(Target::file(&file, overwrite), content, table.to_csv().as_bytes())?;
         tables.insert(table.name.into(), table.to_value());
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
     let file = folder.join("tables.json");
     let text = format!("{:#}\n", json(&Tables { method, tables })?);
-    save(Target::file(&file, true), Content::Json, text.as_bytes())
+    save(Target::file(&file, overwrite), Content::Json, text.as_bytes())
 }

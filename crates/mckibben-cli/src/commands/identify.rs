@@ -132,7 +132,7 @@ pub struct IdentifyArgs {
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, Content::Muscle)?;
+    check(target, &Content::Muscle)?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     save(target, Content::Muscle, answer.muscle_file.as_bytes())?;

@@ -52,9 +52,9 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
             return Err(Failure::input(ProblemKind::Usage, message, "leave it out, or take json"));
         }
     };
-    check(target(page), content)?;
+    check(target(page), &content)?;
     let pdfs: Vec<&Path> = args.pdf.as_deref().into_iter().chain(printed_too).collect();
-    pdfs.iter().try_for_each(|path| check(target(Some(path)), Content::Pdf))?;
+    pdfs.iter().try_for_each(|path| check(target(Some(path)), &Content::Pdf))?;
     let browser = pdfs.first().map(|_| browser()).transpose()?;
     let request = ReportRequest {
         muscle: args.muscle.fields()?,

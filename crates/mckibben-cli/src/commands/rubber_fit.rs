@@ -110,7 +110,7 @@ struct Constants {
 pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, Content::Muscle)?;
+    check(target, &Content::Muscle)?;
     let mut answer = rubber_fit(&request(args)?, &Bar::hidden())?;
     if target.path.is_some() {
         save(target, Content::Muscle, answer.muscle_file()?.as_bytes())?;

@@ -20,7 +20,7 @@ pub struct SchemaArgs {
 /// Prints a schema.
 pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
     if let Some(command) = &args.command {
-        check(Target { path: args.output.as_deref(), overwrite: true }, Content::Json)?;
+        check(Target { path: args.output.as_deref(), overwrite: true }, &Content::Json)?;
         return emit(&text(command)?, args.output.as_deref()).map(|()| 0);
     }
     let Some(folder) = &args.output else {

@@ -103,7 +103,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     check_picture(args.picture.as_deref())?;
     let deck = args.export_inp.as_deref();
-    check(Target { path: deck, overwrite: args.output.replace.overwrite }, Content::Deck)?;
+    check(Target { path: deck, overwrite: args.output.replace.overwrite }, &Content::Deck)?;
     let unit = shown::units();
     let request = SimulateRequest {
         test: args.test,
@@ -124,7 +124,12 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
-    let mut folder = args.vtu.clone().map(|path| Folder { path, series: VtuSeries::new(""), extent });
+    let mut folder = args.vtu.clone().map(|path| Folder {
+        path,
+        series: VtuSeries::new(""),
+        extent,
+        overwrite: args.output.replace.overwrite,
+    });
     let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
     let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
@@ -133,6 +138,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
+        check(Target::file(path, false), &Content::Figure)?;
         scene.save(path)?;
     }
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
@@ -157,8 +163,10 @@ fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
-/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them.
+/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them. What is no such
+/// file stays.
 struct Folder {
+    overwrite: bool,
     path: PathBuf,
     series: VtuSeries,
     extent: Extent,
@@ -167,6 +175,7 @@ struct Folder {
 impl Folder {
     fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
         let path = self.path.join(&file.name);
+        check(Target::file(&path, self.overwrite), &Content::Vtk).map_err(Failure::into_problem)?;
         mckibben_files::replace(&path, file.text.as_bytes()).map_err(|e| {
             Problem::new(ProblemKind::Output, format!("{} cannot be written: {e}", path.display()), "")
         })?;

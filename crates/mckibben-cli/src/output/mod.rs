@@ -11,7 +11,7 @@ mod stream;
 pub mod text;
 mod write;
 
-pub use guard::{Content, check, ending};
+pub use guard::{Content, check, ending, of_input};
 pub use stream::streamed;
 pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_behind};
 
@@ -65,7 +65,7 @@ pub fn show<T: Serialize + JsonSchema>(
     let form = form(target.path, format)?;
     check(
         target,
-        match form {
+        &match form {
             Form::Json => Content::Json,
             Form::Parquet => Content::Parquet,
             Form::Text | Form::Csv => Content::Other,

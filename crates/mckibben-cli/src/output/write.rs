@@ -90,7 +90,7 @@ pub fn colour() -> bool {
 
 /// Writes a file of some content in the place of one that may be lost.
 pub fn save(target: Target<'_>, content: Content, bytes: &[u8]) -> Result<(), Failure> {
-    check(target, content)?;
+    check(target, &content)?;
     target.path.map_or(Ok(()), |path| put(path, bytes))
 }
 

@@ -19,6 +19,7 @@ mod joint;
 mod measured;
 mod motion;
 mod rubber_fit;
+mod security;
 mod serve;
 mod tables;
 mod threads;

@@ -106,6 +106,33 @@ fn the_limits_of_the_command_line_are_those_of_its_requests() {
     ended(child);
 }
 
+/// Nobody gets the address of a server that cannot answer: it says why, or it answers.
+#[cfg(target_os = "linux")]
+#[test]
+fn with_little_memory_it_answers_or_says_that_it_cannot() {
+    let program = env!("CARGO_BIN_EXE_mckibben");
+    for kilobytes in [50_000, 60_000, 80_000, 120_000, 200_000, 400_000, 1_000_000] {
+        let script = format!("ulimit -v {kilobytes} && exec {program} serve --port 0");
+        let mut child = std::process::Command::new("sh")
+            .args(["-c", &script])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        if line.is_empty() {
+            let run = ran(child.wait_with_output().unwrap());
+            assert!(!run.err.is_empty() && kilobytes < 1_000_000, "{kilobytes}: {run:?}");
+        } else {
+            let force =
+                answer(line.trim(), "POST /api/v1/force\n\n{\"pressure_mpa\": 0.2, \"contraction\": 0.1}");
+            assert!(force.starts_with("HTTP/1.1 200"), "{kilobytes}: {force}");
+            ended(child);
+        }
+    }
+}
+
 #[test]
 fn what_cannot_be_is_said() {
     let taken = TcpListener::bind("127.0.0.1:0").unwrap();

@@ -98,7 +98,7 @@ impl<B: Body> Continuation<B> {
             body,
             newton: B::SETTINGS.newton,
             effort: Effort::default(),
-            budget: Budget::default(),
+            budget: Budget::current(),
             allowed: None,
             kept: Vec::with_capacity(B::SETTINGS.kept),
             oldest: 0,
@@ -197,6 +197,8 @@ impl<B: Body> Continuation<B> {
 
     /// The same, where no more than this share of the radius may lie between the iterate and the equilibrium.
     pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
+        // Of what is to end, not even the first tangent is assembled: a search tries many ways before it gives up.
+        self.budget.check()?;
         let mut options = NewtonOptions { reach, ..self.newton };
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;

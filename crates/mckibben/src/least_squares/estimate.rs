@@ -9,6 +9,7 @@
 
 use super::bounds::Unknown;
 use super::student::t95;
+use crate::budget::Budget;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use thiserror::Error;
@@ -154,6 +155,8 @@ impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
+        // Not even a wall: the iteration ends.
+        Budget::current().check().ok()?;
         match self.residuals.at(&self.x(&self.u)) {
             Some(r) => Some(DVector::from_vec(r).component_mul(&self.roots)),
             // A step to where the model has no answer is a bad step: the next one is shorter.
