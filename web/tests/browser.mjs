@@ -27,12 +27,14 @@ export async function statically(folder) {
 
 /** `mckibben serve`. @param {string} program */
 export async function served(program) {
-  const child = spawn(program, ["serve", "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
+  // Builds with little optimisation take longer than a user would wait.
+  const child = spawn(program, ["serve", "--port", "0", "--limit", "seconds=120"], { stdio: ["ignore", "pipe", "inherit"] });
   const url = await new Promise((resolve, reject) => {
     child.stdout.on("data", (data) => { const found = /http:\/\/\S+/.exec(String(data)); if (found) resolve(found[0].replace(/\/?$/, "/")); });
     child.on("exit", (code) => reject(new Error(`serve ended with ${code}`)));
   });
-  return { url: String(url), end: () => child.kill("SIGTERM") };
+  child.removeAllListeners("exit");
+  return { url: String(url), end: () => child.kill("SIGTERM"), kill: () => child.kill("SIGKILL") };
 }
 
 export const launch = () => chromium.launch({

@@ -1,5 +1,6 @@
 //! `curve isometric|isotonic|isobaric`: a family of curves.
 
+use crate::burst::{QUIET_MPA, put_first, said_of};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::figure;
 use crate::load::{LoadAnswer, LoadFields, loaded};
@@ -18,7 +19,7 @@ use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Direction;
 use mckibben::progress::Progress;
 use mckibben::status::Status;
-use mckibben::units::Values;
+use mckibben::units::{Values, short_numbers};
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -73,6 +74,8 @@ pub struct CurveAnswer {
     /// What the user should know, of each kind the gravest.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    pub burst_pressure_mpa: Option<f64>,
     /// The points, curve after curve; all curves have the same number of points.
     pub points: Vec<PointRow>,
     /// The equilibria with the load, where there is one.
@@ -134,7 +137,7 @@ impl From<&CurvePoint> for PointRow {
                 contraction: point.contraction,
                 wanted_force_n: point.force_n,
                 status: error.into(),
-                cause: error.to_string(),
+                cause: short_numbers(&error.to_string()).into_owned(),
             }),
         }
     }
@@ -181,11 +184,13 @@ fn each(
     take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
 ) -> Result<CurveAnswer, Problem> {
     let budget = progress.budget();
+    check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
     let mut question = Question::new(&request.muscle, &request.model, request.asking, &budget)?;
     let isobaric = request.test == Test::Isobaric;
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
         if isobaric { steps(5, 0.05, 0.25) } else { steps(26, 0.0, 0.25) }
     })?;
+    let highest_mpa = pressures.iter().copied().fold(0.0, f64::max);
     let contractions = match request.test {
         Test::Isotonic => vec![],
         _ => {
@@ -242,7 +247,10 @@ fn each(
             }
         }
     }
+    let found = question.burst()?;
+    put_first(&mut said, said_of(&found, highest_mpa, QUIET_MPA));
     Ok(CurveAnswer {
+        burst_pressure_mpa: found.pressure_mpa(),
         model: question.model.name().into(),
         test: request.test,
         muscle: MuscleSummary::from(&question.muscle),
@@ -277,6 +285,21 @@ pub(crate) fn reach(
         list.push(end);
     }
     list
+}
+
+/// Refuses what a test does not take.
+pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result<(), Problem> {
+    let name = test.name();
+    match test {
+        Test::Isotonic => Problem::refuse_unused(
+            &[("contractions", contractions)],
+            format!("`test` {name} takes pulls (`forces_n`) and answers with contractions"),
+        ),
+        Test::Isometric | Test::Isobaric => Problem::refuse_unused(
+            &[("forces_n", forces)],
+            format!("`test` {name} takes contractions (`contractions`) and answers with pulls"),
+        ),
+    }
 }
 
 /// Evenly spaced values, both ends among them.

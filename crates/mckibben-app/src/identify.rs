@@ -248,14 +248,19 @@ impl From<&Fitted> for IdentifiedPoint {
 }
 
 /// The muscle with the values found as a muscle file.
-fn muscle_file(data: &str, model: &str, found: &Identification) -> String {
+fn muscle_file(data: &str, model: &str, found: &Identification, measured: bool) -> String {
+    // Points of a formula are no bench.
+    let muscle = match found.bench.clone().filter(|_| measured) {
+        Some(bench) => found.muscle.clone().with_bench(bench),
+        None => found.muscle.clone(),
+    };
     let one_line = |text: &str| text.replace(char::is_control, " ");
     format!(
         "# Identified from {} with the model {}:\n# {}\n{}",
         one_line(data),
         one_line(model),
         in_one_line(&found.parameters),
-        to_toml(&found.muscle)
+        to_toml(&muscle)
     )
 }
 
@@ -306,7 +311,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
     });
     Ok(IdentifyAnswer {
         model: model.name().into(),
-        muscle_file: muscle_file(&origin, model.name(), &found),
+        muscle_file: muscle_file(&origin, model.name(), &found, request.formula.is_none()),
         data: origin,
         understood,
         parameters: found.parameters.clone(),
@@ -467,7 +472,12 @@ pub fn with_error_bar(p: &Identified) -> (String, String) {
 fn in_one_line(parameters: &[Identified]) -> String {
     let one = |p: &Identified| {
         let (value, bar) = with_error_bar(p);
-        let doubt = if p.identifiable { "" } else { " (not identifiable)" };
+        let doubt = match p {
+            p if p.identifiable => "",
+            p if p.at_bound => " (on its bound)",
+            p if p.implausible => " (not determined)",
+            _ => " (not identifiable)",
+        };
         let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
         let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
         format!("{} {value}{bar}{unit}{doubt}", p.name)
@@ -501,6 +511,14 @@ impl From<IdentifyError> for Problem {
             | IdentifyError::Start { .. } => (ProblemKind::NotConverged, ""),
             IdentifyError::Implausible(_) => {
                 (ProblemKind::Data, "if they are right, free what may be wrong: `free` ...,braid.angle")
+            }
+            IdentifyError::Flipped(_) => (
+                ProblemKind::Data,
+                "forces are positive where the muscle pulls, contractions where it is shorter than at rest",
+            ),
+            IdentifyError::NoRubber { .. } => {
+                let hint = "look at the signs and units of the columns, at diameter, wall and angle of the muscle, and at where its contraction is zero";
+                (ProblemKind::NotConverged, hint)
             }
             IdentifyError::TooFew { .. } | IdentifyError::ErrorsOfSome { .. } => (ProblemKind::Data, ""),
             _ => (ProblemKind::Parameter, ""),

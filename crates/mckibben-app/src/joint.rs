@@ -1,5 +1,6 @@
 //! `joint`: torque, stiffness, rest angles and pressures of a muscle against a spring, or of two against each other.
 
+use crate::burst::{burst_of, least, put_first, said_of};
 use crate::fields::{ModelFields, MuscleFields, TextFile};
 use crate::figure;
 use crate::model::{Model, Purpose};
@@ -15,6 +16,7 @@ use mckibben::joint::{
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use mckibben::units::short_numbers;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -176,6 +178,8 @@ pub struct JointAnswer {
     pub range_deg: (f64, f64),
     /// The points, pressures after pressures.
     pub points: Vec<JointRow>,
+    /// Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its strands.
+    pub burst_pressure_mpa: Option<f64>,
     /// What the joint reaches, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<JointMap>,
@@ -216,7 +220,9 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
             let points = (count as f64).powi(joint.muscles().len() as i32);
             budget.admit(Resource::Points, points)?;
             budget.admit(Resource::Bytes, MAP_POINT_BYTES * points)?;
-            Some(model.map(supply(request)?, count, progress)?)
+            let supply = supply(request)?;
+            asked.said.extend(model.outside(supply, progress)?.into_iter().map(Warning::from));
+            Some(model.map(supply, count, progress)?)
         }
     };
     if rows.is_empty() && map.is_none() {
@@ -228,13 +234,24 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         ));
     }
     let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
+    let bursts = models.iter().map(|m| burst_of(&named, &**m, &budget)).collect::<Result<Vec<_>, _>>()?;
+    let supplied = if map.is_some() { supply(request)? } else { 0.0 };
+    let highest = |i: usize| {
+        let of = |row: &JointRow| if i == 0 { Some(row.pressure_1_mpa) } else { row.pressure_2_mpa };
+        rows.iter().filter_map(of).fold(supplied, f64::max)
+    };
+    let said: Vec<Warning> =
+        bursts.iter().enumerate().filter_map(|(i, found)| said_of(found, highest(i), 0.0)).collect();
+    let mut warnings = Warning::gravest(&asked.said);
+    put_first(&mut warnings, said);
     let mut answer = JointAnswer {
+        burst_pressure_mpa: least(&bursts),
         model: models.first().map_or_else(String::new, |m| m.name().into()),
         muscles: summaries,
         range_deg: joint.range_deg(),
         points: rows,
         map,
-        warnings: Warning::gravest(&asked.said),
+        warnings,
         figure: None,
     };
     let figure = request.figure.as_ref();
@@ -261,6 +278,16 @@ impl Asked<'_> {
     fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>, Problem> {
         let families = &request.pressures_mpa;
         let angles = request.angles_deg.as_deref();
+        if !families.is_empty() {
+            let (torque, sought) = (request.torque_nm.is_some(), request.stiffness_nm_per_rad.is_some());
+            let why = "it is wanted of pressures that are sought, and `pressures_mpa` are given";
+            Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
+            let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
+            Problem::refuse_unused(&[("torque_nm", torque && angles.is_some())], why)?;
+            let supply = request.max_pressure_mpa.is_some() && request.map.is_none();
+            let why = "it bounds pressures that are sought, and `pressures_mpa` are given";
+            Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
+        }
         for &p in families.iter().flatten() {
             if !(p.is_finite() && p >= 0.0) {
                 let message = format!("{p} MPa is no gauge pressure of a muscle");
@@ -379,7 +406,7 @@ impl From<JointError> for Problem {
             JointError::Cancelled => Self::cancelled(),
             JointError::Muscle { error, .. } => {
                 let inner = Self::from(error);
-                Self { message, ..inner }
+                Self { message: short_numbers(&message).into_owned(), ..inner }
             }
             JointError::NoTorque { .. } | JointError::NoStiffness { .. } => Self::new(
                 ProblemKind::NoAnswer,

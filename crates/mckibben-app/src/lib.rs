@@ -26,6 +26,7 @@
 
 mod border;
 mod braid;
+mod burst;
 #[cfg(feature = "files")]
 mod campaign;
 mod commands;

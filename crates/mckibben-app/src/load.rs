@@ -5,6 +5,7 @@ use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::{Answer, Options};
 use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle, read_load};
 use mckibben::model::{ForceModel, Workspace};
+use mckibben::units::short_numbers;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -136,7 +137,7 @@ pub(crate) fn loaded(
         at.push(LoadedAt {
             pressure_mpa,
             equilibria: found.into_iter().map(Equilibrium::from).collect(),
-            cause: error.as_ref().map(LoadError::to_string),
+            cause: error.as_ref().map(|e| short_numbers(&e.to_string()).into_owned()),
             error,
         });
     }

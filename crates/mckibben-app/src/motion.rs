@@ -1,5 +1,6 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
+use crate::burst::{burst_of, least, put_first, said_of};
 use crate::fields::{ModelFields, MuscleFields, TextFile};
 use crate::figure;
 use crate::joint::JointFields;
@@ -8,14 +9,16 @@ use crate::muscle::MuscleSummary;
 use crate::point::{finite, given};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
+use crate::words::{number, percent};
 use mckibben::joint::Joint;
 use mckibben::model::ForceModel;
 use mckibben::progress::Progress;
+use mckibben::units::short_numbers;
 use mckibben::warning::Warning;
 use mckibben_motion::{
     Actuated, Command, Dahl, Drive, DriveFile, Energies, Event, Linear, Mechanism, Motion, MotionError,
-    Names, SingleMuscle, StepFigures, Subject, Tables, Target, Tolerance, drive_names, parse_drive, run,
-    size, with_value,
+    Moves, Names, SingleMuscle, StepFigures, Subject, Tables, Target, Tolerance, drive_names, parse_drive,
+    run_as_far, size, with_value,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -61,7 +64,7 @@ pub struct StepFields {
     pub supply_mpa: Option<f64>,
     /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
     pub valve: Option<String>,
-    /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`.
+    /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`; `held`, or `held:10%`, holds both ends at a contraction.
     pub load: Option<String>,
     /// Damper of the load, N s/m.
     pub damping_n_s_per_m: f64,
@@ -89,14 +92,24 @@ impl StepFields {
             .ok_or_else(|| Problem::missing("load", "what it moves, such as mass:10kg"))?;
         let numeric = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-');
         let key = if numeric { "sonic_conductance" } else { "name" };
+        let held = load.trim().strip_prefix("held").map(|rest| rest.trim_start_matches(':').trim());
+        let moving = match held {
+            Some(_) => String::new(),
+            None => format!("damping = \"{damping} N s/m\"\nstops = \"0..1e6 mm\"\n"),
+        };
         let text = format!(
-            "muscle = \"muscle\"\n[supply]\npressure = \"{supply} MPa\"\n[load]\ndamping = \"{damping} N s/m\"\nstops = \"0..1e6 mm\"\n\
+            "muscle = \"muscle\"\n[supply]\npressure = \"{supply} MPa\"\n[load]\n{moving}\
              [command]\npressure = [[\"0 s\", \"0 MPa\"], [\"0.05 s\", \"{pressure} MPa\"]]\nuntil = \"{until} s\"\n"
         );
         let with = |text: &str, key: &str, value: &str| {
             with_value(text, key, value).map_err(|e| Problem::from(e.of(Path::new("the drive"))))
         };
-        let text = with(&with(&text, &format!("valve.{key}"), valve.trim())?, "load.line", load)?;
+        let text = with(&text, &format!("valve.{key}"), valve.trim())?;
+        let text = match held {
+            Some("") => with(&text, "load.held", "0")?,
+            Some(contraction) => with(&text, "load.held", contraction)?,
+            None => with(&text, "load.line", load)?,
+        };
         Ok(TextFile { name: "the drive".into(), text })
     }
 }
@@ -134,6 +147,23 @@ pub struct MotionRun {
     pub steps: Vec<StepFigures>,
     /// Largest speed, mm/s or °/s.
     pub largest_speed: f64,
+    /// The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_velocity_mm_per_s: Option<f64>,
+    /// The same of a joint, °/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_velocity_deg_per_s: Option<f64>,
+    /// Whether it rests at the end, within 2 % of its way; none where the command still changes there, or both ends are held.
+    pub at_rest: Option<bool>,
+    /// Where a muscle's load rests in the end under the commanded pressure, without friction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equilibrium_contraction: Option<f64>,
+    /// Where a joint rests in the end under the commanded pressures, without friction, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub equilibrium_angle_deg: Option<f64>,
+    /// Why it ended before its end; the series goes as far as it was computed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ended_early: Option<String>,
     /// Largest power of the muscles, W.
     pub largest_power_w: f64,
     /// Air from the supply, normal litres (0 °C, 101.325 kPa).
@@ -264,12 +294,17 @@ pub struct MotionAnswer {
     /// Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sonic_conductance_l_per_s_bar: Option<f64>,
+    /// Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its strands.
+    pub burst_pressure_mpa: Option<f64>,
     /// What the user should know.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
+    /// Where a motion ended before its end: the reason.
+    #[serde(skip)]
+    pub problem: Option<Problem>,
 }
 
 /// Most runs of a sweep.
@@ -277,6 +312,7 @@ const MOST_RUNS: usize = 100;
 
 /// What a drive moves, ready to be asked.
 struct Moved {
+    choice: Model,
     joint: Option<Joint>,
     models: Vec<Box<dyn ForceModel>>,
 }
@@ -291,11 +327,11 @@ impl MotionRequest {
     }
 
     fn moved(&self, subject: &Subject, progress: &dyn Progress) -> Result<Moved, Problem> {
-        let model = Model::choose(&self.model, Purpose::Answer)?;
+        let choice = Model::choose(&self.model, Purpose::Answer)?;
         let budget = progress.budget();
         let build = |muscle: &mckibben::muscle::Muscle| -> Result<Box<dyn ForceModel>, Problem> {
-            model.admit(muscle, &budget)?;
-            Ok(model.build(muscle)?)
+            choice.admit(muscle, &budget)?;
+            Ok(choice.build(muscle)?)
         };
         match subject {
             Subject::Muscle(_) => {
@@ -303,12 +339,13 @@ impl MotionRequest {
                 if self.muscle.is_none() {
                     return Err(Problem::missing("muscle", "the muscle file that the drive names"));
                 }
-                Ok(Moved { joint: None, models: vec![build(&muscle.resolve()?)?] })
+                let models = vec![build(&muscle.resolve()?)?];
+                Ok(Moved { choice, joint: None, models })
             }
             Subject::Joint(_) => {
                 let joint = self.joint.resolve()?;
                 let models = joint.muscles().iter().map(|m| build(&m.muscle)).collect::<Result<_, _>>()?;
-                Ok(Moved { joint: Some(joint), models })
+                Ok(Moved { choice, joint: Some(joint), models })
             }
         }
     }
@@ -347,11 +384,25 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     };
     let mut sized = None;
     let mut runs = vec![];
+    let mut highest_mpa = vec![0.0_f64; moved.models.len()];
+    let (mut told, mut problem) = (vec![], None);
+    let length_mm = moved.models.first().map_or(1.0, |m| m.muscle().length_mm());
     for (i, (value, file)) in files.iter().enumerate() {
         progress.report(i, files.len());
         let (motion, conductance, bandwidth_hz) = moved.go(file, request.rise_time_s, progress)?;
         sized = sized.or(conductance);
-        runs.push(MotionRun::of(value.clone(), &motion, moved.joint.is_some(), bandwidth_hz));
+        let wanted = match &file.target {
+            Target::Pressure(list) => list.iter().map(|c| c.bounds().1).collect(),
+            Target::Opening(_) | Target::Position { .. } => vec![],
+        };
+        for (i, highest) in highest_mpa.iter_mut().enumerate() {
+            let reached = motion.muscles.get(i).map_or(&[][..], |m| &m.pressure_mpa);
+            *highest = reached.iter().chain(wanted.get(i)).copied().fold(*highest, f64::max);
+        }
+        let with = value.as_ref().map_or_else(String::new, |v| format!("with {v}: "));
+        told.extend(moved.tells(&motion, file).into_iter().map(|said| Warning::Said(with.clone() + &said)));
+        problem = problem.or(motion.ended.clone().map(Problem::from));
+        runs.push(MotionRun::of(value.clone(), &motion, length_mm, moved.joint.is_some(), bandwidth_hz));
     }
     let summaries: Vec<MuscleSummary> = moved.models.iter().map(|m| m.muscle().into()).collect();
     let contact = |m: &mckibben::muscle::Muscle| m.friction().is_some_and(|f| f.lever_mm > 0.0);
@@ -361,7 +412,13 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         .any(|m| contact(m.muscle()))
         .then(|| "a drive has the friction C·P^β alone: friction.lever is not used".to_owned());
     let said = moved.models.iter().flat_map(|m| m.muscle().warnings()).chain(left_out);
-    let warnings = Warning::gravest(&said.map(Warning::from).collect::<Vec<_>>());
+    let all: Vec<Warning> = told.into_iter().chain(said.map(Warning::from)).collect();
+    let mut warnings = Warning::gravest(&all);
+    let budget = progress.budget();
+    let of = |m: &Box<dyn ForceModel>| burst_of(&moved.choice, &**m, &budget);
+    let bursts = moved.models.iter().map(of).collect::<Result<Vec<_>, _>>()?;
+    let burst = bursts.iter().zip(&highest_mpa).filter_map(|(found, highest)| said_of(found, *highest, 0.0));
+    put_first(&mut warnings, burst.collect::<Vec<_>>());
     let mut runs = runs.into_iter();
     let Some(motion) = runs.next() else { return Err(Problem::missing("drive", "a drive file")) };
     let mut answer = MotionAnswer {
@@ -370,8 +427,10 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         motion,
         others: runs.collect(),
         sonic_conductance_l_per_s_bar: sized,
+        burst_pressure_mpa: least(&bursts),
         warnings,
         figure: None,
+        problem,
     };
     let sweep = request.sweep.as_ref().map(|s| s.key.as_str());
     answer.figure = request.figure.as_ref().map(|unit| figure::motion(&answer, sweep, unit));
@@ -387,9 +446,10 @@ impl Moved {
         progress: &dyn Progress,
     ) -> Result<(Motion, Option<f64>, Option<f64>), Problem> {
         let single = match (&self.joint, self.models.first()) {
+            (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
             (None, Some(model)) => {
                 let load = file.load.clone().ok_or_else(|| {
-                    let hint = "such as mass = \"10 kg\" in [load]";
+                    let hint = "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle whose ends are held";
                     Problem::new(ProblemKind::File, "the drive has no [load], and nothing that moves", hint)
                 })?;
                 let (damping_n_s_per_m, stops_mm) = (file.damping_n_s_per_m, file.stops_mm);
@@ -417,6 +477,7 @@ impl Moved {
             supply: file.supply,
             output_step_s: file.output_step_s,
             tolerance: Tolerance::default(),
+            initial_coordinate: single.as_ref().zip(file.held).map(|(s, e)| e * s.length_mm),
             ..Drive::new(mechanism, muscles.collect(), target, file.until_s)
         };
         let bandwidth = match &drive.target {
@@ -428,7 +489,13 @@ impl Moved {
             _ => None,
         };
         match rise_time_s {
-            None => Ok((run(&drive, progress)?, None, bandwidth)),
+            None => {
+                let mut motion = run_as_far(&drive, progress)?;
+                match motion.never_lifted.take() {
+                    Some(error) => Err(error.into()),
+                    None => Ok((motion, None, bandwidth)),
+                }
+            }
             Some(wanted) => {
                 let found = size(&drive, finite("rise_time_s", wanted)?, progress)?;
                 Ok((found.motion, Some(found.conductance_l_per_s_bar), bandwidth))
@@ -437,8 +504,44 @@ impl Moved {
     }
 }
 
+impl Moved {
+    /// What the user should know of a motion.
+    fn tells(&self, motion: &Motion, file: &DriveFile) -> Vec<String> {
+        let ended = motion.ended.as_ref().map(|error| format!("it ended early: {error}"));
+        ended.into_iter().chain(self.unsettled(motion, file)).collect()
+    }
+
+    /// That the load does not rest at the end, and where it would.
+    fn unsettled(&self, motion: &Motion, file: &DriveFile) -> Option<String> {
+        let rest = motion.rest?;
+        let shown = |q: f64| match (&self.joint, self.models.first()) {
+            (None, Some(model)) => percent(q / model.muscle().length_mm()),
+            _ => format!("{}°", number(q.to_degrees(), 4)),
+        };
+        let (low, high) = rest.between;
+        let between = format!("at the end it moves between {} and {}", shown(low), shown(high));
+        let end = match rest.equilibrium {
+            Some(q) => format!("{between}, and its equilibrium is {}", shown(q)),
+            None => between,
+        };
+        let damped = match &self.joint {
+            Some(joint) => joint.link().damping_nm_s_per_rad > 0.0,
+            None => file.damping_n_s_per_m > 0.0,
+        };
+        match rest.moves {
+            Moves::Rests => None,
+            Moves::Creeps => Some(format!("still moving: {end}; a later end shows where it rests")),
+            Moves::Swings if damped => Some(format!("still swinging: {end}; a later end, or more damping")),
+            Moves::Swings => Some(format!(
+                "still swinging: {end}. Its damping is 0, since none is given: only the air, and friction and relaxation where they are stated, take energy out"
+            )),
+        }
+    }
+}
+
 impl MotionRun {
-    fn of(value: Option<String>, m: &Motion, joint: bool, bandwidth_hz: Option<f64>) -> Self {
+    fn of(value: Option<String>, m: &Motion, length_mm: f64, joint: bool, bandwidth_hz: Option<f64>) -> Self {
+        let rests_at = m.rest.and_then(|rest| rest.equilibrium);
         let degrees = |list: &[f64]| -> Vec<f64> { list.iter().map(|v| v.to_degrees()).collect() };
         let (first, second) = (m.muscles.first(), m.muscles.get(1));
         let series = MotionSeries {
@@ -460,6 +563,12 @@ impl MotionRun {
             vent_time_s: m.vent_time_s,
             steps: m.steps.clone(),
             largest_speed: if joint { m.largest_speed.to_degrees() } else { m.largest_speed },
+            largest_velocity_mm_per_s: (!joint).then_some(m.largest_speed),
+            largest_velocity_deg_per_s: joint.then_some(m.largest_speed.to_degrees()),
+            at_rest: m.rest.map(|rest| rest.moves == Moves::Rests),
+            equilibrium_contraction: rests_at.filter(|_| !joint).map(|q| q / length_mm),
+            equilibrium_angle_deg: rests_at.filter(|_| joint).map(f64::to_degrees),
+            ended_early: m.ended.as_ref().map(|e| short_numbers(&e.to_string()).into_owned()),
             largest_power_w: m.largest_power_w,
             air_normal_litres: m.air_normal_litres,
             air_normal_litres_per_cycle: m.air_normal_litres_per_cycle,
@@ -487,6 +596,10 @@ impl From<MotionError> for Problem {
             | MotionError::NotAtRest { .. } => ProblemKind::NoAnswer,
             _ => ProblemKind::File,
         };
-        Self::new(kind, error.to_string(), "")
+        let hint = match error {
+            MotionError::NeverLifted { .. } => "the load `held` fills a muscle whose ends are held",
+            _ => "",
+        };
+        Self::new(kind, error.to_string(), hint)
     }
 }

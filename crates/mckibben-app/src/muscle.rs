@@ -57,7 +57,7 @@ impl MuscleFields {
                 return Err(Problem::new(ProblemKind::Usage, message, ""));
             }
         }
-        Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?)
+        Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?.with_bench_of(base))
     }
 
     /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.
@@ -150,6 +150,9 @@ pub struct MuscleSummary {
     pub rubber: String,
     /// The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     pub braid: String,
+    /// Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sleeve: Option<String>,
 }
 
 impl From<&Muscle> for MuscleSummary {
@@ -161,6 +164,7 @@ impl From<&Muscle> for MuscleSummary {
             angle_deg: m.braid().angle_deg,
             rubber: words::rubber_name(m),
             braid: words::braid_name(m),
+            sleeve: m.braid().sleeve.as_ref().map(|s| s.name.clone()),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! `force`, `pressure`, `contraction`: one point of a muscle's behaviour.
 
+use crate::burst::{QUIET_MPA, put_first, said_of};
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::load::{LoadAnswer, LoadFields, loaded};
 use crate::model::check_both;
@@ -89,6 +90,8 @@ pub struct PointAnswer {
     /// The same while the muscle is shortened and while it is lengthened, where both were asked for.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub branches: Vec<Answer>,
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    pub burst_pressure_mpa: Option<f64>,
     /// Every equilibrium with the load, where there is one; the point is the first that is stable, or the first.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
@@ -187,12 +190,23 @@ fn answered(
     };
     let found = all();
     question.workspace.budget().ended()?;
-    let (point, branches) = found?;
+    let (mut point, branches) = found?;
+    let found = question.burst()?;
+    let all = std::iter::once(&point).chain(&branches);
+    let highest_mpa = all.map(|a| a.response.pressure_mpa).fold(0.0, f64::max);
+    put_first(&mut point.warnings, said_of(&found, highest_mpa, QUIET_MPA));
     let about = ModelAbout {
         source: source_of(&*question.model, options.direction),
         uncertainty_basis: question.model.accuracy().basis(),
     };
-    Ok(PointAnswer { point, branches, loaded: None, muscle: (&question.muscle).into(), about })
+    Ok(PointAnswer {
+        point,
+        branches,
+        burst_pressure_mpa: found.pressure_mpa(),
+        loaded: None,
+        muscle: (&question.muscle).into(),
+        about,
+    })
 }
 
 /// A number that must be there.

@@ -9,6 +9,7 @@ use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
 use mckibben::table::TableError;
+use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
 use mckibben_fem::FemError;
 use schemars::JsonSchema;
@@ -151,9 +152,10 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// A problem.
+    /// A problem; numbers in its words have no more digits than anybody reads.
     pub fn new(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        Self { kind, message: message.into(), hint: hint.into(), field: None, nearest: None }
+        let message = short_numbers(&message.into()).into_owned();
+        Self { kind, message, hint: short_numbers(&hint.into()).into_owned(), field: None, nearest: None }
     }
 
     /// The same with the field that is to blame.
@@ -171,6 +173,26 @@ impl Problem {
     /// A field that must be there and is not.
     pub fn missing(field: &str, expected: &str) -> Self {
         Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
+    }
+
+    /// A field that is there and would change nothing, with the reason, which names the other field.
+    pub fn unused(field: &str, why: impl fmt::Display) -> Self {
+        Self::new(
+            ProblemKind::Usage,
+            format!("`{field}` would change nothing: {why}"),
+            "leave one of them out",
+        )
+    }
+
+    /// Refuses fields that are there and would change nothing.
+    ///
+    /// # Errors
+    /// [`Problem`] about the first of them.
+    pub fn refuse_unused(fields: &[(&str, bool)], why: impl fmt::Display) -> Result<(), Self> {
+        match fields.iter().find(|field| field.1) {
+            Some((field, _)) => Err(Self::unused(field, why)),
+            None => Ok(()),
+        }
     }
 
     /// The caller wanted the work to end.
@@ -248,11 +270,13 @@ impl From<AnalysisError> for Problem {
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa, contraction: None });
             }
             AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
-                if nearest_force_n > force_n {
-                    hint = format!(
+                hint = if nearest_force_n > force_n {
+                    format!(
                         "it still pulls where the range of {model} ends; fe and thick-wall have no such limit"
-                    );
-                }
+                    )
+                } else {
+                    "take more pressure, or a larger muscle".to_owned()
+                };
                 let contraction = Some(nearest_contraction);
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
             }

@@ -1,8 +1,10 @@
 //! A model bound to its muscle, ready to be asked.
 
+use crate::burst::burst_of;
 use crate::fields::{AskFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose, check_direction};
 use crate::problem::Problem;
+use mckibben::analysis::Burst;
 use mckibben::answer::Options;
 use mckibben::budget::Budget;
 use mckibben::model::{ForceModel, Workspace};
@@ -11,6 +13,8 @@ use mckibben::muscle::Muscle;
 /// A model bound to its muscle, with the workspace of this request.
 pub(crate) struct Question {
     pub(crate) muscle: Muscle,
+    /// The model before it was bound.
+    pub(crate) choice: Model,
     pub(crate) model: Box<dyn ForceModel>,
     pub(crate) workspace: Workspace,
     pub(crate) options: Options,
@@ -25,10 +29,20 @@ impl Question {
     ) -> Result<Self, Problem> {
         let muscle = muscle.resolve()?;
         let options = asking.options(&muscle)?;
-        let model = Model::choose(model, Purpose::Answer)?;
-        model.admit(&muscle, budget)?;
-        let model = model.build(&muscle)?;
-        Ok(Self { muscle, model, workspace: Workspace::within(budget.clone()), options })
+        let choice = Model::choose(model, Purpose::Answer)?;
+        choice.admit(&muscle, budget)?;
+        let model = choice.build(&muscle)?;
+        Ok(Self { muscle, choice, model, workspace: Workspace::within(budget.clone()), options })
+    }
+}
+
+impl Question {
+    /// The burst pressure of its muscle.
+    ///
+    /// # Errors
+    /// [`Problem`] where the budget is spent.
+    pub(crate) fn burst(&self) -> Result<Burst, Problem> {
+        burst_of(&self.choice, &*self.model, self.workspace.budget())
     }
 }
 

@@ -40,6 +40,10 @@ pub struct ReportRequest {
 pub struct ReportAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    pub burst_pressure_mpa: Option<f64>,
+    /// What the user should know, in sentences.
+    pub warnings: Vec<String>,
     /// The report.
     pub document: Document,
 }
@@ -79,7 +83,8 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     )?;
     step(2)?;
     let units = &request.units;
-    let mut parts = state(&shown, &point, units);
+    let burst = shown.warnings.iter().filter(|w| is_of_burst(w)).cloned().map(Part::Text);
+    let mut parts: Vec<Part> = burst.chain(state(&shown, &point, units)).collect();
     let of = ShapeRequest {
         muscle: request.muscle.clone(),
         pressure_mpa: Some(pressure_mpa),
@@ -111,7 +116,13 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
         parts,
         footer: format!("mckibben {version}. Muscle file: SHA-256 {hash}."),
     };
-    Ok(ReportAnswer { muscle: shown.summary, document })
+    let burst_pressure_mpa = shown.characteristics.as_ref().and_then(|c| c.burst_pressure_mpa);
+    Ok(ReportAnswer { muscle: shown.summary, burst_pressure_mpa, warnings: shown.warnings, document })
+}
+
+/// Whether a warning is about the burst of the muscle: it comes first in the report.
+fn is_of_burst(sentence: &str) -> bool {
+    sentence.starts_with("BURST")
 }
 
 /// Rows of names and values.
@@ -149,7 +160,7 @@ fn state(shown: &MuscleShowAnswer, point: &PointAnswer, u: &Units) -> Vec<Part> 
             "air of a free stroke",
             c.and_then(|c| c.air_normal_litres).map(|v| format!("{} normal litres", number(v, 4))),
         ),
-        ("strands break at", c.and_then(|c| c.burst_pressure_mpa).map(|v| u.pressure.show(v))),
+        ("burst pressure", c.and_then(|c| c.burst_pressure_mpa).map(|v| u.pressure.show(v))),
     ];
     vec![Part::Heading("What it does".into()), pairs(rows)]
 }
@@ -270,6 +281,7 @@ fn limits(shown: &MuscleShowAnswer, point: &PointAnswer) -> Vec<Part> {
     }
     list.extend(shown.warnings.iter().cloned());
     list.extend(point.point.warnings.iter().map(ToString::to_string));
+    list.retain(|sentence| !is_of_burst(sentence));
     list.dedup();
     vec![Part::Heading("Assumptions and limits".into()), Part::List(list)]
 }

@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::muscle::MuscleSummary;
 use crate::point::{finite, given, pull, ratio};
 use crate::problem::{Problem, ProblemKind};
-use mckibben::analysis::contraction_at;
+use mckibben::analysis::contraction_or_stretch_at;
 use mckibben::answer::{self, Answer, Options};
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;
@@ -123,7 +123,7 @@ fn at(
         Some(force_n) => {
             let force_n = finite("force_n", force_n)?;
             pull(force_n, Default::default())?;
-            contraction_at(&*whole, workspace, force_n, pressure_mpa, options)?
+            contraction_or_stretch_at(&*whole, workspace, force_n, pressure_mpa, options)?
         }
         None => ratio(request.contraction.unwrap_or(0.0))?,
     };

@@ -1,15 +1,15 @@
 //! `muscle show`: what was understood of a muscle, what follows from it, and how to build it.
 
-use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::burst::{burst_of, said_of};
+use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
 use crate::problem::Problem;
-use mckibben::analysis::{
-    air_per_stroke, blocked_force_n, burst_pressure_mpa, free_contraction, work_per_stroke_j,
-};
+use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contraction, work_per_stroke_j};
 use mckibben::answer::check_range;
 use mckibben::model::Workspace;
+use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::{RubberLaw, library};
 use schemars::JsonSchema;
@@ -31,6 +31,9 @@ pub struct MuscleShowRequest {
     pub asking: AskFields,
     /// Also what it does at this pressure, MPa.
     pub pressure_mpa: Option<f64>,
+    /// The answer shall carry the muscle file that says the same.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub muscle_file: bool,
 }
 
 /// What was understood of a muscle, and what follows from it.
@@ -51,6 +54,15 @@ pub struct MuscleShowAnswer {
     pub bulk_modulus_mpa: Option<f64>,
     /// Stiffness k of one strand family, N/mm; none for inextensible strands.
     pub stiffness_n_per_mm: Option<f64>,
+    /// What both ends together give way under a pull, mm, where it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seating_mm: Option<f64>,
+    /// What both ends together slip under the load of a clamp, mm/N, where it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub slip_mm_per_n: Option<f64>,
+    /// Length at each end, within that of the muscle, in which tube and braid are held, mm, where it is stated.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grip_mm: Option<f64>,
     /// What follows from the measures.
     pub derived: Derived,
     /// What to cut.
@@ -60,6 +72,9 @@ pub struct MuscleShowAnswer {
     /// What it does at the pressure that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub characteristics: Option<Characteristics>,
+    /// The muscle file (TOML) that says the same, where it was asked for: file and fields of the request in one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub muscle_file: Option<String>,
     /// The muscle itself.
     #[serde(skip)]
     pub muscle: Muscle,
@@ -118,7 +133,7 @@ pub struct Characteristics {
     pub volume_mm3: Option<f64>,
     /// Air from rest to there, normal litres.
     pub air_normal_litres: Option<f64>,
-    /// Pressure at which the strands break, MPa, where their strength is known.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
     pub burst_pressure_mpa: Option<f64>,
 }
 
@@ -128,7 +143,22 @@ pub struct Characteristics {
 /// [`Problem`].
 pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
-    let characteristics = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
+    if request.pressure_mpa.is_none() {
+        let (model, asking) = (&request.model, request.asking);
+        let fields = [
+            ("model", model.model.is_some()),
+            ("mesh", model.mesh != MeshFields::default()),
+            ("extrapolate", asking.extrapolate),
+            ("two_sided", asking.two_sided),
+            ("direction", !asking.direction.is_mean()),
+        ];
+        let why = "a model is asked what the muscle does at a pressure, and no `pressure_mpa` is given";
+        Problem::refuse_unused(&fields, why)
+            .map_err(|p| p.with_hint("give `pressure_mpa`, such as 0.2 MPa"))?;
+    }
+    let asked = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
+    let said = asked.as_ref().and_then(|(c, found)| said_of(found, c.pressure_mpa, 0.0));
+    let characteristics = asked.map(|a| a.0);
     let (sheet, rubber) = (muscle.build_sheet(), &muscle.tube().rubber);
     let (law, reach) = (&rubber.law, muscle.reach());
     let warnings = library::warnings(rubber);
@@ -149,6 +179,9 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             Bulk::Modulus(k) => Some(k),
         },
         stiffness_n_per_mm: muscle.family_stiffness_n_per_mm(),
+        seating_mm: muscle.terminals().seating_mm,
+        slip_mm_per_n: muscle.terminals().slip_mm_per_n,
+        grip_mm: muscle.terminals().grip_mm,
         derived: Derived {
             inner_diameter_mm: muscle.inner_diameter_mm(),
             strand_length_mm: muscle.strand_length_mm(),
@@ -166,13 +199,15 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             strands: sheet.strands,
             rubber_volume_mm3: sheet.rubber_volume_mm3,
         },
-        warnings: muscle
-            .warnings()
+        warnings: said
+            .map(|w| w.to_string())
             .into_iter()
+            .chain(muscle.warnings())
             .chain(warnings.iter().map(ToString::to_string))
             .chain(beyond)
             .collect(),
         characteristics,
+        muscle_file: request.muscle_file.then(|| to_toml(&muscle)),
         muscle,
     })
 }
@@ -181,16 +216,18 @@ fn characteristics(
     request: &MuscleShowRequest,
     muscle: &Muscle,
     pressure_mpa: f64,
-) -> Result<Characteristics, Problem> {
+) -> Result<(Characteristics, Burst), Problem> {
     let pressure_mpa = finite("pressure_mpa", pressure_mpa)?;
     let options = request.asking.options(muscle)?;
-    let model = Model::choose(&request.model, Purpose::Answer)?.build(muscle)?;
+    let choice = Model::choose(&request.model, Purpose::Answer)?;
+    let model = choice.build(muscle)?;
     let (model, w) = (&*model, &mut Workspace::new());
     check_range(model, pressure_mpa, 0.0, options)?;
     let blocked_force_n = blocked_force_n(model, w, pressure_mpa, options)?;
     let free = free_contraction(model, w, pressure_mpa, options).ok();
     let air = free.and_then(|e| air_per_stroke(model, w, pressure_mpa, e).ok());
-    Ok(Characteristics {
+    let found = burst_of(&choice, model, w.budget())?;
+    let characteristics = Characteristics {
         model: model.name().into(),
         pressure_mpa,
         blocked_force_n,
@@ -198,6 +235,7 @@ fn characteristics(
         work_j: free.and_then(|e| work_per_stroke_j(model, w, pressure_mpa, 0.0, e, options).ok()),
         volume_mm3: air.map(|a| a.volume_mm3),
         air_normal_litres: air.map(|a| a.normal_litres),
-        burst_pressure_mpa: burst_pressure_mpa(model, w, 0.0).ok().flatten(),
-    })
+        burst_pressure_mpa: found.pressure_mpa(),
+    };
+    Ok((characteristics, found))
 }

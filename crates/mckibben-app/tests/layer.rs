@@ -1,6 +1,9 @@
 //! What every front end relies on: names, schemas, the default model, words.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
+#[path = "layer/sizes.rs"]
+mod sizes;
+
 use mckibben::progress::{Progress, Silent};
 use mckibben_app::{
     COMMANDS, DesignRequest, ForceRequest, ProblemKind, SweepRequest, ValidateRequest, ask, design, force,

@@ -158,3 +158,46 @@ fn a_report_holds_the_answers_of_its_commands() {
     );
     assert!(report["document"]["footer"].as_str().unwrap().contains("SHA-256"));
 }
+
+/// Identity: the file that `muscle-show` writes of a file and fields is the same muscle again, and pulls the same.
+#[test]
+fn a_written_muscle_file_is_file_and_fields_in_one() {
+    let file = "[tube]\nouter_diameter = \"20 mm\"\nwall_thickness = \"1.5 mm\"\nlength = \"150 mm\"\n[tube.material]\n\
+                law = \"neo-hookean\"\nmu = \"0.4 MPa\"\n[braid]\nname = \"nfl-19\"\nstiffness = 400\n[terminals]\nseating = 0.5\nslip = \"1 mm/kN\"\n";
+    let fields = json!({ "muscle": { "name": "mine.toml", "text": file }, "length_mm": 160.2, "grip_mm": 2 });
+    let shown = |mut request: Value| {
+        request["muscle_file"] = true.into();
+        asked("muscle-show", request)
+    };
+    let first = shown(fields.clone());
+    let written = first["muscle_file"].clone();
+    let again = json!({ "muscle": { "name": "again.toml", "text": written } });
+    assert_eq!(shown(again.clone()), first);
+    assert_eq!(
+        [&first["sleeve"], &first["length_mm"], &first["seating_mm"], &first["grip_mm"]],
+        [&json!("nfl-19"), &json!(160.2), &json!(0.5), &json!(2.0)]
+    );
+    let pull = |muscle: &Value| {
+        let mut request = muscle.clone();
+        request["pressure_mpa"] = 0.2.into();
+        request["contraction"] = 0.05.into();
+        asked("force", request)["force_n"].clone()
+    };
+    assert_eq!(pull(&again), pull(&fields));
+    // Where nobody asks for it, there is none.
+    assert!(asked("muscle-show", fields).get("muscle_file").is_none());
+}
+
+/// Identity: each isobaric curve names its free contraction from its first slack point on, and no pull is left there.
+#[test]
+fn an_isobaric_curve_names_its_free_contraction_at_its_first_slack_point() {
+    let request = json!({ "test": "isobaric", "model": "thick-wall", "pressures_mpa": [0.05, 0.25], "contractions": [0.0, 0.1, 0.2, 0.29] });
+    let answer = asked("curve", request);
+    let points = answer["points"].as_array().unwrap();
+    for curve in points.chunks(4) {
+        let slack = curve.iter().find(|q| q["slack"] == true).unwrap();
+        let free = slack["free_contraction"].as_f64().unwrap();
+        let at = json!({ "model": "thick-wall", "pressure_mpa": slack["pressure_mpa"], "force_n": 0 });
+        assert!((asked("contraction", at)["contraction"].as_f64().unwrap() - free).abs() < 1e-9);
+    }
+}

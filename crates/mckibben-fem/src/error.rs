@@ -35,6 +35,18 @@ pub enum FemError {
         /// Most.
         high: f64,
     },
+    /// Divisions that make another braid than the muscle's.
+    #[error(
+        "mesh: its strands would lie at {meshed_deg:.2}°, those of the braid lie at {angle_deg:.2}°; take {fitting}, or another number of bricks around and along"
+    )]
+    MeshAngle {
+        /// Angle of the braid in degrees.
+        angle_deg: f64,
+        /// Angle of the strands of the mesh in degrees.
+        meshed_deg: f64,
+        /// Meshes that have the angle of the braid, as they are written.
+        fitting: String,
+    },
     /// An element of the undeformed mesh that is turned inside out.
     #[error("mesh: element {element} is turned inside out at rest")]
     Element {
@@ -128,6 +140,16 @@ pub enum FemError {
     Exceeded(#[from] Exceeded),
 }
 
+impl FemError {
+    /// Why there is no equilibrium with a pull in N; a budget that is used up is no property of that pull.
+    pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
+        match reason {
+            Stopped::Exceeded(exceeded) => Self::Exceeded(exceeded),
+            reason => Self::Force { force_n, reason },
+        }
+    }
+}
+
 fn ended(
     status: Status,
     pressure: f64,
@@ -136,15 +158,27 @@ fn ended(
     last: &LastConverged,
     other_n: Option<f64>,
 ) -> String {
+    let percent = |contraction: f64| (1e4 * contraction).round() / 1e2;
+    let asked = format!("at {pressure} MPa and a contraction of {} %", percent(contraction));
     let begins = match (status, other_n) {
-        (Status::Collapsed, _) => "no equilibrium found (the tube may have collapsed)".into(),
-        (_, Some(force)) => format!("only an equilibrium of another branch was found ({force:.1} N)"),
-        _ => "no equilibrium found".to_owned(),
+        (_, Some(force)) => {
+            format!(
+                "no equilibrium found that continues the taut muscle {asked} (another one pulls {force:.1} N)"
+            )
+        }
+        (Status::Collapsed, None) => format!("no equilibrium found {asked} (the tube may have collapsed)"),
+        _ => format!("no equilibrium found {asked}"),
     };
-    format!(
-        "{begins} at {pressure} MPa and contraction {contraction}: {reason}; on the way from the taut muscle the last one stands at {:.4} MPa and contraction {:.4} (smallest J {:.3})",
-        last.pressure_mpa, last.contraction, last.smallest_j
-    )
+    let followed = if last.pressure_mpa > 0.0 || last.contraction != 0.0 {
+        format!(
+            "; the muscle was followed up to {:.4} MPa and {} %",
+            last.pressure_mpa,
+            percent(last.contraction)
+        )
+    } else {
+        String::new()
+    };
+    format!("{begins}: {reason}{followed}; lower the pressure or the contraction, or take stiffer strands")
 }
 
 fn out_of_reach(force: f64, pressure: f64, nearest: f64, contraction: f64) -> String {
@@ -169,6 +203,7 @@ impl From<FemError> for ModelError {
             }
             FemError::Path { status, .. } => Self::Stopped { status, reason: error.to_string() },
             FemError::Mesh { .. }
+            | FemError::MeshAngle { .. }
             | FemError::Element { .. }
             | FemError::NotInBricks { .. }
             | FemError::Conditioning { .. }

@@ -42,11 +42,17 @@ pub struct Pid {
 
 impl Pid {
     pub(crate) fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the controller's proportional gain", self.proportional, 0.0, f64::MAX)?;
-        MotionError::within("the controller's integral gain", self.integral_per_s, 0.0, f64::MAX)?;
-        MotionError::within("the controller's derivative gain", self.derivative_s, 0.0, f64::MAX)?;
-        MotionError::positive("the controller's filter time in s", self.filter_s)?;
-        MotionError::positive("the controller's tracking time in s", self.tracking_s)
+        MotionError::within("the controller's proportional gain", self.proportional, 0.0, 1e9)?;
+        MotionError::within("the controller's integral gain", self.integral_per_s, 0.0, 1e9)?;
+        MotionError::within("the controller's derivative gain", self.derivative_s, 0.0, 1e9)?;
+        MotionError::within("the controller's filter time in s", self.filter_s, 1e-6, 1e6)?;
+        MotionError::within("the controller's tracking time in s", self.tracking_s, 1e-6, 1e6)?;
+        match self.output {
+            PidOutput::Pressure { bias_mpa } => {
+                MotionError::within("the controller's bias in MPa", bias_mpa, 0.0, 100.0)
+            }
+            PidOutput::Opening => Ok(()),
+        }
     }
 
     /// (u, İ, ẏ_f) for a command, a position, the states I and y_f, and the limits of u.

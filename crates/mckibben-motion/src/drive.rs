@@ -175,10 +175,13 @@ impl<'a> Drive<'a> {
         };
         count(self.muscles.len(), "muscles with an actuator")?;
         self.mechanism.check()?;
-        MotionError::positive("the supply's temperature in K", self.supply.temperature_k)?;
+        MotionError::within("the supply's temperature in K", self.supply.temperature_k, 50.0, 2000.0)?;
         MotionError::within("the supply's gauge pressure in MPa", self.supply.pressure_mpa, 0.0, 100.0)?;
-        MotionError::positive("the end of the run in s", self.until_s)?;
-        MotionError::positive("the time between two points in s", self.output_step_s)?;
+        MotionError::within("the end of the run in s", self.until_s, 1e-9, 1e9)?;
+        MotionError::within("the time between two points in s", self.output_step_s, 1e-12, 1e9)?;
+        if let Some(q) = self.initial_coordinate {
+            MotionError::within("the coordinate at the start", q, -1e9, 1e9)?;
+        }
         MotionError::within("the tolerance", self.tolerance.relative, 1e-12, 1e-2)?;
         for command in self.target.commands() {
             command.check()?;
@@ -222,25 +225,33 @@ impl<'a> Drive<'a> {
 
 impl Actuated<'_> {
     fn check(&self) -> Result<(), MotionError> {
-        MotionError::positive("the wall's temperature in K", self.air.wall_temperature_k)?;
-        MotionError::within("the dead volume in mm³", self.air.dead_volume_mm3, 0.0, f64::MAX)?;
+        MotionError::within("the wall's temperature in K", self.air.wall_temperature_k, 50.0, 2000.0)?;
+        // Up to 1000 m³.
+        MotionError::within("the dead volume in mm³", self.air.dead_volume_mm3, 0.0, 1e12)?;
         match self.air.heat {
             Heat::Polytropic(n) => MotionError::within("the polytropic index", n, 1.0, 1.4)?,
-            Heat::Transfer(h) => MotionError::within("the heat transfer in W/(m² K)", h, 0.0, f64::MAX)?,
-            Heat::Conductance(h) => MotionError::within("the heat conductance in W/K", h, 0.0, f64::MAX)?,
+            Heat::Transfer(h) => MotionError::within("the heat transfer in W/(m² K)", h, 0.0, 1e9)?,
+            Heat::Conductance(h) => MotionError::within("the heat conductance in W/K", h, 0.0, 1e9)?,
             Heat::Isothermal | Heat::Adiabatic => {}
         }
         match &self.actuator {
             Actuator::Regulator { time_constant_s } => {
-                MotionError::positive("the regulator's time constant in s", *time_constant_s)?;
+                MotionError::within("the regulator's time constant in s", *time_constant_s, 1e-6, 1e6)?;
             }
             Actuator::Valve(valve) => match valve.kind {
                 ValveKind::OnOff { hysteresis_mpa, .. } => {
-                    MotionError::positive("the on–off valve's hysteresis in MPa", hysteresis_mpa)?;
+                    MotionError::within("the on–off valve's hysteresis in MPa", hysteresis_mpa, 1e-6, 100.0)?;
                 }
                 ValveKind::Proportional { time_constant_s, gain_per_mpa } => {
-                    MotionError::within("the valve's lag in s", time_constant_s, 0.0, f64::MAX)?;
-                    MotionError::positive("the valve's gain in 1/MPa", gain_per_mpa)?;
+                    if time_constant_s != 0.0 {
+                        MotionError::within(
+                            "the valve's lag, where it has one, in s",
+                            time_constant_s,
+                            1e-6,
+                            1e6,
+                        )?;
+                    }
+                    MotionError::within("the valve's gain in 1/MPa", gain_per_mpa, 1e-3, 1e6)?;
                 }
             },
         }
@@ -248,7 +259,7 @@ impl Actuated<'_> {
             friction.check()?;
         }
         if let Some(p) = self.initial_pressure_mpa {
-            MotionError::within("the gauge pressure at the start in MPa", p, 0.0, f64::MAX)?;
+            MotionError::within("the gauge pressure at the start in MPa", p, 0.0, 100.0)?;
         }
         self.rubber.check()
     }

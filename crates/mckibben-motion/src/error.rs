@@ -131,7 +131,7 @@ pub enum MotionError {
     },
     /// No conductance is large enough.
     #[error(
-        "a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) it is {reached_s:?} s; raise the supply or lower the mass"
+        "a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) {}; raise the supply or lower the mass", reached(*.reached_s)
     )]
     NoValve {
         /// What was wanted.
@@ -181,8 +181,25 @@ impl MotionError {
         if value >= low && value <= high {
             return Ok(());
         }
-        let must =
-            if high == f64::MAX { format!("at least {low}") } else { format!("from {low} to {high:.3}") };
+        let must = match (low == f64::MIN_POSITIVE, high >= f64::MAX) {
+            (true, true) => "above zero".to_owned(),
+            (true, false) => format!("above zero and at most {high}"),
+            (false, true) => format!("at least {low}"),
+            (false, false) => format!("from {low} to {high}"),
+        };
         Err(Self::Value { what, must, value })
+    }
+
+    /// Whether what was computed up to here is an answer: the motion ended early, and not because of the request.
+    pub(crate) fn ends_early(&self) -> bool {
+        matches!(self, Self::Model { .. } | Self::Diverged { .. } | Self::Steps { .. } | Self::Chatter { .. })
+    }
+}
+
+/// The rise time with the largest valve, in words.
+fn reached(reached_s: Option<f64>) -> String {
+    match reached_s {
+        Some(s) => format!("it is {s} s"),
+        None => "the load does not come to 90 % of its way".to_owned(),
     }
 }

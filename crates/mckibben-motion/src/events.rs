@@ -62,8 +62,7 @@ pub(crate) enum Guard {
     Switch(usize, Switch),
 }
 
-/// Dead bands, so that rounding alone switches nothing: N, contraction, opening or MPa.
-const SLACK_N: f64 = 1e-6;
+/// Dead bands, so that rounding alone switches nothing: contraction, opening or MPa.
 const SLACK: f64 = 1e-10;
 const SIGNAL: f64 = 1e-9;
 
@@ -99,14 +98,14 @@ impl System<'_> {
         let point = if needed { self.point(t, y, None)? } else { Point::default() };
         let modes = self.modes.borrow();
         if all {
-            if let Some(side) = modes.stop {
+            if let Some(side) = modes.stop.filter(|_| !mechanism.is_held()) {
                 guards.push((Guard::Release, side * point.net + self.nothing()));
             }
             for (i, (m, mode)) in point.muscles.iter().zip(&modes.muscles).enumerate() {
                 guards.push(if mode.slack {
                     (Guard::Taut(i), m.beyond + SLACK)
                 } else {
-                    (Guard::Slack(i), m.model_n + SLACK_N)
+                    (Guard::Slack(i), m.model_n + self.slack_n(i))
                 });
             }
         }
@@ -145,6 +144,15 @@ impl System<'_> {
             }
         }
         Ok(guards)
+    }
+
+    /// The push in N at which a muscle is slack: the thrust of 0.03 Pa on its cross-section. Finite elements know pull and free contraction
+    /// to some 1e-9 of the blocked force; a smaller push than that would have a muscle slack by the one and taut by the other.
+    pub fn slack_n(&self, muscle: usize) -> f64 {
+        const PRESSURE_MPA: f64 = 3e-8;
+        let area =
+            self.members.get(muscle).map_or(1.0, |m| m.model.muscle().tube().outer_radius_mm().powi(2));
+        PRESSURE_MPA * std::f64::consts::PI * area
     }
 
     /// A generalised force that is none.

@@ -29,9 +29,9 @@ impl Dahl {
     }
 
     pub(crate) fn check(&self) -> Result<(), MotionError> {
-        MotionError::within("the friction's coefficient", self.coefficient, 0.0, f64::MAX)?;
+        MotionError::within("the friction's coefficient in N/MPa^β", self.coefficient, 0.0, 1e9)?;
         MotionError::within("the friction's exponent", self.exponent, 0.0, 10.0)?;
-        MotionError::positive("the friction's presliding length in mm", self.presliding_mm)
+        MotionError::within("the friction's presliding length in mm", self.presliding_mm, 1e-6, 1e6)
     }
 
     /// F_c in N.

@@ -21,10 +21,10 @@ impl Hose {
     /// A hose.
     ///
     /// # Errors
-    /// [`MotionError::Value`] unless both measures are above zero.
+    /// [`MotionError::Value`] unless the inner diameter is from 0.1 to 500 mm and the length from 0.1 mm to 1 km.
     pub fn new(inner_diameter_mm: f64, length_mm: f64) -> Result<Self, MotionError> {
-        MotionError::positive("the hose's inner diameter in mm", inner_diameter_mm)?;
-        MotionError::positive("the hose's length in mm", length_mm)?;
+        MotionError::within("the hose's inner diameter in mm", inner_diameter_mm, 0.1, 500.0)?;
+        MotionError::within("the hose's length in mm", length_mm, 0.1, 1e6)?;
         Ok(Self { inner_diameter_mm, length_mm })
     }
 
@@ -38,7 +38,7 @@ impl Hose {
         let (d, l) = (1e-3 * self.inner_diameter_mm, 1e-3 * self.length_mm);
         let c = 0.029 * d * d / (l / d.powf(1.25) + 510.0).sqrt();
         let ratio = (474.0 * c / (d * d)).clamp(0.0, 1.0 - 2.0 * LINEAR_SHARE);
-        // 1 L/(s bar) = 1e-8 m³/(s Pa); both are above zero.
-        Orifice::new(1e8 * c, ratio).unwrap_or_else(|_| unreachable!("the measures are above zero"))
+        // 1 L/(s bar) = 1e-8 m³/(s Pa)
+        Orifice::of_known(1e8 * c, ratio)
     }
 }

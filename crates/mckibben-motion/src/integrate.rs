@@ -10,6 +10,10 @@ use differential_equations::methods::{ImplicitRungeKutta, Ordinary};
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
 
+/// Why the library takes no step; what it says itself is about its own settings.
+const NO_START: &str = "the integrator finds no first step";
+const NO_STEP: &str = "the equations of a step cannot be solved";
+
 /// ẏ = f(t, y).
 pub(crate) trait Equations {
     /// How many there are.
@@ -120,7 +124,7 @@ fn radau<const N: usize>(
     for (to, from) in padded.iter_mut().zip(y) {
         *to = *from;
     }
-    method.init(&Padded::<N>(equations), t, end, &padded).map_err(|e| format!("{e:?}"))?;
+    method.init(&Padded::<N>(equations), t, end, &padded).map_err(|_| NO_START.to_owned())?;
     Ok(Box::new(Radau::<_, N> { method, len: equations.len() }))
 }
 
@@ -135,7 +139,7 @@ where
             self.method.set_h(left);
         }
         self.method.set_status(Status::Solving);
-        self.method.step(&Padded::<N>(equations)).map_err(|e| format!("{e:?}"))?;
+        self.method.step(&Padded::<N>(equations)).map_err(|_| NO_STEP.to_owned())?;
         Ok(!matches!(self.method.status(), Status::RejectedStep))
     }
 

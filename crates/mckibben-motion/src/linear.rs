@@ -41,7 +41,7 @@ impl Linear {
         let system = System::new(drive, &Budget::current())?;
         let y = system.initial_state()?;
         if system.modes.borrow().stop.is_some() {
-            return Err(MotionError::NotAtRest { why: "the load stands on a stop" });
+            return Err(MotionError::NotAtRest { why: "the load lies on a stop" });
         }
         if drive.mechanism.inertia().is_infinite() {
             return Err(MotionError::NotAtRest { why: "the mechanism is held" });

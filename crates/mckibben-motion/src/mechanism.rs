@@ -48,6 +48,12 @@ pub trait Mechanism: Send + Sync {
         (f64::NEG_INFINITY, f64::INFINITY)
     }
 
+    /// Whether it cannot move: its ends are held, or its stops leave no way.
+    fn is_held(&self) -> bool {
+        let (low, high) = self.stops();
+        self.inertia().is_infinite() || low >= high
+    }
+
     /// What a reader calls position, over q: 1/L0 for the contraction of a single muscle, 1 for an angle.
     fn position_per_coordinate(&self) -> f64 {
         1.0
@@ -136,15 +142,15 @@ impl Mechanism for SingleMuscle {
     fn check(&self) -> Result<(), MotionError> {
         MotionError::positive("the muscle's length in mm", self.length_mm)?;
         MotionError::within("the added mass in kg", self.added_mass_kg, 0.0, f64::INFINITY)?;
-        moves("the moving mass in kg", self.inertia())?;
-        MotionError::within("the damping in N s/m", self.damping_n_s_per_m, 0.0, f64::MAX)?;
+        // From a milligram on; infinite where the ends are held.
+        let mass_kg = 1e3 * self.inertia();
+        if mass_kg != f64::INFINITY {
+            MotionError::within("the moving mass in kg", mass_kg, 1e-6, 1e9)?;
+        }
+        MotionError::within("the damping in N s/m", self.damping_n_s_per_m, 0.0, 1e9)?;
+        MotionError::within("the lower stop in mm", self.stops_mm.0, f64::NEG_INFINITY, f64::INFINITY)?;
         MotionError::within("the upper stop in mm", self.stops_mm.1, self.stops_mm.0, f64::INFINITY)
     }
-}
-
-/// An inertia above zero, or infinite.
-fn moves(what: &'static str, inertia: f64) -> Result<(), MotionError> {
-    MotionError::within(what, inertia, f64::MIN_POSITIVE, f64::INFINITY)
 }
 
 /// q is the angle in rad, growing as the joint's; its range has the stops.
@@ -197,6 +203,13 @@ impl Mechanism for Joint {
     }
 
     fn check(&self) -> Result<(), MotionError> {
-        moves("the joint's moment of inertia in kg m²", self.link().whole_inertia_kg_m2())
+        let link = self.link();
+        MotionError::within(
+            "the joint's moment of inertia in kg m²",
+            link.whole_inertia_kg_m2(),
+            1e-12,
+            1e9,
+        )?;
+        MotionError::within("the joint's damping in N m s/rad", link.damping_nm_s_per_rad, 0.0, 1e9)
     }
 }

@@ -198,12 +198,9 @@ impl<'a> Member<'a> {
         let contraction = match near {
             Some(e) => e,
             None => {
-                let search = free_contraction(
-                    self.model,
-                    &mut self.workspace.borrow_mut(),
-                    p,
-                    Options::extrapolating(),
-                );
+                // Below zero where the ends give way or the sleeve is wider than the tube: it then hangs longer than at rest.
+                let options = Options { two_sided: true, ..Options::extrapolating() };
+                let search = free_contraction(self.model, &mut self.workspace.borrow_mut(), p, options);
                 let e = search.map_err(|error| ModelError::NoEquilibrium {
                     reason: format!("a slack muscle has no free contraction: {error}"),
                 })?;

@@ -1,7 +1,7 @@
 //! Figures of a response: rise, settling, overshoot, fill and vent.
 
 use crate::drive::Drive;
-use crate::run::Motion;
+use crate::run::{Motion, Passed};
 use serde::{Deserialize, Serialize};
 
 /// The answer to one step of the command, up to the next.
@@ -64,6 +64,13 @@ impl Track<'_> {
         None
     }
 
+    /// The time from 10 % to 90 % of the way between two positions after a time.
+    fn rise_time(&self, from: f64, to: f64, after: f64, until: f64) -> Option<f64> {
+        let tenth = self.reaches(from + 0.1 * (to - from), after, until)?;
+        let most = self.reaches(from + 0.9 * (to - from), tenth, until)?;
+        Some(most - tenth)
+    }
+
     /// The last time within the piece at which the value is farther than `band` from `level`.
     fn leaves(&self, level: f64, band: f64, from: f64, until: f64) -> Option<f64> {
         let inside = |t: f64| t >= from && t <= until;
@@ -75,9 +82,7 @@ impl Track<'_> {
 /// The time from 10 % to 90 % of the way between two positions after a time.
 pub(crate) fn rise_time(motion: &Motion, from: f64, to: f64, after: f64, until: f64) -> Option<f64> {
     let track = Track { time: &motion.time_s, value: &motion.coordinate, slope: Some(&motion.velocity) };
-    let tenth = track.reaches(from + 0.1 * (to - from), after, until)?;
-    let most = track.reaches(from + 0.9 * (to - from), tenth, until)?;
-    Some(most - tenth)
+    track.rise_time(from, to, after, until)
 }
 
 /// Where a command changes, with what it is before and after.
@@ -98,10 +103,10 @@ pub(crate) fn changes(drive: &Drive<'_>) -> Vec<f64> {
     times
 }
 
-/// Fills in the figures of a motion.
-pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, cycle: Option<f64>) {
-    let (time, value) = (motion.time_s.clone(), motion.coordinate.clone());
-    let velocity = motion.velocity.clone();
+/// Fills in the figures of a motion, of everything that was passed: with a long run the points of its series lie far apart.
+pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, passed: &[Passed], cycle: Option<f64>) {
+    let of = |pick: fn(&Passed) -> f64| passed.iter().map(pick).collect::<Vec<f64>>();
+    let (time, value, velocity, gauge) = (of(|p| p.0), of(|p| p.1), of(|p| p.2), of(|p| p.3));
     let track = Track { time: &time, value: &value, slope: Some(&velocity) };
     let at = |list: &[f64], t: f64| {
         let i = time.partition_point(|x| *x <= t).saturating_sub(1);
@@ -124,14 +129,13 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, cycle: Option
                 time_s: *begin,
                 from,
                 to,
-                rise_time_s: rise_time(motion, from, to, *begin, *end),
+                rise_time_s: track.rise_time(from, to, *begin, *end),
                 settling_time_s: settled,
                 overshoot,
             });
         }
-        let Some(muscle) = motion.muscles.first() else { continue };
-        let pressure = Track { time: &time, value: &muscle.pressure_mpa, slope: None };
-        let (p, r) = (at(&muscle.pressure_mpa, *begin), at(&muscle.pressure_mpa, *end));
+        let pressure = Track { time: &time, value: &gauge, slope: None };
+        let (p, r) = (at(&gauge, *begin), at(&gauge, *end));
         let slot = if r > p { &mut motion.fill_time_s } else { &mut motion.vent_time_s };
         if slot.is_none() && (r - p).abs() > 1e-6 {
             *slot = pressure.reaches(p + 0.98 * (r - p), *begin, *end).map(|t| t - begin);
@@ -142,9 +146,10 @@ pub(crate) fn step_figures(drive: &Drive<'_>, motion: &mut Motion, cycle: Option
     motion.settling_time_s = first.and_then(|f| f.settling_time_s);
     motion.overshoot = first.map(|f| f.overshoot);
     let Some((from, muscle)) = cycle.zip(motion.muscles.first()) else { return };
-    let points: Vec<(f64, f64)> = time
+    let points: Vec<(f64, f64)> = motion
+        .time_s
         .iter()
-        .zip(muscle.pressure_mpa.iter().zip(&value))
+        .zip(muscle.pressure_mpa.iter().zip(&motion.coordinate))
         .filter(|(t, _)| **t >= from)
         .map(|(_, (p, x))| (*p, *x))
         .collect();

@@ -7,6 +7,7 @@ use crate::events::{Event, EventKind, Guard};
 use crate::integrate::{Stepper, stepper};
 use crate::member::Stand;
 use crate::metrics::{StepFigures, step_figures};
+use crate::rest::rest;
 use crate::system::{System, Totals};
 use mckibben::analysis::{RootError, find_root};
 use mckibben::budget::{Budget, Exceeded, Resource};
@@ -100,7 +101,7 @@ pub struct Motion {
     pub fill_time_s: Option<f64>,
     /// Likewise of the first falling one.
     pub vent_time_s: Option<f64>,
-    /// Largest speed in mm/s or rad/s.
+    /// Largest speed in mm/s or rad/s, of all that was integrated and not of the points of the series alone.
     pub largest_speed: f64,
     /// Largest power of the muscles on the mechanism in W.
     pub largest_power_w: f64,
@@ -122,7 +123,41 @@ pub struct Motion {
     pub evaluations: usize,
     /// Questions to the models.
     pub model_answers: usize,
+    /// Where the command is constant at the end: whether the load rests there.
+    pub rest: Option<Rest>,
+    /// Why it ended before the end that was asked for ([`run_as_far`]).
+    #[serde(skip)]
+    pub ended: Option<MotionError>,
+    /// The load lies on its lower stop all the time though the command moves: by how much it is too heavy ([`run_as_far`]).
+    #[serde(skip)]
+    pub never_lifted: Option<MotionError>,
 }
+
+/// The end of a motion whose command has become constant.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Rest {
+    /// How the load moves over the last tenth of the time since the command became constant.
+    pub moves: Moves,
+    /// Between which coordinates it moves there, in mm or rad.
+    pub between: (f64, f64),
+    /// The static equilibrium under the commanded pressures, without friction, in mm or rad; where it is sought and found.
+    pub equilibrium: Option<f64>,
+}
+
+/// How a load moves at the end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Moves {
+    /// It stays within 2 % of its way (within 0.0001 of the muscle's length where that is more).
+    Rests,
+    /// It goes to and fro by more than that.
+    Swings,
+    /// It goes on in one direction by more than that.
+    Creeps,
+}
+
+/// A point that was integrated: time, coordinate, speed, gauge pressure of the first muscle.
+pub(crate) type Passed = (f64, f64, f64, f64);
 
 /// Runs a drive to its end.
 ///
@@ -132,13 +167,30 @@ pub struct Motion {
 /// # Errors
 /// [`MotionError`] with time, state and reason.
 pub fn run(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
+    let mut motion = run_as_far(drive, progress)?;
+    match motion.ended.take().or(motion.never_lifted.take()) {
+        Some(error) => Err(error),
+        None => Ok(motion),
+    }
+}
+
+/// The same as far as it goes: a motion that ends early has [`Motion::ended`], and no figures of steps; one whose load is never lifted
+/// has [`Motion::never_lifted`].
+///
+/// # Errors
+/// [`MotionError`] where there is nothing of it: for a drive that is none, no beginning, or a budget that is spent.
+pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, MotionError> {
     drive.check()?;
     let budget = progress.budget();
     budget.admit(Resource::Points, drive.until_s / drive.output_step_s)?;
     let system = System::new(drive, &budget)?;
     let mut course = Course::begin(&system, progress)?;
-    course.go()?;
-    course.end()
+    let ended = match course.go() {
+        Ok(()) => None,
+        Err(error) if error.ends_early() && course.t > 0.0 => Some(error),
+        Err(error) => return Err(error),
+    };
+    course.end(ended)
 }
 
 struct Course<'s, 'd> {
@@ -158,6 +210,8 @@ struct Course<'s, 'd> {
     standing: Option<(f64, f64, f64)>,
     /// Totals at the start of the last whole period: time, supplied mass.
     cycle: Option<(f64, f64)>,
+    /// Everything that was passed: the ends of the steps, and the points of the series.
+    passed: Vec<Passed>,
 }
 
 /// Events within [`SPAN_S`] that are too many.
@@ -170,6 +224,7 @@ impl<'s, 'd> Course<'s, 'd> {
         let muscles = vec![MuscleSeries::default(); system.members.len()];
         let standing =
             system.modes.borrow().stop.filter(|side| *side < 0.0).map(|_| (f64::NEG_INFINITY, 0.0, 0.0));
+        let standing = standing.filter(|_| !system.drive.mechanism.is_held());
         let period = system.drive.target.commands().first().and_then(|c| c.period_s());
         let until = system.drive.until_s;
         let cycle = period.filter(|p| *p <= until).map(|p| (until - p, 0.0));
@@ -189,6 +244,7 @@ impl<'s, 'd> Course<'s, 'd> {
             impacts_j: 0.0,
             standing,
             cycle,
+            passed: vec![],
         })
     }
 
@@ -303,7 +359,11 @@ impl<'s, 'd> Course<'s, 'd> {
                 }
                 continue;
             }
-            let (t, y) = (method.time(), method.state().to_vec());
+            let (t, mut y) = (method.time(), method.state().to_vec());
+            if let (true, [q, v, ..], Some(&at)) = (self.lies(), &mut y[..], self.y.first()) {
+                // What lies does not move, not even by rounding.
+                (*q, *v) = (at, 0.0);
+            }
             if !y.iter().all(|v| v.is_finite()) {
                 return Err(MotionError::Diverged { time_s: t, what: "the state is not finite".into() });
             }
@@ -315,10 +375,47 @@ impl<'s, 'd> Course<'s, 'd> {
             if event.is_some() {
                 return Ok(event);
             }
+            self.fastest(method.as_mut(), t);
             (self.t, self.y) = (t, y);
+            self.pass_by(self.t, &self.y.clone());
         }
         self.t = end;
         Ok(None)
+    }
+
+    /// The largest speed within the last step, which ended at `t`, by its dense output: the largest of nine points, and the top of the
+    /// parabola through it and its neighbours.
+    fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
+        const PIECES: usize = 8;
+        if self.lies() {
+            return;
+        }
+        let (from, width) = (self.t, t - self.t);
+        let mut speed = |i: usize| {
+            let at = method.within(from + width * i as f64 / PIECES as f64);
+            at.and_then(|y| y.get(1).copied()).map_or(0.0, f64::abs)
+        };
+        let speeds: [f64; PIECES + 1] = std::array::from_fn(&mut speed);
+        let of_points = speeds.iter().copied().fold(0.0, f64::max);
+        let tops = speeds.windows(3).filter_map(|w| {
+            let &[a, b, c] = w else { return None };
+            let bend = a - 2.0 * b + c;
+            (b >= a && b >= c && bend < 0.0).then(|| b - (c - a).powi(2) / (8.0 * bend))
+        });
+        self.motion.largest_speed = tops.fold(self.motion.largest_speed.max(of_points), f64::max);
+    }
+
+    /// Whether the load lies on a stop, or its ends are held.
+    fn lies(&self) -> bool {
+        self.system.modes.borrow().stop.is_some() || self.system.drive.mechanism.is_held()
+    }
+
+    /// Notes a point that was passed.
+    fn pass_by(&mut self, t: f64, y: &[f64]) {
+        let at = |i: usize| y.get(i).copied().unwrap_or(0.0);
+        let v = if self.lies() { 0.0 } else { at(1) };
+        let gauge = self.system.slots.first().map_or(0.0, |s| at(s.pressure) - ATMOSPHERE_MPA);
+        self.passed.push((t, at(0), v, gauge));
     }
 
     /// Looks at the budget before a step.
@@ -438,21 +535,25 @@ impl<'s, 'd> Course<'s, 'd> {
 
     fn record(&mut self, t: f64, y: &[f64]) -> Result<(), MotionError> {
         self.outputs += 1;
+        let mut y = y.to_vec();
+        if let (true, [q, v, ..], Some(&at)) = (self.lies(), &mut y[..], self.y.first()) {
+            (*q, *v) = (at, 0.0);
+        }
+        let y = &y[..];
+        self.pass_by(t, y);
         let point = self.system.point(t, y, None)?;
         let at = |i: usize| y.get(i).copied().unwrap_or(0.0);
         let motion = &mut self.motion;
-        let v = if self.system.modes.borrow().stop.is_some() { 0.0 } else { at(1) };
         motion.time_s.push(t);
         motion.coordinate.push(at(0));
-        motion.velocity.push(v);
-        motion.largest_speed = motion.largest_speed.max(v.abs());
+        motion.velocity.push(at(1));
         let power: f64 = point.muscles.iter().map(|m| m.pull_n * m.speed).sum();
         motion.largest_power_w = motion.largest_power_w.max(1e-3 * power);
         for ((series, m), slot) in motion.muscles.iter_mut().zip(&point.muscles).zip(&self.system.slots) {
             series.pressure_mpa.push(m.pressure_mpa);
             series.contraction.push(m.contraction);
-            // A taut muscle pulls; what is below zero by rounding is none.
-            series.force_n.push(if m.pull_n > -1e-6 { m.pull_n.max(0.0) } else { m.pull_n });
+            // A taut muscle pulls; what is below zero within its dead band is none.
+            series.force_n.push(m.pull_n.max(0.0));
             series.air_mass_g.push(at(slot.mass));
             series.temperature_k.push(m.temperature_k);
             series.volume_mm3.push(m.volume_mm3);
@@ -462,20 +563,28 @@ impl<'s, 'd> Course<'s, 'd> {
         Ok(())
     }
 
-    fn end(mut self) -> Result<Motion, MotionError> {
+    fn end(mut self, ended: Option<MotionError>) -> Result<Motion, MotionError> {
         let system = self.system;
         let drive = system.drive;
         // The very end, if no multiple of the step was it.
-        if self.motion.time_s.last().is_some_and(|t| drive.until_s - t > 1e-9 * drive.until_s) {
+        let until = if ended.is_some() { self.t } else { drive.until_s };
+        if self.motion.time_s.last().is_some_and(|t| until - t > 1e-9 * until) {
             let y = self.y.clone();
-            self.record(drive.until_s, &y)?;
+            // Where the model has no answer any more, the last point is the one before.
+            let recorded = self.record(until, &y);
+            if ended.is_none() {
+                recorded?;
+            }
         }
         let moves = drive.target.commands().iter().any(|c| c.bounds().1 > c.bounds().0);
-        if let (Some((net, time_s, pressure_mpa)), true) = (self.standing, moves) {
-            return Err(MotionError::NeverLifted { net, time_s, pressure_mpa });
+        if let (Some((net, time_s, pressure_mpa)), true, None) = (self.standing, moves, &ended) {
+            self.motion.never_lifted = Some(MotionError::NeverLifted { net, time_s, pressure_mpa });
         }
         let totals = Totals::from_slice(self.y.get(system.totals..).unwrap_or_default());
-        let (internal, volume) = system.air_mj_mm3(&self.y)?;
+        let (internal, volume) = match system.air_mj_mm3(&self.y) {
+            Err(_) if ended.is_some() => self.air,
+            found => found?,
+        };
         let at = |y: &[f64], i: usize| y.get(i).copied().unwrap_or(0.0);
         let kinetic = |y: &[f64]| {
             let v = at(y, 1);
@@ -515,11 +624,18 @@ impl<'s, 'd> Course<'s, 'd> {
         motion.efficiency = (e.exergy_j > 0.0).then(|| e.work_j / e.exergy_j);
         motion.mass_defect = missing / flowed.max(f64::MIN_POSITIVE);
         motion.air_normal_litres = normal_litres(supplied);
-        motion.air_normal_litres_per_cycle = self.cycle.map(|c| normal_litres(supplied - c.1));
+        motion.air_normal_litres_per_cycle =
+            self.cycle.filter(|_| ended.is_none()).map(|c| normal_litres(supplied - c.1));
         motion.integration_steps = self.steps;
         motion.evaluations = system.evaluations.get();
         motion.model_answers = system.members.iter().map(|m| m.asked.get()).sum();
-        step_figures(drive, &mut motion, self.cycle.map(|c| c.0));
+        if ended.is_none() {
+            // A step before an event was taken twice, the second time up to the event.
+            self.passed.sort_by(|a, b| a.0.total_cmp(&b.0));
+            step_figures(drive, &mut motion, &self.passed, self.cycle.map(|c| c.0));
+            motion.rest = rest(system, &self.passed);
+        }
+        motion.ended = ended;
         Ok(motion)
     }
 }

@@ -41,8 +41,8 @@ impl System<'_> {
             let refused = |error| MotionError::model(error, 0.0, i, p, contraction);
             let answer = member.answer(p, contraction);
             mode.slack = match &answer {
-                Ok(a) => a.force_n < -1e-6,
-                Err(_) => contraction > 0.0,
+                Ok(a) => a.force_n < -self.slack_n(i),
+                Err(_) => member.hanging(p).is_ok_and(|h| contraction >= h.contraction),
             };
             let (at, e) = if mode.slack {
                 let h = member.hanging(p).map_err(refused)?;

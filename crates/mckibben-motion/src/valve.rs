@@ -31,9 +31,14 @@ impl Orifice {
     /// A restriction of a sonic conductance in L/(s bar) and a critical ratio.
     ///
     /// # Errors
-    /// [`MotionError::Value`] unless C > 0 and 0 ≤ b < 0.99.
+    /// [`MotionError::Value`] unless 1e-9 ≤ C ≤ 1e6 L/(s bar) and 0 ≤ b < 0.99.
     pub fn new(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Result<Self, MotionError> {
-        MotionError::positive("the valve's sonic conductance in L/(s bar)", conductance_l_per_s_bar)?;
+        MotionError::within(
+            "the valve's sonic conductance in L/(s bar)",
+            conductance_l_per_s_bar,
+            1e-9,
+            1e6,
+        )?;
         MotionError::within(
             "the valve's critical pressure ratio",
             critical_ratio,
@@ -41,6 +46,11 @@ impl Orifice {
             1.0 - LINEAR_SHARE - 1e-9,
         )?;
         Ok(Self { conductance_l_per_s_bar, critical_ratio })
+    }
+
+    /// One whose numbers follow from measures that were checked.
+    pub(crate) fn of_known(conductance_l_per_s_bar: f64, critical_ratio: f64) -> Self {
+        Self { conductance_l_per_s_bar, critical_ratio }
     }
 
     /// C in L/(s bar).
@@ -91,12 +101,14 @@ impl Orifice {
 ///
 /// An approximation: within some per cent of G. `None` for an empty list. Source: ISO 6358-3:2014 \[iso2014\]; \[beater2007\].
 pub fn in_series(orifices: &[Orifice]) -> Option<Orifice> {
-    let cubes: f64 = orifices.iter().map(|o| o.conductance_l_per_s_bar.powi(-3)).sum();
-    let squares: f64 =
-        orifices.iter().map(|o| (1.0 - o.critical_ratio) * o.conductance_l_per_s_bar.powi(-2)).sum();
+    // In units of the smallest, whose cube may be none.
+    let least = orifices.iter().map(|o| o.conductance_l_per_s_bar).reduce(f64::min)?;
+    let of = |o: &Orifice| if least > 0.0 { least / o.conductance_l_per_s_bar } else { 1.0 };
+    let cubes: f64 = orifices.iter().map(|o| of(o).powi(3)).sum();
+    let squares: f64 = orifices.iter().map(|o| (1.0 - o.critical_ratio) * of(o).powi(2)).sum();
     let c = cubes.powf(-1.0 / 3.0);
-    (!orifices.is_empty()).then(|| Orifice {
-        conductance_l_per_s_bar: c,
+    Some(Orifice {
+        conductance_l_per_s_bar: least * c,
         critical_ratio: (1.0 - c * c * squares).clamp(0.0, 1.0 - LINEAR_SHARE - 1e-9),
     })
 }

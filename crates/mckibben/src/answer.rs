@@ -3,7 +3,8 @@
 pub use crate::analysis::Options;
 
 use crate::analysis::{
-    AnalysisError, contraction_at, free_contraction, pressure_at, response_on, start_pressure_mpa,
+    AnalysisError, contraction_or_stretch_at, force_on, free_contraction, pressure_at, response_on,
+    start_pressure_mpa, stiffness_of,
 };
 use crate::model::{ForceModel, ModelError, Response, Workspace};
 use crate::muscle::Direction;
@@ -38,6 +39,12 @@ pub struct Answer {
     /// 95 % half-width of the pull in N against a measured muscle, where the model's error is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_n: Option<f64>,
+    /// Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pressure_uncertainty_mpa: Option<f64>,
+    /// Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contraction_uncertainty: Option<f64>,
     /// Its parts, each a 95 % half-width in N; they add as squares.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_parts_n: Option<UncertaintyParts>,
@@ -137,12 +144,15 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
         response = Response { pressure_mpa, contraction, ..Response::default() };
     }
     warnings.extend(of_response(model.muscle(), &response));
-    let parts = uncertainty(model, workspace, pressure_mpa, contraction, response.force_n);
+    let asked = (pressure_mpa, contraction);
+    let parts = uncertainty(model, workspace, asked, response.force_n, options.direction);
     Ok(Answer {
         model: model.name().into(),
         direction: options.direction,
         uncertainty_n: parts.map(|p| p.total_n()),
         uncertainty_parts_n: parts,
+        pressure_uncertainty_mpa: None,
+        contraction_uncertainty: None,
         response,
         slack,
         two_sided_force_n,
@@ -180,10 +190,67 @@ pub fn pressure<M: ForceModel + ?Sized>(
 ) -> Result<Answer, AnalysisError> {
     check_range(model, model.range().pressure_mpa.0, contraction, options)?;
     let pressure_mpa = pressure_at(model, workspace, force_n, contraction, options)?;
-    Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
+    let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
+    if let Some(half_n) = answer.uncertainty_n {
+        let slope = slope_by_pressure(model, workspace, &answer.response, options);
+        // Where the ± is wider than the pressure itself, a straight line through the point says nothing.
+        let half = slope.map(|slope| half_n / slope);
+        answer.pressure_uncertainty_mpa = half.filter(|h| (0.0..=pressure_mpa.max(FLAT_MPA)).contains(h));
+        if answer.pressure_uncertainty_mpa.is_none() {
+            answer.warnings.push(Warning::from(flat("pressure", half_n)));
+        }
+    }
+    Ok(answer)
 }
 
-/// The point at which the pull is `force_n` at a pressure: ε(F, P).
+/// A ± of a pressure above this, in MPa, and above the pressure itself is none.
+const FLAT_MPA: f64 = 0.1;
+
+/// What is said where the pull hardly changes with what is sought.
+fn flat(sought: &str, half_n: f64) -> String {
+    format!(
+        "the {sought} has no ±: here the pull changes so little with it that the ± of the pull, {half_n:.1} N, leaves it open"
+    )
+}
+
+/// ∂F/∂P in mm²: the model's, or by differences of its pull.
+fn slope_by_pressure<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    response: &Response,
+    options: Options,
+) -> Option<f64> {
+    const STEP: f64 = 1e-4;
+    if let Some(slope) = response.force_per_pressure_mm2 {
+        return Some(slope);
+    }
+    let (p, e) = (response.pressure_mpa, response.contraction);
+    let (low, high) = ((p - STEP).max(0.0), p + STEP);
+    let mut pull = |p: f64| force_on(model, workspace, p, e, options.direction).ok();
+    Some((pull(high)? - pull(low)?) / (high - low))
+}
+
+impl Answer {
+    /// The same, where the contraction was sought; the stiffness is that of the muscle and of the load, where there is one.
+    pub(crate) fn with_contraction_sought(mut self, stiffness_n_per_mm: Option<f64>, length_mm: f64) -> Self {
+        if let Some(half_n) = self.uncertainty_n {
+            let half = stiffness_n_per_mm.map(|k| half_n / (k.abs() * length_mm));
+            self.contraction_uncertainty = half.filter(|h| *h <= FLAT_CONTRACTION);
+            if self.contraction_uncertainty.is_none() {
+                self.warnings.push(Warning::from(flat("contraction", half_n)));
+            }
+        }
+        self
+    }
+}
+
+/// A ± of a contraction above this is none: no muscle contracts by more.
+const FLAT_CONTRACTION: f64 = 0.4;
+
+/// Said of a contraction below zero that a pull made.
+const STRETCHED: &str = "the pull is above what the muscle holds at its length at rest: it stretches the muscle (contraction below zero)";
+
+/// The point at which the pull is `force_n` at a pressure: ε(F, P), below zero where the pull is above the blocked force.
 ///
 /// # Errors
 /// [`AnalysisError::NoContraction`] with the nearest reachable pull, or the model's.
@@ -195,8 +262,13 @@ pub fn contraction<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Result<Answer, AnalysisError> {
     check_range(model, pressure_mpa, model.range().contraction.0.max(0.0), options)?;
-    let contraction = contraction_at(model, workspace, force_n, pressure_mpa, options)?;
-    Ok(exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n))
+    let contraction = contraction_or_stretch_at(model, workspace, force_n, pressure_mpa, options)?;
+    let mut answer = exactly(force(model, workspace, pressure_mpa, contraction, options)?, force_n);
+    if contraction < 0.0 && force_n > 0.0 {
+        answer.warnings.push(Warning::from(STRETCHED.to_owned()));
+    }
+    let stiffness = stiffness_of(model, workspace, &answer.response, options.direction).ok();
+    Ok(answer.with_contraction_sought(stiffness, model.muscle().length_mm()))
 }
 
 /// An inverse answers with the force that was asked for, not with its rounding error (which could read as slack at 0 N).

@@ -70,9 +70,14 @@ pub fn curves<M: ForceModel + ?Sized>(
         // Along an isobaric curve the free contraction is sought once, at the first slack point.
         let mut free = None;
         let mut one = |&x: &f64| {
-            let point = point(model, workspace, test, fixed, x, options, free);
-            if test == Test::Isobaric && free.is_none() && point.answer.as_ref().is_ok_and(|a| a.slack) {
+            let mut point = point(model, workspace, test, fixed, x, options, free);
+            if test == Test::Isobaric
+                && free.is_none()
+                && let Ok(answer) = &mut point.answer
+                && answer.slack
+            {
                 free = free_contraction(model, workspace, fixed, options).ok();
+                answer.free_contraction = answer.free_contraction.or(free);
             }
             point
         };

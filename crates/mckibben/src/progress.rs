@@ -26,3 +26,16 @@ pub trait Progress: Sync {
 pub struct Silent;
 
 impl Progress for Silent {}
+
+/// Only the wish to end, and the budget: for a part of the work that tells no steps of its own.
+pub struct Quiet<'a>(pub &'a dyn Progress);
+
+impl Progress for Quiet<'_> {
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+
+    fn budget(&self) -> Budget {
+        self.0.budget()
+    }
+}

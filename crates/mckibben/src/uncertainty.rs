@@ -8,20 +8,27 @@
 //! - `measured`: finite elements against measured muscles, √[((a + b ε/ε_max) F0)² + (c μ A)²], with F0 the blocked force at the same
 //!   pressure, ε_max the ideal muscle's largest contraction, μ the rubber's shear modulus and A the wall's cross-section at rest;
 //! - `rubber`: what laws of equal standing with the one that a named rubber has disagree on, the largest difference of their pulls by
-//!   the thick-wall model; and, of a named rubber that was pulled along one axis alone, the difference that a share d of its
-//!   stiffness makes by the same model, as a square beside it;
-//! - `friction`: half the width of the hysteresis loop, where the muscle does not state its friction.
+//!   the thick-wall model; and, of a named rubber that was pulled along one axis alone, the difference that 19 % of its
+//!   stiffness make by the same model, as a square beside it;
+//! - `friction`: what the pull on one branch of the hysteresis loop differs by from the answer. Where the muscle does not state its
+//!   friction: half the width of the loop. Where it does: the half-width h = C·P^β + μw G of its law and what the law errs by, h (1 + d), as
+//!   long as no branch is asked for; d h on a branch.
+//! - `fit`, in the place of all of these inside of the range of the bench that the muscle was identified from ([`Bench`]): the scatter of its
+//!   points about the fit, and the fit's own half-width from the covariance of the constants. Outside of the range it turns into the others over a quarter of
+//!   the range's width: squares are weighted by 1 − x and x, x from 0 at the edge to 1.
 //!
 //! a, b and c come from four sets of measured muscles (hand-made, 20°; DMSP-20-300; DMSP-10-250; DMSP-10 hose in three lengths), each
 //! with its rubber (and, of the three bought ones, the angle) identified from its own points: they hold at least 95 % of the points of
-//! every set (means of branches). The loop's width is what holds 95 % of the single branches of the two sets that have them.
-//! d comes from six rubbers that were measured in several modes up to a stretch of 3 (`data/treloar`, `data/rubber_biaxial`): with the law that is recommended from the
+//! every set (means of branches). The loop's width is what holds 95 % of the single branches of the two sets that have them; d what holds as many
+//! of them where C and β were identified from both branches.
+//! What one axis does not tell comes from six rubbers that were measured in several modes up to a stretch of 3 (`data/treloar`, `data/rubber_biaxial`): with the law that is recommended from the
 //! uniaxial test alone, against the one that is recommended from all, it holds every pull of each rubber (a test below compares them).
 //!
 //! `mckibben validate` prints the coverage of every set. A muscle whose rubber was not identified from its own pull may be further off.
 
+use crate::analysis::friction_half_width_n;
 use crate::model::{Accuracy, BlockedAt, ForceModel, Reference, ThickWall, Workspace};
-use crate::muscle::{Muscle, Rubber, Tube};
+use crate::muscle::{Bench, Direction, Muscle, Rubber, Tube};
 use crate::rubber::RubberLaw;
 use crate::rubber::library::{is_known_from_one_axis, of_equal_standing};
 use serde::{Deserialize, Serialize};
@@ -33,13 +40,18 @@ const MEASURED: f64 = 0.035;
 const MEASURED_BY_CONTRACTION: f64 = 0.01;
 /// c: share of μ A.
 const MEASURED_BY_WALL: f64 = 0.35;
-/// d: share of the stiffness of a rubber that is known from one axis.
+/// Share of the stiffness of a rubber that is known from one axis.
 const ONE_AXIS: f64 = 0.19;
 /// Half the width of the hysteresis loop over the blocked force.
 const FRICTION: f64 = 0.12;
+/// d: what a stated law of friction errs by, over the half-width that it gives.
+const FRICTION_LAW: f64 = 0.5;
+
+/// The model that all others are held against.
+const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-pub const STORY: &str = "measured: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which hold 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law of equal standing makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which holds 95 % of single branches; all parts add as squares";
+pub const STORY: &str = "measured: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which hold 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law of equal standing makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which holds 95 % of single branches; where it does, 1.5 times the half-width of its law, and 0.5 times on a branch that is asked for; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares";
 
 /// The parts of a ±, each a 95 % half-width in N.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -57,9 +69,12 @@ pub struct UncertaintyParts {
     /// Finite elements against measured muscles.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub measured: Option<f64>,
-    /// Friction that the muscle does not state.
+    /// One branch of the hysteresis loop against the answer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub friction: Option<f64>,
+    /// The bench that the muscle was identified from, against the fit.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fit: Option<f64>,
 }
 
 impl UncertaintyParts {
@@ -71,6 +86,7 @@ impl UncertaintyParts {
             ("rubber", self.rubber),
             ("measured", self.measured),
             ("friction", self.friction),
+            ("fit", self.fit),
         ];
         all.into_iter().filter_map(|(name, part)| Some((name, part?)))
     }
@@ -81,35 +97,139 @@ impl UncertaintyParts {
     }
 }
 
-/// The parts of the ± of a pull in N at a pressure and contraction; `None` where nobody has measured the model's error.
+/// The parts of the ± of a pull in N at a pressure and contraction, on a branch of the hysteresis loop; `None` where nobody has measured the
+/// model's error.
 pub fn uncertainty<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
+    (pressure_mpa, contraction): (f64, f64),
     force_n: f64,
+    direction: Direction,
 ) -> Option<UncertaintyParts> {
-    let Accuracy { share_of_blocked, blocked_at, reference } = model.accuracy();
-    let share = share_of_blocked?;
-    let mut blocked = |p: f64| model.blocked_scale_n(workspace, p).ok().map(f64::abs);
-    let formula_at = match blocked_at {
-        BlockedAt::SamePressure => pressure_mpa,
-        BlockedAt::Pressure(p) => p,
-    };
-    let formula = if share > 0.0 { Some(share * blocked(formula_at)?) } else { None };
-    if matches!(reference, Reference::ForceMap { .. }) {
+    let at = (pressure_mpa, contraction);
+    let Some(bench) = bench_of(model) else { return general(model, workspace, at, force_n, direction) };
+    let outside = bench.outside(pressure_mpa, contraction);
+    let inside = if outside < 1.0 { Some(of_bench(model, workspace, bench, at, direction)?) } else { None };
+    let general = if outside > 0.0 { Some(general(model, workspace, at, force_n, direction)?) } else { None };
+    match (inside, general) {
+        (Some(inside), Some(general)) => Some(between(&inside, &general, outside)),
+        (one, other) => one.or(other),
+    }
+}
+
+/// What is known of any muscle.
+fn general<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    (pressure_mpa, contraction): (f64, f64),
+    force_n: f64,
+    direction: Direction,
+) -> Option<UncertaintyParts> {
+    let formula = formula_n(model, workspace, pressure_mpa)?;
+    if matches!(model.accuracy().reference, Reference::ForceMap { .. }) {
         // Held against measured pulls already.
         return Some(UncertaintyParts { formula, ..UncertaintyParts::default() });
     }
-    let blocked = blocked(pressure_mpa)?;
+    let blocked = blocked_n(model, workspace, pressure_mpa)?;
     let muscle = model.muscle();
     Some(UncertaintyParts {
         formula,
         mesh: model.mesh_error_n(workspace, pressure_mpa, contraction, force_n, blocked),
         rubber: rubber_n(workspace, muscle, pressure_mpa, contraction),
         measured: Some(measured_n(muscle, blocked, contraction)),
-        friction: muscle.friction().is_none().then_some(FRICTION * blocked),
+        friction: Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked)),
+        fit: None,
     })
+}
+
+/// The blocked force that shares are taken of.
+fn blocked_n<M: ForceModel + ?Sized>(model: &M, workspace: &mut Workspace, pressure_mpa: f64) -> Option<f64> {
+    model.blocked_scale_n(workspace, pressure_mpa).ok().map(f64::abs)
+}
+
+/// The model's own part, where it has one; `None` where nobody has measured it.
+fn formula_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+) -> Option<Option<f64>> {
+    let Accuracy { share_of_blocked, blocked_at, .. } = model.accuracy();
+    let share = share_of_blocked?;
+    let at = match blocked_at {
+        BlockedAt::SamePressure => pressure_mpa,
+        BlockedAt::Pressure(p) => p,
+    };
+    if share > 0.0 { Some(Some(share * blocked_n(model, workspace, at)?)) } else { Some(None) }
+}
+
+/// The bench of the model's muscle, where it says something of this model: its constants were fitted with it, or with finite elements, from
+/// which the other model's distance is known.
+fn bench_of<M: ForceModel + ?Sized>(model: &M) -> Option<&Bench> {
+    let bench = model.muscle().bench()?;
+    let Accuracy { share_of_blocked, reference, .. } = model.accuracy();
+    let to_elements = share_of_blocked.is_some() && !matches!(reference, Reference::ForceMap { .. });
+    (bench.model == model.name() || bench.model == ELEMENTS && to_elements).then_some(bench)
+}
+
+/// The ± on the bench that the muscle was identified from.
+fn of_bench<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    bench: &Bench,
+    (pressure_mpa, contraction): (f64, f64),
+    direction: Direction,
+) -> Option<UncertaintyParts> {
+    let formula = if bench.model == model.name() { None } else { formula_n(model, workspace, pressure_mpa)? };
+    let known = match model.muscle().friction() {
+        None => bench.saw_the_loop(),
+        Some(_) => !direction.is_mean() && bench.branches.contains(&direction),
+    };
+    let friction = if known {
+        None
+    } else {
+        let blocked = blocked_n(model, workspace, pressure_mpa)?;
+        Some(friction_n(model, workspace, (pressure_mpa, contraction), direction, blocked))
+    };
+    let fit = Some(bench.half_width_n(pressure_mpa, contraction));
+    Some(UncertaintyParts { formula, friction, fit, ..UncertaintyParts::default() })
+}
+
+/// Squares of the parts, weighted by 1 − x and x.
+fn between(inside: &UncertaintyParts, outside: &UncertaintyParts, x: f64) -> UncertaintyParts {
+    let part = |of: fn(&UncertaintyParts) -> Option<f64>| match (of(inside), of(outside)) {
+        (None, None) => None,
+        (a, b) => {
+            let square = |v: Option<f64>| v.unwrap_or(0.0).powi(2);
+            Some(((1.0 - x) * square(a) + x * square(b)).sqrt())
+        }
+    };
+    UncertaintyParts {
+        formula: part(|p| p.formula),
+        mesh: part(|p| p.mesh),
+        rubber: part(|p| p.rubber),
+        measured: part(|p| p.measured),
+        friction: part(|p| p.friction),
+        fit: part(|p| p.fit),
+    }
+}
+
+/// What a pull on one branch may differ by, in N, from an answer on `direction`, besides all else.
+pub fn friction_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    (pressure_mpa, contraction): (f64, f64),
+    direction: Direction,
+    blocked_n: f64,
+) -> f64 {
+    let unknown = FRICTION * blocked_n;
+    if model.muscle().friction().is_none() {
+        return unknown;
+    }
+    match friction_half_width_n(model, workspace, pressure_mpa, contraction) {
+        Ok(half) if direction.is_mean() => (1.0 + FRICTION_LAW) * half,
+        Ok(half) => FRICTION_LAW * half,
+        Err(_) => unknown,
+    }
 }
 
 /// Half-width of the difference between finite elements and a measured muscle in N, for its blocked force at the same pressure.
@@ -117,11 +237,6 @@ pub fn measured_n(muscle: &Muscle, blocked_n: f64, contraction: f64) -> f64 {
     let share = (contraction / muscle.max_ideal_contraction()).clamp(0.0, 1.0);
     let by_pressure = (MEASURED + MEASURED_BY_CONTRACTION * share) * blocked_n;
     by_pressure.hypot(MEASURED_BY_WALL * wall_n(muscle))
-}
-
-/// The same for a point on one branch of a muscle whose friction is not known.
-pub fn with_friction_n(measured_n: f64, blocked_n: f64) -> f64 {
-    measured_n.hypot(FRICTION * blocked_n)
 }
 
 /// The largest difference that another law of equal standing makes, and what one axis does not tell, in N; `None` of a rubber of which
@@ -177,7 +292,7 @@ mod tests {
         };
         let w = &mut Workspace::new();
         let part = |m: &Muscle, w: &mut Workspace| {
-            uncertainty(&ThickWall::new(m), w, 0.25, 0.2, 100.0).unwrap().rubber
+            uncertainty(&ThickWall::new(m), w, (0.25, 0.2), 100.0, Direction::Mean).unwrap().rubber
         };
         let named = Muscle::prototype().with_tube(tube("treloar-natural-rubber")).unwrap();
         assert_eq!(part(&named, w).is_some(), !of_equal_standing(&named).is_empty());
@@ -198,7 +313,8 @@ mod tests {
         assert!(!is_known_from_one_axis(&changed.tube().rubber));
         let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.2).unwrap();
         let expected = (pull(&changed) - pull(&named)).abs();
-        let found = uncertainty(&ThickWall::new(&named), w, 0.25, 0.2, 100.0).unwrap().rubber;
+        let found =
+            uncertainty(&ThickWall::new(&named), w, (0.25, 0.2), 100.0, Direction::Mean).unwrap().rubber;
         assert_eq!(found, Some(expected));
     }
 
@@ -260,14 +376,88 @@ mod tests {
     }
 
     #[test]
-    fn a_simpler_model_has_a_larger_uncertainty_and_known_friction_a_smaller_one() {
+    fn a_simpler_model_has_a_larger_uncertainty() {
         let (m, w) = (Muscle::prototype(), &mut Workspace::new());
         let of = |model: &dyn ForceModel, w: &mut Workspace| {
-            uncertainty(model, w, 0.25, 0.1, 300.0).unwrap().total_n()
+            uncertainty(model, w, (0.25, 0.1), 300.0, Direction::Mean).unwrap().total_n()
         };
         let (ideal, thick) = (of(&Ideal::new(&m), w), of(&ThickWall::new(&m), w));
         assert!(ideal > thick, "{ideal} {thick}");
-        let known = m.with_friction(Some(Friction::power_law(20.0, 0.6))).unwrap();
-        assert!(of(&ThickWall::new(&known), w) < thick);
+    }
+
+    /// h = 74·P^0.5 = 37 N at 0.25 MPa by hand: 1.5 h while no branch is asked for, 0.5 h on a branch, 12 % of the blocked force without a law.
+    #[test]
+    fn stated_friction_counts_until_a_branch_is_asked_for() {
+        let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+        let stated = m.with_friction(Some(Friction::power_law(74.0, 0.5))).unwrap();
+        let part = |m: &Muscle, direction: Direction, w: &mut Workspace| {
+            uncertainty(&ThickWall::new(m), w, (0.25, 0.1), 300.0, direction).unwrap().friction.unwrap()
+        };
+        assert!((part(&stated, Direction::Mean, w) - 55.5).abs() < 1e-9);
+        assert!((part(&stated, Direction::Contraction, w) - 18.5).abs() < 1e-9);
+        assert!((part(&stated, Direction::Elongation, w) - 18.5).abs() < 1e-9);
+        let blocked = ThickWall::new(&m).force_n(w, 0.25, 0.0).unwrap();
+        assert!((part(&m, Direction::Mean, w) - 0.12 * blocked).abs() < 1e-9);
+        // No pressure, no loop.
+        let none = uncertainty(&ThickWall::new(&stated), w, (0.0, 0.1), 0.0, Direction::Mean).unwrap();
+        assert_eq!(none.friction, Some(0.0));
+    }
+
+    fn with_bench(muscle: &Muscle, model: &str, branches: Vec<Direction>) -> Muscle {
+        let bench = Bench {
+            model: model.into(),
+            points: 10,
+            branches,
+            pressure_mpa: (0.1, 0.3),
+            contraction: (0.0, 0.2),
+            scatter_n: 3.0,
+            fit_n: vec![vec![4.0]],
+            parameters: vec![],
+            covariance: vec![],
+            of: muscle.digest(),
+        };
+        muscle.clone().with_bench(bench)
+    }
+
+    /// √(3² + 4²) N inside; squares weighted by one half in the middle of the margin of 0.05.
+    #[test]
+    fn on_its_own_bench_the_uncertainty_is_that_of_the_fit() {
+        let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+        let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
+        let total = |m: &Muscle, e: f64, w: &mut Workspace| {
+            uncertainty(&ThickWall::new(m), w, (0.2, e), 100.0, Direction::Mean).unwrap().total_n()
+        };
+        assert!((total(&own, 0.2, w) - 5.0).abs() < 1e-12);
+        let outside = total(&m, 0.225, w);
+        let middle = (0.5 * 25.0 + 0.5 * outside * outside).sqrt();
+        assert!((total(&own, 0.225, w) - middle).abs() < 1e-9);
+        assert_eq!(total(&own, 0.26, w), total(&m, 0.26, w));
+        // Continuous at both edges of the margin.
+        assert!((total(&own, 0.2 + 1e-9, w) - 5.0).abs() < 1e-3);
+        assert!((total(&own, 0.25 - 1e-9, w) - total(&m, 0.25, w)).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_bench_of_another_muscle_model_or_branch_says_nothing() {
+        let (m, w) = (Muscle::prototype(), &mut Workspace::new());
+        let parts = |m: &Muscle, w: &mut Workspace| {
+            uncertainty(&ThickWall::new(m), w, (0.2, 0.1), 100.0, Direction::Mean).unwrap()
+        };
+        let own = with_bench(&m, "thick-wall", vec![Direction::Mean]);
+        // Another diameter.
+        let other = own.with_section(31.0, 3.0).unwrap();
+        assert_eq!(parts(&other, w), parts(&m.with_section(31.0, 3.0).unwrap(), w));
+        assert!(other.warnings().iter().any(|s| s.contains("[identified]")) && own.warnings().is_empty());
+        // And back again.
+        assert_eq!(parts(&other.with_section(30.0, 3.0).unwrap(), w), parts(&own, w));
+        assert_eq!(parts(&with_bench(&m, "ideal", vec![Direction::Mean]), w), parts(&m, w));
+        // Identified with finite elements: the fit, and the model's distance from them.
+        let by_elements = parts(&with_bench(&m, "fe", vec![Direction::Mean]), w);
+        assert_eq!((by_elements.fit, by_elements.formula), (Some(5.0), parts(&m, w).formula));
+        // The shortening muscle alone was measured: the other branch is not known.
+        let half = parts(&with_bench(&m, "thick-wall", vec![Direction::Contraction]), w);
+        assert_eq!((half.fit, half.friction), (Some(5.0), parts(&m, w).friction));
+        let both = with_bench(&m, "thick-wall", Direction::BRANCHES.to_vec());
+        assert_eq!(parts(&both, w).friction, None);
     }
 }

@@ -1,7 +1,9 @@
 //! What the user should know of an answer.
 
+use crate::analysis::NoBurst;
 use crate::model::Response;
 use crate::muscle::{Muscle, Rubber};
+use crate::units::short_numbers;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
 
@@ -13,7 +15,16 @@ pub const VALIDATED_STRAND_STRAIN: f64 = 0.06;
 pub enum Warning {
     /// Something about the muscle, the model or the question, whatever the answer.
     Said(String),
-    /// The strands break before this pressure is reached.
+    /// The pressure reaches or exceeds the muscle's burst pressure ([`burst`](crate::analysis::burst())).
+    Burst {
+        /// The largest pressure in question in MPa.
+        pressure_mpa: f64,
+        /// The burst pressure in MPa.
+        burst_mpa: f64,
+    },
+    /// The burst pressure is not known.
+    BurstNotChecked(NoBurst),
+    /// A strand carries more than its strength here.
     StrandsBreak {
         /// Tension of one strand in N.
         tension_n: f64,
@@ -44,6 +55,11 @@ pub enum Warning {
 }
 
 impl Warning {
+    /// Whether it is about the burst of the muscle, and so comes first.
+    pub fn is_of_burst(&self) -> bool {
+        matches!(self, Self::Burst { .. } | Self::BurstNotChecked(_))
+    }
+
     /// Of a stretch beyond the data that a rubber's constants were fitted to.
     pub fn of_stretch(rubber: &Rubber, stretch: f64) -> Option<Self> {
         let limit = rubber.fitted_to_stretch.filter(|limit| stretch > *limit)?;
@@ -54,7 +70,8 @@ impl Warning {
     /// How grave it is among those of its kind; `None` for one that is not of a kind.
     fn gravity(&self) -> Option<f64> {
         match self {
-            Self::Said(_) => None,
+            Self::Said(_) | Self::BurstNotChecked(_) => None,
+            Self::Burst { pressure_mpa, burst_mpa } => Some(pressure_mpa / burst_mpa),
             Self::StrandsBreak { tension_n, strength_n, .. } => Some(tension_n / strength_n),
             Self::StrandStrain { strain } => Some(*strain),
             Self::FallsWithPressure { slope_n_per_mpa } => Some(-slope_n_per_mpa),
@@ -67,7 +84,7 @@ impl Warning {
         let mut out: Vec<Warning> = vec![];
         for warning in all {
             let same = |w: &&mut Warning| match warning {
-                Self::Said(_) => *w == warning,
+                Self::Said(_) | Self::BurstNotChecked(_) => *w == warning,
                 _ => std::mem::discriminant(*w) == std::mem::discriminant(warning),
             };
             match out.iter_mut().find(same) {
@@ -83,11 +100,17 @@ impl Warning {
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Said(sentence) => f.write_str(sentence),
+            Self::Said(sentence) => f.write_str(&short_numbers(sentence)),
+            Self::Burst { pressure_mpa, burst_mpa } => write!(
+                f,
+                "BURST: {pressure_mpa:.3} MPa ({:.2} bar) is not below the burst pressure of this muscle, {burst_mpa:.3} MPa ({:.2} bar), at which its strands break",
+                10.0 * pressure_mpa,
+                10.0 * burst_mpa
+            ),
+            Self::BurstNotChecked(why) => write!(f, "BURST NOT CHECKED: {why}"),
             Self::StrandsBreak { tension_n, strength_n, pressure_mpa } => write!(
                 f,
-                "the strands break: at {pressure_mpa:.3} MPa one of them would carry {tension_n:.1} N, and it bears {strength_n} N; the muscle bursts near {:.2} MPa",
-                pressure_mpa * strength_n / tension_n
+                "the strands break: at {pressure_mpa:.3} MPa one of them carries {tension_n:.1} N, and its strength is {strength_n} N"
             ),
             Self::StrandStrain { strain } => write!(
                 f,

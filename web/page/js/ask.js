@@ -7,19 +7,28 @@ export const engine = () => (one ??= new Engine());
 
 /**
  * What was typed, as numbers: each with `value`, `values` of a list, or `problem`.
- * @param {import("../../types/commands").Commands["quantities"]["request"]["texts"]} texts @returns {Promise<any[]>}
+ * @param {{ text: string, kind: import("./units.js").Kind, list?: boolean }[]} texts @returns {Promise<any[]>}
  */
-export const understood = async (texts) => (texts?.length ? (await engine().ask("quantities", { texts }, { lane: "state" })).readings : []);
+export async function understood(texts) {
+  if (!texts.length) return [];
+  const asked = texts.map(({ kind, ...rest }) => ({ ...rest, kind: kind === "modulus" ? /** @type {const} */ ("pressure") : kind }));
+  return (await engine().ask("quantities", { texts: asked }, { lane: "read" })).readings;
+}
+
+/** So long a question may hold up a newer one of its place, in milliseconds; then it is given up. */
+const PATIENCE = 1500;
 
 /** A place for questions: one is on its way at most, and of those that wait only the newest is asked. */
 export class Slot {
-  /** @param {{ lane?: "state" | "side", busy?: (on: boolean) => void }} [options] */
+  /** @param {{ lane?: import("./engine/wasm.js").LaneName, busy?: (on: boolean) => void }} [options] */
   constructor({ lane = "side", busy } = {}) {
     this.lane = lane;
     this.busy = busy;
-    this.flying = false;
+    /** @type {AbortController | undefined} */ this.flying = undefined;
     /** @type {(() => void) | undefined} */ this.waiting = undefined;
+    this.since = 0;
     this.timer = 0;
+    this.patience = 0;
   }
 
   /**
@@ -30,14 +39,16 @@ export class Slot {
    */
   ask(command, request, take, fail) {
     const go = async () => {
-      this.flying = true;
+      const mine = (this.flying = new AbortController());
+      this.since = performance.now();
       this.timer ||= window.setTimeout(() => this.busy?.(true), 150);
       try {
-        take(await engine().ask(command, request, { lane: this.lane }));
+        take(await engine().ask(command, request, { lane: this.lane, signal: mine.signal }));
       } catch (problem) {
-        fail?.(problem);
+        if (!mine.signal.aborted) fail?.(problem);
       }
-      this.flying = false;
+      clearTimeout(this.patience);
+      this.flying = undefined;
       const next = this.waiting;
       this.waiting = undefined;
       if (next) return next();
@@ -45,12 +56,16 @@ export class Slot {
       this.timer = 0;
       this.busy?.(false);
     };
-    if (this.flying) this.waiting = go;
-    else go();
+    if (!this.flying) return void go();
+    this.waiting = go;
+    const { flying } = this;
+    clearTimeout(this.patience);
+    this.patience = window.setTimeout(() => flying.abort(), Math.max(0, PATIENCE - (performance.now() - this.since)));
   }
 
-  /** The question that waits is not asked any more. */
-  forget() {
+  /** Nothing is asked any more, and what is on its way is given up. */
+  end() {
     this.waiting = undefined;
+    this.flying?.abort();
   }
 }

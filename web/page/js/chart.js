@@ -1,6 +1,6 @@
 // A chart: lines and points by plotly.js, which is loaded when the first chart is shown; with a table, PNG, SVG and CSV.
 import { download, el } from "./dom.js";
-import { number } from "./units.js";
+import { number, outside } from "./units.js";
 
 /**
  * @typedef {{ name: string, x: number[], y: (number | null)[], end?: string, at?: "start" | "end", colour?: string, dash?: "solid" | "dash" | "dot", mode?: "lines" | "markers" | "lines+markers", width?: number, legend?: string }} Series
@@ -136,10 +136,12 @@ export class Chart {
     const spec = /** @type {Spec} */ (this.spec);
     const [ink, line, faint] = [token("--ink"), token("--line"), token("--faint")];
     const axis = (/** @type {string} */ title) => ({ title: { text: title, standoff: 8 }, gridcolor: faint, linecolor: line, zerolinecolor: line, tickcolor: line, automargin: true, color: ink, fixedrange: true, zeroline: false });
-    const last = (/** @type {Series} */ s) => { let i = s.x.length - 1; while (i > 0 && (s.y[i] === null || s.y[i] === undefined)) i--; return i; };
-    const ends = spec.series.filter((s) => s.end && s.x.length).map((s) => {
-      const start = s.at === "start", i = start ? 0 : last(s);
-      return { x: s.x[i], y: s.y[i], text: s.end, showarrow: false, xanchor: "left", yanchor: start ? "bottom" : "middle", xshift: start ? 10 : 4, font: { color: s.colour ?? ink, size: 12 } };
+    // A label without a place would take the axis to where the library puts it.
+    const known = (/** @type {Series} */ s, /** @type {number} */ i) => Number.isFinite(s.x[i]) && Number.isFinite(s.y[i]);
+    const ends = spec.series.flatMap((s) => {
+      const start = s.at === "start", places = s.x.map((_, i) => i), i = (start ? places : places.reverse()).find((i) => known(s, i));
+      if (!s.end || i === undefined) return [];
+      return [{ x: s.x[i], y: s.y[i], text: s.end, showarrow: false, xanchor: "left", yanchor: start ? "bottom" : "middle", xshift: start ? 10 : 4, font: { color: s.colour ?? ink, size: 12 } }];
     });
     const longest = Math.max(0, ...spec.series.map((s) => (s.at === "start" ? 0 : (s.end ?? "").length)));
     return {
@@ -201,6 +203,17 @@ export class Chart {
     const url = await Plotly.toImage({ data: this.traces(), layout }, { format: kind, scale: kind === "png" ? 2 : 1, ...size });
     el("a", { href: url, download: `${this.name}.${kind}` }).click();
   }
+}
+
+/** Points of an isobaric curve as a line of pull over contraction in %; it ends at the free contraction, wherever the points lie. @param {any[]} points */
+export function isobar(points) {
+  const slack = points.findIndex((q) => q.slack), free = points[slack]?.free_contraction;
+  const taut = slack < 0 ? points : points.slice(0, slack);
+  const ends = slack > 0 && typeof free === "number" && free > taut[slack - 1].contraction ? [100 * free] : [];
+  return {
+    x: [...taut.map((q) => 100 * q.contraction), ...ends],
+    y: [...taut.map((q) => (q.status === "ok" ? outside("force", q.force_n) : null)), ...ends.map(() => 0)],
+  };
 }
 
 /** Labels at the ends of curves, moved apart where they would lie on one another; plotly's shifts are in pixels. @param {any[]} ends */

@@ -1,27 +1,32 @@
 // A quantity as a slider with a field beside it, and a choice from a list.
 import { understood } from "./ask.js";
 import { el } from "./dom.js";
-import { changeUnit, expectation, hasChoice, inside, number, onUnits, outside, unitName } from "./units.js";
+import { changeUnit, expectation, hasChoice, inside, meant, number, onUnits, outside, unitName } from "./units.js";
+import { inWords } from "./words.js";
 
 let count = 0;
 
 /**
- * A slider with a field. `change` is told every step, with `settled` at the end of a gesture.
- * @param {{ label: string, symbol?: string, kind: import("./units.js").Kind, value: number, low: number, high: number, change: (value: number, settled: boolean) => void }} spec
+ * A slider with a field. `change` is called at every step, with `settled` at the end of a gesture. Without a value the field is empty.
+ * @param {{ label: string, symbol?: string, kind: import("./units.js").Kind, value?: number, low: number, high: number, change: (value: number, settled: boolean) => void }} spec
  */
 export function quantity({ label, symbol = "", kind, value, low, high, change }) {
   const id = `q${++count}`;
-  let now = value;
+  let now = /** @type {number} */ (value), painted = "";
+  /** Whether somebody is typing. */
+  const typing = () => document.activeElement === field && field.value !== painted;
   const slider = el("input", { type: "range", min: 0, max: 1000, step: "any", "aria-label": label });
   const field = el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", "aria-describedby": `${id}w` });
   const unit = hasChoice(kind)
     ? el("button", { type: "button", class: "bare", title: "Change the unit everywhere", onclick: () => changeUnit(kind) })
     : el("span", { class: "soft" });
-  const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
+  const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true, role: "status" });
   const element = el("div", { class: "quantity" }, el("label", { for: id }, label, symbol ? " " : "", symbol ? el("i", { class: "soft" }, symbol) : null), field, unit, slider, wrong);
 
   const bounds = { low, high };
   const toSlider = (/** @type {number} */ v) => String((1000 * (v - bounds.low)) / (bounds.high - bounds.low));
+  /** A value as it stands in the field; with its sign where it is in %, so that it can be read again. @param {number} v */
+  const asText = (v) => number(outside(kind, v), 6).replace("−", "-") + (kind === "ratio" ? " %" : "");
   const fromSlider = () => tidy(bounds.low + (Number(slider.value) / 1000) * (bounds.high - bounds.low));
   /** A step that suits the shown unit: the power of ten below a hundredth of the reach. */
   const stepOf = () => 10 ** Math.floor(Math.log10(Math.abs(outside(kind, bounds.high) - outside(kind, bounds.low)) / 100));
@@ -31,15 +36,17 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
     return inside(kind, Number((Math.round(outside(kind, v) / step) * step).toPrecision(12)));
   }
   function paint(fieldToo = true) {
-    slider.value = toSlider(now);
-    if (fieldToo) field.value = number(outside(kind, now), 6).replace("−", "-");
-    unit.textContent = unitName(kind);
-    slider.setAttribute("aria-valuetext", `${number(outside(kind, now))} ${unitName(kind)}`);
+    slider.value = now === undefined ? "0" : toSlider(now);
+    if (fieldToo) field.value = painted = now === undefined ? "" : asText(now);
+    unit.textContent = kind === "ratio" ? "" : unitName(kind);
+    slider.setAttribute("aria-valuetext", now === undefined ? "not given" : `${number(outside(kind, now))} ${unitName(kind)}`);
     field.title = expectation(kind);
   }
-  function good() {
+  function good(note = "") {
     field.removeAttribute("aria-invalid");
-    wrong.hidden = true;
+    wrong.className = "note small soft";
+    wrong.textContent = note;
+    wrong.hidden = !note;
   }
   slider.addEventListener("input", () => { now = fromSlider(); good(); paint(); change(now, false); });
   slider.addEventListener("change", () => change(now, true));
@@ -48,7 +55,7 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
     const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
     if (by === undefined) return;
     event.preventDefault();
-    const next = inside(kind, Number((outside(kind, now) + by * step).toPrecision(12)));
+    const next = inside(kind, Number((outside(kind, now ?? bounds.low) + by * step).toPrecision(12)));
     now = Math.min(bounds.high, Math.max(bounds.low, next));
     good();
     paint();
@@ -56,18 +63,20 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
   });
   async function read() {
     const text = field.value.trim();
-    // A bare number is in the unit that stands beside it.
-    const bare = text !== "" && Number.isFinite(Number(text));
-    const [reading] = bare ? [{ value: inside(kind, Number(text)) }] : await understood([{ text, kind }]);
+    // What stands there is not read again: it may have fewer digits than the value.
+    if (text === painted && (now === undefined || !field.hasAttribute("aria-invalid"))) return;
+    const { text: asked, value, note } = meant(kind, text);
+    const reading = value === undefined ? (await understood([{ text: asked, kind }]))[0] : { value };
     if (reading.problem) return wrongly(reading.problem.message);
-    now = reading.value;
-    good();
+    now = /** @type {number} */ (/** @type {any} */ (reading).value);
+    good(note);
     paint();
     change(now, true);
   }
   function wrongly(/** @type {string} */ message) {
     field.setAttribute("aria-invalid", "true");
-    wrong.textContent = message;
+    wrong.className = "wrong";
+    wrong.textContent = inWords(message);
     wrong.hidden = false;
   }
   field.addEventListener("change", () => { read().catch((problem) => wrongly(problem.message)); });
@@ -77,12 +86,12 @@ export function quantity({ label, symbol = "", kind, value, low, high, change })
   return {
     element,
     get value() { return now; },
-    /** @param {number} v */
-    set(v) { if (v !== now) { now = v; good(); paint(document.activeElement !== field); } },
+    /** @param {number | undefined} v */
+    set(v) { if (v !== now) { now = /** @type {number} */ (v); good(); paint(!typing()); } },
     /** What is wrong with it, said by the engine; empty where nothing is. @param {string} message */
-    mark(message) { if (message) wrongly(message); else if (field.getAttribute("aria-invalid")) good(); },
+    mark(message) { if (message) wrongly(message); else if (field.getAttribute("aria-invalid")) { good(); paint(!typing()); } },
     /** @param {number} newLow @param {number} newHigh */
-    reach(newLow, newHigh) { bounds.low = newLow; bounds.high = newHigh; paint(document.activeElement !== field); },
+    reach(newLow, newHigh) { bounds.low = newLow; bounds.high = newHigh; paint(!typing()); },
     /** @param {boolean} on */
     enable(on) { slider.disabled = !on; field.disabled = !on; },
   };
@@ -102,6 +111,8 @@ export function choice(label, options, value, change) {
       if (![...select.options].some((o) => o.value === v)) select.append(el("option", { value: v }, v));
       select.value = v;
     },
+    /** The name of the first one, which is the usual. @param {string} text */
+    first(text) { if (select.options[0].textContent !== text) select.options[0].textContent = text; },
     /** More to choose from, where they are not there yet. @param {string[]} names */
     options(names) {
       const there = new Set([...select.options].map((o) => o.value));

@@ -1,4 +1,5 @@
 // Elements in one call, and what every page needs of the document.
+import { inWords } from "./words.js";
 
 /**
  * An element: attributes by name, listeners as `onclick` functions, children as nodes or texts.
@@ -31,8 +32,8 @@ export function say(text) {
 
 /** A problem as people read it. @param {any} problem */
 export function problemBox(problem) {
-  const hint = problem.hint ? el("p", { class: "small" }, capital(problem.hint)) : null;
-  return el("div", { class: "problem", role: "alert" }, el("p", {}, capital(problem.message ?? String(problem))), hint);
+  const hint = problem.hint ? el("p", { class: "small" }, capital(inWords(problem.hint))) : null;
+  return el("div", { class: "problem", role: "alert" }, el("p", {}, capital(inWords(problem.message ?? String(problem)))), hint);
 }
 
 /** @param {string} text */

@@ -1,16 +1,18 @@
 // A form of quantities as people type them, read by the engine in one question; and long work with progress and a way to end it.
 import { engine, understood } from "./ask.js";
 import { capital, el, problemBox } from "./dom.js";
-import { expectation } from "./units.js";
+import { expectation, meant } from "./units.js";
+import { inWords } from "./words.js";
 
 /**
  * `pair`: a list of two quantities joined by @, such as 700N@15%, 300N@20%: kinds and fields of both. `words`: a list of words.
+ * `or`: words that may stand in place of a quantity. `factor`: a ratio that nobody writes in %. `hidden`: until it is shown.
  * @typedef {import("./units.js").Kind} Kind
- * @typedef {{ key: string, field: string, label: string, kind?: Kind, list?: boolean, pair?: [Kind, string][], words?: boolean, options?: [string, string][], value?: string, hint?: string }} Field
+ * @typedef {{ key: string, field: string, label: string, kind?: Kind, list?: boolean, pair?: [Kind, string][], words?: boolean, or?: string[], factor?: boolean, hidden?: boolean, options?: [string, string][], value?: string, hint?: string }} Field
  * @param {Field[]} fields @param {() => void} submit
  */
 export function form(fields, submit) {
-  /** @type {Map<string, { input: HTMLInputElement | HTMLSelectElement, wrong: HTMLElement }>} */
+  /** @type {Map<string, { input: HTMLInputElement | HTMLSelectElement, wrong: HTMLElement, row: HTMLElement }>} */
   const inputs = new Map();
   const rows = fields.map((f, i) => {
     const id = `${f.key}-${i}-${Math.random().toString(36).slice(2, 7)}`;
@@ -19,14 +21,18 @@ export function form(fields, submit) {
       : el("input", { type: "text", id, autocomplete: "off", spellcheck: "false", placeholder: f.hint ?? "", title: f.kind ? expectation(f.kind) : "", "aria-describedby": `${id}w` });
     input.value = f.value ?? "";
     const wrong = el("p", { class: "wrong", id: `${id}w`, hidden: true });
-    inputs.set(f.key, { input, wrong });
-    return el("div", { style: "margin-bottom:8px" }, el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" }, el("label", { for: id }, f.label), input), wrong);
+    // A form of several fields without a button of its own is not submitted by Enter.
+    input.addEventListener("keydown", (event) => { if (/** @type {KeyboardEvent} */ (event).key === "Enter" && !f.options) { event.preventDefault(); submit(); } });
+    const row = el("div", { style: "margin-bottom:8px", hidden: f.hidden }, el("div", { class: "choice", style: "margin:0;grid-template-columns:minmax(0,5fr) minmax(0,6fr)" }, el("label", { for: id }, f.label), input), wrong);
+    inputs.set(f.key, { input, wrong, row });
+    return row;
   });
   const element = el("form", { onsubmit: (/** @type {Event} */ event) => { event.preventDefault(); submit(); } }, ...rows);
   const mark = (/** @type {string} */ key, /** @type {string} */ message) => {
     const of = inputs.get(key);
     if (!of) return;
-    of.wrong.textContent = message;
+    of.wrong.className = "wrong";
+    of.wrong.textContent = inWords(message);
     of.wrong.hidden = !message;
     if (message) of.input.setAttribute("aria-invalid", "true");
     else of.input.removeAttribute("aria-invalid");
@@ -40,14 +46,25 @@ export function form(fields, submit) {
       const values = {};
       /** @type {{ key: string, text: string, kind: Kind, list: boolean, take: (value: any) => void }[]} */
       const asked = [];
+      /** @type {Map<string, string>} */
+      const notes = new Map();
+      /** As the engine shall read it; what was read of a bare ratio is said. @param {Field} f @param {Kind} kind @param {string} text */
+      const clear = (f, kind, text) => {
+        if (kind !== "ratio" || f.factor || f.list) return text;
+        const { text: clearer, note } = meant(kind, text);
+        if (note) notes.set(f.key, note);
+        return clearer;
+      };
       for (const f of fields) {
-        const text = inputs.get(f.key)?.input.value.trim();
+        const { input, row } = inputs.get(f.key) ?? {};
+        const text = row?.hidden ? "" : input?.value.trim();
         if (!text) continue;
-        if (f.kind) asked.push({ key: f.key, text, kind: f.kind, list: f.list ?? false, take: (v) => { values[f.field] = v; } });
+        if (f.kind && f.or?.includes(text)) values[f.field] = text;
+        else if (f.kind) asked.push({ key: f.key, text: clear(f, f.kind, text), kind: f.kind, list: f.list ?? false, take: (v) => { values[f.field] = v; } });
         else if (f.pair) {
           values[f.field] = text.split(",").map((one) => {
             const parts = one.split("@"), item = /** @type {Record<string, number>} */ ({});
-            f.pair?.forEach(([kind, field], i) => asked.push({ key: f.key, text: (parts[i] ?? "").trim(), kind, list: false, take: (v) => { item[field] = v; } }));
+            f.pair?.forEach(([kind, field], i) => asked.push({ key: f.key, text: clear(f, kind, (parts[i] ?? "").trim()), kind, list: false, take: (v) => { item[field] = v; } }));
             return item;
           });
         } else values[f.field] = f.words ? text.split(",").map((w) => w.trim()).filter(Boolean) : text;
@@ -59,18 +76,33 @@ export function form(fields, submit) {
         if (reading.problem) { mark(key, reading.problem.message); good = false; }
         else take(list ? reading.values : reading.value);
       });
+      for (const [key, note] of notes) {
+        const wrong = inputs.get(key)?.wrong;
+        if (wrong?.hidden) Object.assign(wrong, { className: "note small soft", textContent: note, hidden: false });
+      }
       return good ? values : undefined;
     },
     /** The texts, for an address. */
     texts: () => Object.fromEntries(fields.map((f) => [f.key, inputs.get(f.key)?.input.value === (f.value ?? "") ? "" : inputs.get(f.key)?.input.value])),
     /** @param {URLSearchParams} params */
     set(params) { for (const f of fields) { const of = inputs.get(f.key); if (of) of.input.value = params.get(f.key) ?? f.value ?? ""; } },
+    /** What stands there where nothing is typed. @param {string} key @param {string} text */
+    usual(key, text) { const input = inputs.get(key)?.input; if (input instanceof HTMLInputElement) input.placeholder = text; },
+    /** @param {string} key @param {boolean} on */
+    shown(key, on) { const of = inputs.get(key); if (of) of.row.hidden = !on; },
+    /** What is typed. @param {string} key */
+    text: (key) => inputs.get(key)?.input.value.trim() ?? "",
     /** @param {string} key @param {string} text */
     put(key, text) { const of = inputs.get(key); if (of) of.input.value = text; },
     /** @param {string} key @param {string[]} names */
     options(key, names) {
       const input = inputs.get(key)?.input;
       if (input instanceof HTMLSelectElement) input.append(...names.map((n) => el("option", { value: n }, n)));
+      else if (input) {
+        const list = el("datalist", { id: `${input.id}l` }, ...names.map((n) => el("option", { value: n })));
+        input.setAttribute("list", list.id);
+        input.after(list);
+      }
     },
     /** Shows a problem at its field, or says that it has none. @param {any} problem */
     at(problem) {
@@ -130,4 +162,4 @@ export function table(head, rows, { text = [0], pick, label } = {}) {
 }
 
 /** Warnings of an answer. @param {string[] | undefined} list */
-export const warnings = (list) => el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", {}, capital(w))));
+export const warnings = (list) => el("ul", { class: "warnings" }, ...(list ?? []).map((w) => el("li", {}, capital(inWords(w)))));

@@ -1,74 +1,67 @@
-// The muscle that all pages share: its measures, pressure and contraction, as fields of requests and as words of the address.
+// The muscle that all pages share: its state, what the engine read of it, and the address.
 import { engine, understood } from "./ask.js";
-import { typed, unitsFromAddress, unitsInAddress } from "./units.js";
+import { canonical, fields, fromWords, missing, opened, prototype, say, shownValue, texts, words, KEYS, MEASURES } from "./state.js";
+import { show, typed, unitsFromAddress, unitsInAddress } from "./units.js";
 
-/** Quantities: key of the address, field of requests, kind, name, symbol, bounds of the slider. */
-export const QUANTITIES = /** @type {const} */ ([
-  { key: "D", field: "outer_diameter_mm", kind: "length", label: "Outer diameter", symbol: "D0", low: 6, high: 80 },
-  { key: "s", field: "wall_mm", kind: "length", label: "Wall", symbol: "s", low: 0.3, high: 10 },
-  { key: "L", field: "length_mm", kind: "length", label: "Length", symbol: "L0", low: 60, high: 900 },
-  { key: "angle", field: "angle_deg", kind: "angle", label: "Braid angle", symbol: "θ0", low: 12, high: 45 },
-]);
-export const PRESSURE = /** @type {const} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure", symbol: "p", low: 0, high: 0.6 });
-export const CONTRACTION = /** @type {const} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction", symbol: "ε", low: 0, high: 0.35 });
-export const LOAD = /** @type {const} */ ({ key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F", low: 0, high: 1000 });
-const ALL = [...QUANTITIES, PRESSURE, CONTRACTION, LOAD];
-const WORDS = ["rubber", "braid", "k", "file"];
-
-/** @typedef {{ D: number, s: number, L: number, angle: number, p: number, e: number, F: number | undefined, rubber: string, braid: string, k: string, file: string }} Values */
-
-/** @type {Values} */
-const PROTOTYPE = { D: 30, s: 3, L: 285, angle: 28, p: 0.25, e: 0.15, F: undefined, rubber: "paper", braid: "", k: "", file: "" };
+const MEASURE = new Map(MEASURES.map((m) => [m.key, m]));
 
 export class MuscleState {
   constructor() {
-    /** @type {Values} */
-    this.values = { ...PROTOTYPE };
-    /** What is said over the muscle file. @type {Set<string>} */
-    this.said = new Set();
+    this.state = prototype();
+    /** What the engine read of file and fields, the last time that it could. @type {Record<string, any> | undefined} */
+    this.shown = undefined;
+    /** Named sleeves, with what their sources do not state. @type {{ name: string, missing: string }[]} */
+    this.sleeves = [];
     /** @type {[string, string][]} */
     this.unknown = [];
     /** @type {Map<string, string>} */
     this.wrong = new Map();
+    /** @type {{ of: string, file: Promise<string> } | undefined} */
+    this.written = undefined;
   }
+
+  get p() { return this.state.p; }
+  get e() { return this.state.e; }
+  get F() { return this.state.F; }
 
   /** Fields of a request. */
-  fields() {
-    const v = this.values;
-    /** @type {Record<string, any>} */
-    const fields = {};
-    if (v.file) fields.muscle = { name: "muscle.toml", text: v.file };
-    const stated = (/** @type {string} */ key) => !v.file || this.said.has(key);
-    for (const { key, field } of QUANTITIES) if (stated(key) && !(key === "angle" && v.braid)) fields[field] = v[key];
-    if (stated("rubber") && v.rubber) fields.rubber = v.rubber;
-    if (v.braid) fields.braid = v.braid;
-    if (v.k && !v.braid) fields.stiffness = Number.isFinite(Number(v.k)) ? Number(v.k) : v.k;
-    return fields;
-  }
+  fields() { return fields(this.state); }
 
-  /** The muscle file that says the same. */
-  toml() {
-    const { D, s, L, angle, rubber, braid, k, file } = this.values;
-    if (file && this.said.size === 0) return file;
-    const stiffness = k ? (Number.isFinite(Number(k)) ? `${k} N/mm` : k) : "paper";
-    const sleeve = braid ? [`name = "${braid}"`] : [`angle = "${angle} deg"`, `stiffness = "${stiffness}"`];
-    return ["[tube]", `outer_diameter = "${D} mm"`, `wall_thickness = "${s} mm"`, `length = "${L} mm"`, `rubber = "${rubber || "paper"}"`, "", "[braid]", ...sleeve, ""].join("\n");
-  }
-
-  /** @param {keyof Values} key @param {any} value */
+  /** @param {string} key @param {number | string | undefined} value */
   set(key, value) {
-    /** @type {any} */ (this.values)[key] = value;
-    this.said.add(key);
+    this.state = say(this.state, key, value);
+    this.wrong.delete(key);
+  }
+
+  /** A measure as a control shows it. @param {string} key @returns {number | undefined} */
+  value(key) {
+    const measure = MEASURE.get(key);
+    return measure ? shownValue(this.state, this.shown, measure) : /** @type {any} */ (this.state)[key];
+  }
+
+  /** The muscle file that says the same; what engines without a file are asked by. */
+  file() {
+    const of = JSON.stringify(this.fields());
+    if (this.written?.of !== of) {
+      const file = canonical(this.state, (command, request) => engine().ask(command, request));
+      this.written = { of, file };
+      file.catch(() => { this.written = undefined; });
+    }
+    return this.written.file;
+  }
+
+  /** What its sleeve needs beside its name, and is not said yet. */
+  missing() { return missing(this.state, this.sleeves); }
+
+  /** The measures in a line. */
+  line() {
+    const s = this.shown;
+    return s ? `D0 ${show("length", s.outer_diameter_mm)}, s ${show("length", s.wall_mm)}, L0 ${show("length", s.length_mm)}, θ0 ${show("angle", s.angle_deg)}, rubber ${s.rubber}, braid ${s.braid}` : "none yet";
   }
 
   /** Words of the address. */
   params() {
-    const v = /** @type {any} */ (this.values);
-    /** @type {Record<string, string | undefined>} */
-    const out = {};
-    for (const { key, kind } of ALL) if (v[key] !== undefined && (!v.file || this.said.has(key) || ["p", "e", "F"].includes(key))) out[key] = typed(kind, v[key]);
-    if (v.F !== undefined) delete out.e;
-    for (const key of WORDS) if (v[key] && (!v.file || this.said.has(key) || key === "file")) out[key] = v[key];
+    const out = words(this.state, typed);
     out.u = unitsInAddress() || undefined;
     for (const [key, text] of this.unknown) out[key] = text;
     return out;
@@ -79,29 +72,30 @@ export class MuscleState {
    */
   async read(params, own = []) {
     unitsFromAddress(params.get("u") ?? "");
-    const values = /** @type {any} */ ({ ...PROTOTYPE });
-    this.said = new Set();
-    this.wrong = new Map();
-    const asked = ALL.filter(({ key }) => params.has(key));
-    const texts = asked.map(({ key, kind }) => ({ text: params.get(key) ?? "", kind }));
-    const readings = await understood(texts);
-    asked.forEach(({ key }, i) => {
-      if (readings[i].problem) return this.wrong.set(key, readings[i].problem.message);
-      values[key] = readings[i].value;
-      this.said.add(key);
-    });
-    for (const key of WORDS) if (params.has(key)) { values[key] = params.get(key); this.said.add(key); }
-    this.values = values;
-    const known = new Set([...ALL.map(({ key }) => key), ...WORDS, "u", ...own]);
+    const [readings] = await Promise.all([understood(texts(params).map(({ text, kind }) => ({ text, kind }))), this.known()]);
+    Object.assign(this, fromWords(params, readings));
+    const known = new Set([...KEYS, "u", ...own]);
     this.unknown = [...params].filter(([key]) => !known.has(key));
+    // What cannot be read the page says when it asks for more.
+    try { await this.look(); } catch { this.shown = undefined; }
   }
 
-  /** A muscle file in place of everything else. @param {string} text */
+  /** The sleeves of the library, once. */
+  async known() {
+    if (!this.sleeves.length) this.sleeves = (await engine().ask("braid-list", {}, { lane: "read" })).braids;
+  }
+
+  /** What the engine reads of file and fields. */
+  async look() {
+    this.shown = await engine().ask("muscle-show", this.fields(), { lane: "read" });
+    return this.shown;
+  }
+
+  /** A muscle file in place of everything else; refused as a whole where it is none. @param {string} text */
   async take(text) {
-    const shown = await engine().ask("muscle-show", { muscle: { name: "muscle.toml", text } });
-    const { p, e } = this.values;
-    this.values = { ...PROTOTYPE, p, e, file: text, rubber: "", D: shown.outer_diameter_mm, s: shown.wall_mm, L: shown.length_mm, angle: shown.angle_deg };
-    this.said = new Set();
+    const next = opened(this.state, text);
+    const shown = await engine().ask("muscle-show", fields(next), { lane: "read" });
+    Object.assign(this, { state: next, shown, wrong: new Map() });
     return shown;
   }
 }

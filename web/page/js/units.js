@@ -1,7 +1,10 @@
 // Quantities as people read them. Inside everything is in mm, MPa, N, degrees; factors come from the engine.
 import { engine } from "./ask.js";
 
-/** @typedef {import("../../types/commands").units_answer.Answer["kinds"][number]["kind"]} Kind */
+/**
+ * Kinds of the engine, and moduli: pressures that are always in MPa.
+ * @typedef {import("../../types/commands").units_answer.Answer["kinds"][number]["kind"] | "modulus"} Kind
+ */
 /** @type {Map<string, { expectation: string, units: { name: string, multiply: number, divide: number }[] }>} */
 const kinds = new Map();
 /** Units to choose from by a click; the first is the usual one. @type {Record<string, string[]>} */
@@ -11,17 +14,22 @@ const chosen = Object.fromEntries(Object.entries(CHOICES).map(([kind, list]) => 
 /** @type {Set<() => void>} */
 const listeners = new Set();
 
-export async function loadUnits() {
-  const answer = await engine().ask("units", {}, { lane: "state" });
+export async function loadUnits() { takeUnits(await engine().ask("units", {}, { lane: "state" })); }
+/** @param {{ kinds: readonly any[] }} answer of `units` */
+export function takeUnits(answer) {
   for (const { kind, expectation, units } of answer.kinds) kinds.set(kind, { expectation, units });
+  const pressure = kinds.get("pressure");
+  if (pressure) kinds.set("modulus", { ...pressure, expectation: "a modulus such as 2500MPa or 3.5GPa" });
 }
 
 /** @param {string} kind */
 export const expectation = (kind) => kinds.get(kind)?.expectation ?? "";
 /** Names of its units. @param {string} kind */
 export const unitsOf = (kind) => (kinds.get(kind)?.units ?? []).map((u) => u.name);
+/** The unit inside. @param {string} kind */
+const baseUnit = (kind) => (kind === "modulus" ? "MPa" : kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "");
 /** @param {string} kind */
-export const unitName = (kind) => (kind === "angle" ? "°" : chosen[kind] ?? kinds.get(kind)?.units.find((u) => u.multiply === u.divide)?.name ?? "");
+export const unitName = (kind) => (kind === "angle" ? "°" : chosen[kind] ?? baseUnit(kind));
 
 /** @param {string} kind */
 function factor(kind) {
@@ -30,8 +38,8 @@ function factor(kind) {
 }
 /** A value inside in the shown unit. @param {string} kind @param {number} inside */
 export const outside = (kind, inside) => { const u = factor(kind); return (inside * u.multiply) / u.divide; };
-/** The other way. @param {string} kind @param {number} shown */
-export const inside = (kind, shown) => { const u = factor(kind); return (shown * u.divide) / u.multiply; };
+/** The other way, as the engine reads it: to 15 digits, so that 0.7 bar is 0.07 MPa. @param {string} kind @param {number} shown */
+export const inside = (kind, shown) => { const u = factor(kind); return u.divide === u.multiply ? shown : Number(((shown * u.divide) / u.multiply).toPrecision(15)); };
 
 /** A number to so many significant digits, without an exponent where it is short without. @param {number | null | undefined} v */
 export function number(v, digits = 4) {
@@ -44,11 +52,28 @@ export function number(v, digits = 4) {
 }
 /** `2.5 bar`. @param {string} kind @param {number | null | undefined} value */
 export const show = (kind, value, digits = 4) => (value === null || value === undefined ? "–" : `${number(outside(kind, value), digits)}${kind === "angle" ? "°" : " " + unitName(kind)}`);
-/** As it is typed and stands in an address: `2.5bar`. @param {string} kind @param {number} value */
+/** As it is typed and stands in an address, to the last digit: `2.5bar`. @param {string} kind @param {number} value */
 export function typed(kind, value) {
-  const unit = kind === "angle" ? "deg" : unitName(kind);
+  const shown = [6, 9, 12, 15].map((digits) => Number(outside(kind, value).toPrecision(digits))).find((x) => inside(kind, x) === value);
+  // What no short number in the shown unit means is written in the unit inside.
+  const unit = kind === "angle" ? "deg" : shown === undefined ? baseUnit(kind) : unitName(kind);
   const bare = ["length", "angle", "force"].includes(kind) && ["mm", "deg", "N"].includes(unit);
-  return number(outside(kind, value), 6).replace("−", "-") + (bare ? "" : unit.replace(" ", ""));
+  return String(shown ?? value) + (bare ? "" : unit.replace(" ", ""));
+}
+
+/**
+ * What was typed into a field of a kind, as the engine shall read it, and what to say of it. A bare number is in the unit beside the field;
+ * for a field in % it is a ratio up to 1, as on the command line, and a percentage above, and that is said.
+ * @param {string} kind @param {string} text @returns {{ text: string, value?: number, note?: string }}
+ */
+export function meant(kind, text) {
+  const bare = text !== "" && Number.isFinite(Number(text));
+  if (!bare) return { text };
+  const value = Number(text);
+  if (kind !== "ratio") return { text, value: inside(kind, value) };
+  if (value === 0) return { text, value };
+  const percent = Math.abs(value) > 1 ? value : Number((100 * value).toPrecision(15));
+  return { text: `${percent} %`, note: `${text} without a unit was read as ${number(percent, 6)} %.` };
 }
 
 /** A pull to the digits that its ± leaves. @param {string} kind @param {number} value @param {number | null | undefined} half */

@@ -96,12 +96,13 @@ export function reach(list) {
 }
 
 export class View {
-  /** @param {HTMLElement} stage @param {{ contract?: (share: number, settled: boolean) => void }} handlers share: of the rest length, that the dragged end moves */
-  constructor(stage, { contract } = {}) {
+  /** @param {HTMLElement} stage @param {{ contract?: (share: number, settled: boolean) => void, drawn?: () => void }} handlers share: of the rest length, that the dragged end moves; drawn: after each picture */
+  constructor(stage, { contract, drawn } = {}) {
     this.stage = stage;
     this.turn = [0.35, -0.5];
     this.zoom = 1;
     this.contract = contract;
+    this.drawn = drawn;
     this.cut = false;
     /** @type {any} */ this.shape = undefined;
     /** @type {{ field: string, low: number, high: number, restLength: number, restRadius: number }} */
@@ -259,6 +260,7 @@ export class View {
     }
     paint(0, [0.42, 0.45, 0.48]);
     this.plugs(at);
+    this.drawn?.();
   }
 
   /** The terminals: the end of the outer surface drawn on by a straight piece. @param {any} at */
@@ -312,7 +314,7 @@ export class View {
     return most;
   }
 
-  /** Half the width of the picture in mm, for a scale bar. */
+  /** For a scale bar. */
   get millimetresPerPixel() {
     return (2 * (this.half ?? 1)) / Math.max(1, this.width);
   }
@@ -376,5 +378,8 @@ export class View {
     const svg = `<svg class="section" xmlns="http://www.w3.org/2000/svg" viewBox="${box}" role="img" aria-label="Section of the deformed muscle"><g fill="#9a8f86" stroke="currentColor" stroke-width="0.5"><polygon points="${wall(1)}"/><polygon points="${wall(-1)}"/></g></svg>`;
     this.stage.querySelector("svg.section")?.remove();
     this.stage.insertAdjacentHTML("afterbegin", svg);
+    // Of a box that is fitted into the stage whole.
+    this.half = 0.5 * Math.max(1.2 * restLength, (2 * most * this.width) / Math.max(1, this.height));
+    this.drawn?.();
   }
 }

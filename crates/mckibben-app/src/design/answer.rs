@@ -1,12 +1,14 @@
 //! What a design answers with.
 
-use super::request::{Searching, Wanted};
+use super::request::{Searching, TorqueWanted, Wanted};
+use crate::burst::{put_first, said_of};
 use crate::muscle::MuscleSummary;
 use crate::units::Units;
 use crate::words::{number, percent};
+use mckibben::analysis::{Burst, NoBurst};
 use mckibben::design::{
     BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected,
-    Relaxation, Spec, Spread,
+    Relaxation, Spec, Spread, Sure,
 };
 use mckibben::model::Response;
 use mckibben::warning::Warning;
@@ -26,6 +28,9 @@ pub struct DesignAnswer {
     /// The load that is lifted, as it was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
+    /// What was assumed where nothing was said, in sentences.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<String>,
     /// Muscles that were looked at.
     pub looked_at: usize,
     /// How many of them fit.
@@ -43,6 +48,9 @@ pub struct DesignAnswer {
     /// Spread of the winner's pull under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub tolerance: Vec<SpreadAnswer>,
+    /// Where the winner has less to spare than its ±: what to ask for to be sure of what is wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub to_be_sure: Option<SureAnswer>,
     /// Where nothing fits: the muscle that comes closest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub closest: Option<ClosestAnswer>,
@@ -130,6 +138,21 @@ pub struct DesignPoint {
     pub uncertainty_n: Option<f64>,
 }
 
+/// What to ask for so that the lower end of the ± of the muscle that answers it is what is wanted.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct SureAnswer {
+    /// Pulls at contractions; of a load those that it takes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub points: Vec<Wanted>,
+    /// Torques at angles, of a joint.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub torques: Vec<TorqueWanted>,
+    /// Outer diameter D0 of the muscle that answers, mm.
+    pub outer_diameter_mm: f64,
+    /// Its largest 95 % half-width, N.
+    pub uncertainty_n: Option<f64>,
+}
+
 /// A muscle that does not fit.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct RejectedAnswer {
@@ -161,7 +184,7 @@ pub struct ClosestAnswer {
     pub rejected: RejectedAnswer,
     /// Limits that could give, each alone.
     pub relaxations: Vec<RelaxationAnswer>,
-    /// Contractions that no braid of the search reaches, and the angle that would.
+    /// Contractions that no braid of the search reaches, and the angle that would; a stiffer sleeve that would do.
     pub hint: Option<String>,
 }
 
@@ -274,18 +297,22 @@ impl DesignAnswer {
             searched_with: model.searches().into(),
             max_pressure_mpa: spec.max_pressure_mpa,
             load: None,
+            assumptions: vec![],
             looked_at: outcome.looked_at.0,
             fitting: outcome.looked_at.1,
             candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
-            warnings: model
-                .seal_warning()
-                .map(Warning::from)
+            warnings: outcome
+                .candidates
+                .first()
+                .map(|c| warnings(c, spec.max_pressure_mpa))
+                .unwrap_or_default()
                 .into_iter()
-                .chain(outcome.candidates.first().map(warnings).unwrap_or_default())
+                .chain(model.seal_warning().map(Warning::from))
                 .collect(),
             tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
+            to_be_sure: None,
             closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
             figure,
             spec,
@@ -324,6 +351,19 @@ impl CandidateAnswer {
             model: c.model.clone(),
             binds: c.binds,
         }
+    }
+}
+
+impl From<&Sure> for SureAnswer {
+    fn from(sure: &Sure) -> Self {
+        let muscle = &sure.candidate.muscle;
+        let torque = |&(torque_nm, angle_deg): &(f64, f64)| TorqueWanted { torque_nm, angle_deg };
+        let (points, torques) = match &sure.demand {
+            Demand::Joint(joint) => (vec![], joint.torques.iter().map(torque).collect()),
+            other => (other.points(muscle.length_mm()).iter().map(|&q| q.into()).collect(), vec![]),
+        };
+        let uncertainty_n = sure.candidate.largest(|q| q.uncertainty_n);
+        Self { points, torques, outer_diameter_mm: muscle.outer_diameter_mm(), uncertainty_n }
     }
 }
 
@@ -408,9 +448,13 @@ impl ClosestAnswer {
     }
 }
 
-/// What the user should know of a candidate: of its muscle, and of its operating points.
-fn warnings(c: &Candidate) -> Vec<Warning> {
-    crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response))
+/// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.
+fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
+    let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
+    let found = c.burst.unwrap_or(Burst::Unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
+    all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
+    put_first(&mut all, said_of(&found, max_pressure_mpa, 0.0));
+    all
 }
 
 /// Contractions that no braid of the search reaches, and the angle that would.

@@ -1,11 +1,12 @@
 //! `design`: from a specification to ranked muscles.
 
 mod answer;
+mod assumed;
 mod request;
 
 pub use answer::{
     CandidateAnswer, CandidateJoint, ClosestAnswer, DesignAnswer, DesignPoint, RejectedAnswer,
-    RelaxationAnswer, SpreadAnswer, Verified, VerifiedPoint,
+    RelaxationAnswer, SpreadAnswer, SureAnswer, Verified, VerifiedPoint,
 };
 pub use request::{Choice, DesignRequest, ObjectiveWord, ToleranceFields, TorqueWanted, Verify, Wanted};
 
@@ -14,13 +15,16 @@ use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
-use mckibben::budget::Resource;
+use mckibben::budget::{Exceeded, Resource};
 use mckibben::design::{
-    Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, design_joint, design_with, fits, spread,
+    Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, Sure, design_joint, design_with, fits,
+    is_doubtful, spread, to_be_sure,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::progress::Progress;
+use mckibben::progress::{Progress, Quiet};
+use mckibben::units::Values;
+use mckibben::warning::Warning;
 use request::{Search, Searching};
 
 /// Curves are drawn of so many candidates.
@@ -53,8 +57,50 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
-    let answer = DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure);
-    Ok(DesignAnswer { load: request.load.load.clone(), ..answer })
+    let hint = outcome.closest.as_ref().and_then(|closest| assumed::stiffer_sleeve(&spec, &decide, closest));
+    let assumptions = assumed::assumptions(request, &spec);
+    let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress);
+    let mut answer = DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure);
+    if let (Some(closest), Some(hint)) = (&mut answer.closest, hint) {
+        closest.hint = Some(closest.hint.take().map_or(hint.clone(), |first| format!("{first} {hint}")));
+    }
+    match sure {
+        Ok(sure) => answer.to_be_sure = sure.as_ref().map(Into::into),
+        Err(Exceeded::Cancelled) => return Err(Problem::cancelled()),
+        // What was searched stands.
+        Err(spent) => answer.warnings.push(Warning::from(format!(
+            "what to ask for to be sure of what is wanted was not computed: {spent}"
+        ))),
+    }
+    Ok(DesignAnswer { load: request.load.load.clone(), assumptions, ..answer })
+}
+
+/// What to ask for to be sure of what is wanted, where the winner has less to spare than its ±.
+fn sure(
+    spec: &Spec,
+    outcome: &Outcome,
+    radius_mm: Option<&Values>,
+    models: Models<'_>,
+    progress: &dyn Progress,
+) -> Result<Option<Sure>, Exceeded> {
+    if !outcome.candidates.first().is_some_and(is_doubtful) {
+        return Ok(None);
+    }
+    let quiet = Quiet(progress);
+    let quick = |s: &Spec| design_with(s, models, &quiet);
+    let whole = |s: &Spec| match radius_mm {
+        Some(radius_mm) => design_joint(s, radius_mm, models, &quiet).map(|(_, outcome)| outcome),
+        None => quick(s),
+    };
+    let found = to_be_sure(spec, outcome, &whole, &quick);
+    let budget = progress.budget();
+    budget.check()?;
+    budget.ended()?;
+    if progress.cancelled() {
+        return Err(Exceeded::Cancelled);
+    }
+    // A specification that cannot be searched with more than was wanted: nothing is sure.
+    Ok(found.unwrap_or_default())
 }
 
 fn spreads(request: &DesignRequest, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>, Problem> {

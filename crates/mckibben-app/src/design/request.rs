@@ -467,13 +467,11 @@ impl DesignRequest {
         let largest = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
         if self.length_mm.is_some() {
             let have = largest * length;
-            if have + 1e-9 < stroke {
-                let message = format!(
-                    "{stroke} mm is more than the {have:.2} mm that the largest contraction makes of `length_mm`"
-                );
-                return Err(wrong(message, "leave out `length_mm` or `contraction`").in_field("stroke_mm"));
-            }
-            return Ok((base, points));
+            let message = format!(
+                "{stroke} mm and `length_mm` {length} mm and a contraction are one too many: the largest contraction makes {have:.2} mm of that length"
+            );
+            let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
+            return Err(wrong(message, hint).in_field("stroke_mm"));
         }
         if largest <= 0.0 {
             return Err(wrong("a stroke needs a contraction above zero".into(), ""));

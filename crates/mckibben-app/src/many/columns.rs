@@ -32,7 +32,7 @@ pub struct AnswerColumns {
 /// What is read off an answered point.
 type Read = fn(&Answer) -> Option<f64>;
 
-const NUMBERS: [(&str, Read); 15] = [
+const NUMBERS: [(&str, Read); 17] = [
     ("force_n", |a| Some(a.response.force_n)),
     ("volume_mm3", |a| a.response.volume_mm3),
     ("volume_per_pressure_mm3_per_mpa", |a| a.response.volume_per_pressure_mm3_per_mpa),
@@ -47,11 +47,13 @@ const NUMBERS: [(&str, Read); 15] = [
     ("free_contraction", |a| a.free_contraction),
     ("start_pressure_mpa", |a| a.start_pressure_mpa),
     ("uncertainty_n", |a| a.uncertainty_n),
+    ("pressure_uncertainty_mpa", |a| a.pressure_uncertainty_mpa),
+    ("contraction_uncertainty", |a| a.contraction_uncertainty),
     ("wanted_force_n", |_| None),
 ];
 
 /// Bytes of a point in all columns.
-const POINT_BYTES: f64 = 250.0;
+const POINT_BYTES: f64 = 266.0;
 
 /// A family of curves as columns, curve after curve; columns without any number are left out.
 ///

@@ -3,7 +3,7 @@
 use super::{BoundModel, Many, Unanswered, Wanted};
 use crate::point::{finite, ratio};
 use crate::problem::{Problem, ProblemKind};
-use mckibben::analysis::{contraction_at, force_on, pressure_at};
+use mckibben::analysis::{contraction_or_stretch_at, force_on, pressure_at};
 use mckibben::answer;
 use mckibben::model::{Bounds, ModelError, Workspace};
 use std::f64::consts::PI;
@@ -94,7 +94,7 @@ impl BoundModel {
                 let (f, p) = (self.pull(a)?, finite("pressure_mpa", b)?);
                 let lowest = self.range.contraction.0.max(0.0);
                 answer::check_range(&*self.model, p, lowest, self.options)?;
-                let e = contraction_at(&*self.model, workspace, f, p, self.options)?;
+                let e = contraction_or_stretch_at(&*self.model, workspace, f, p, self.options)?;
                 (e, p, e)
             }
         };

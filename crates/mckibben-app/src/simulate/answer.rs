@@ -28,6 +28,8 @@ pub struct SimulateAnswer {
     /// What the user should know, of each kind the gravest.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    pub burst_pressure_mpa: Option<f64>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,

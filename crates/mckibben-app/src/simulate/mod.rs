@@ -6,7 +6,8 @@ mod request;
 pub use answer::*;
 pub use request::{PictureFields, SimulateRequest};
 
-use crate::curve::{check_count, contractions, forces, list, reach, steps};
+use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
+use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
 use crate::fields::AskFields;
 use crate::figure;
 use crate::model::Model;
@@ -150,6 +151,11 @@ pub fn simulate(
     progress: &dyn Progress,
     mut shapes: Option<&mut dyn Shapes>,
 ) -> Result<SimulateAnswer, Problem> {
+    check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
+    if request.test == Test::Isotonic {
+        let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
+        Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
+    }
     let muscle = request.muscle.resolve()?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &request.mesh)?;
     let Model::Elements(elements) = &model else {
@@ -197,7 +203,10 @@ pub fn simulate(
     let figure = request.figure.as_ref().filter(|_| problem.is_none());
     let figure = figure.map(|unit| figure::simulate(&summary, request.test, &simulated, unit));
     let pulling = simulated.iter().filter(|s| !s.slack).filter_map(|s| s.solution.as_ref().ok());
-    let warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
+    let mut warnings = warnings::of_responses(&muscle, pulling.map(|s| &s.response));
+    let found = burst_of(&model, &*simulation, &budget)?;
+    let highest_mpa = questions.iter().map(|q| q.0).fold(0.0, f64::max);
+    put_first(&mut warnings, said_of(&found, highest_mpa, QUIET_MPA));
     let picture = match (&request.picture, last) {
         (Some(fields), Some(response)) => {
             let shape = meshed.shape(workspace, &ends, &response, Extent::Whole)?;
@@ -212,6 +221,7 @@ pub fn simulate(
         points: simulated.iter().map(SimulatedRow::from).collect(),
         notes: simulation.notes(workspace),
         warnings,
+        burst_pressure_mpa: found.pressure_mpa(),
         figure,
         deck,
         picture,

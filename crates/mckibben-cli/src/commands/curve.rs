@@ -3,13 +3,15 @@
 use crate::failure::Failure;
 use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
 use crate::output::loaded::loaded as text_of_load;
-use crate::output::text::{Units, columns, percent, percents};
-use crate::output::{is_json, show, streamed, warn};
+use crate::output::text::{Units, columns, number, percent, percents};
+use crate::output::{burst_first, is_json, show, streamed, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, pressures};
+use crate::shown;
 use crate::word::word;
 use clap::{Args, ValueEnum};
+use mckibben::answer::Answer;
 use mckibben::curve::{Curve, Test};
 use mckibben::muscle::Direction;
 use mckibben::warning::Warning;
@@ -36,7 +38,7 @@ pub struct CurveArgs {
     #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
     pub test: Option<Test>,
     /// A study of the paper instead
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, conflicts_with_all = ["pressure", "contraction", "force", "load"])]
     pub study: Option<StudyWord>,
     #[command(flatten)]
     pub muscle: MuscleFlags,
@@ -67,8 +69,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     // Without a study, which is another command to the program, the test must be there.
     let test = args.test.unwrap_or(Test::Isometric);
-    let typed = [&args.pressure, &args.force, &args.muscle.outer_diameter];
-    let unit = args.output.units.or_typed(typed);
+    let unit = shown::units();
     let request = CurveRequest {
         test,
         muscle: args.muscle.fields()?,
@@ -99,40 +100,45 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     }
     plot::save(answer.figure.take().filter(|_| answer.problem.is_none()), args.plot.plot.as_deref())?;
     let text = || {
-        warnings(&answer.warnings, &answer.curves);
-        let head = format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
+        let burst = warnings(&answer.warnings, &answer.curves);
+        let head = burst
+            + &format!("{} test, model {}\n{}\n\n", test.name(), answer.model, answer.muscle.line(&unit));
         head + &as_table(&answer, &unit)
-            + &doubt(&answer.curves, &unit)
+            + &doubt(answer.test, &answer.curves, &unit)
             + &answer.loaded.as_ref().map_or_else(String::new, |loaded| text_of_load(loaded, &unit))
     };
     show(&answer, format, "points", text, target)?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
-fn warnings(all: &[Warning], list: &[Curve]) {
-    all.iter().for_each(warn);
+fn warnings(all: &[Warning], list: &[Curve]) -> String {
+    let burst = burst_first(all);
     let failed = list.iter().flat_map(|c| &c.points).filter_map(|p| p.answer.as_ref().err());
     let failed: Vec<_> = failed.collect();
     if let Some(first) = failed.first() {
         warn(format!("{} points have no answer (–); the first: {first}", failed.len()));
     }
+    burst
 }
 
-/// The ± of the pulls, from the least to the largest.
-fn doubt(list: &[Curve], u: &Units) -> String {
+/// The ± of what was asked, from the least to the largest.
+fn doubt(test: Test, list: &[Curve], u: &Units) -> String {
     let answers = list.iter().flat_map(|c| &c.points).filter_map(|q| q.answer.as_ref().ok());
-    let known: Vec<f64> = answers.filter(|a| !a.slack).filter_map(|a| a.uncertainty_n).collect();
+    let half = |a: &Answer| match test {
+        Test::Isotonic => a.contraction_uncertainty,
+        _ => a.uncertainty_n.filter(|_| !a.slack),
+    };
+    let known: Vec<f64> = answers.filter_map(half).collect();
     let (Some(low), Some(high)) =
         (known.iter().copied().reduce(f64::min), known.iter().copied().reduce(f64::max))
     else {
         return String::new();
     };
-    format!(
-        "\n± {} to {} {}: 95 %, against a measured muscle\n",
-        u.force.to(low, 2),
-        u.force.to(high, 2),
-        u.force.name
-    )
+    let (low, high, unit) = match test {
+        Test::Isotonic => (number(100.0 * low, 2), number(100.0 * high, 2), "%"),
+        _ => (u.force.to(low, 2), u.force.to(high, 2), &*u.force.name),
+    };
+    format!("\n± {low} to {high} {unit}: 95 %, against a measured muscle\n")
 }
 
 /// One row per value along the curves, one column per curve.

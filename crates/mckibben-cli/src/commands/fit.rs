@@ -7,7 +7,7 @@ pub use text::{error_rows, errors_table, made_text, range_text, universal as uni
 
 use crate::failure::Failure;
 use crate::flags::{Format, OverwriteOrForceFlag, stiffness};
-use crate::output::{Content, Target, check, save, show};
+use crate::output::{Content, Target, check, json, save, show};
 use crate::progress::Bar;
 use crate::quantities::points;
 use crate::word::word;
@@ -35,7 +35,7 @@ pub struct FitArgs {
     #[arg(value_name = "FILE", required_unless_present = "report", conflicts_with = "report")]
     pub file: Option<PathBuf>,
     /// Instead: compute the paper's campaign anew and print how everything compares
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["method", "hold_out", "terms", "thin_rule", "slack_rule", "name", "rubber", "stiffness", "muscle", "tables", "plots"])]
     pub report: bool,
     /// How the formula is made
     #[arg(long, value_parser = word::<FitMethod>(), default_value = "paper")]
@@ -43,9 +43,9 @@ pub struct FitArgs {
     /// Diameters kept out of the fit, to test it [none]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub hold_out: Option<String>,
-    /// Most terms of `global`
-    #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u8).range(1..=48))]
-    pub terms: u8,
+    /// Most terms of `global` [48]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=48))]
+    pub terms: Option<u8>,
     /// Thick walls of thin muscles at low pressure, in the paper's method
     #[arg(long, value_parser = word::<ThinRule>(), default_value = "leave-out")]
     pub thin_rule: ThinRule,
@@ -106,7 +106,7 @@ fn request(args: &FitArgs, path: &Path) -> Result<FitRequest, Failure> {
         method: args.method,
         hold_out_mm: points("--hold-out", args.hold_out.as_deref(), Dimension::Length, 1)?
             .unwrap_or_default(),
-        terms: Some(usize::from(args.terms)),
+        terms: args.terms.map(usize::from),
         thin_rule: args.thin_rule,
         slack_rule: args.slack_rule,
         name: args.name.clone(),
@@ -140,5 +140,6 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer, overwrite: bool) -> Resul
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
     let file = folder.join("tables.json");
-    show(&Tables { method, tables }, Format::Json, "", String::new, Target::file(&file, overwrite))
+    let text = format!("{:#}\n", json(&Tables { method, tables })?);
+    save(Target::file(&file, overwrite), Content::Json, text.as_bytes())
 }

@@ -5,10 +5,11 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
 use crate::output::text::{Units, number, pairs, percent};
-use crate::output::{show, warn};
+use crate::output::{burst_first, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::quantity;
+use crate::shown;
 use clap::Args;
 use mckibben::load::Load;
 use mckibben::units::Dimension;
@@ -124,7 +125,21 @@ fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
 /// Runs the command.
 pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = args.output.units.or_typed([]);
+    let asking = args.model.asking.fields();
+    let ignored = [
+        ("--extrapolate", asking.extrapolate),
+        ("--two-sided", asking.two_sided),
+        ("--branch", !asking.direction.is_mean()),
+    ];
+    if let Some((flag, _)) = ignored.into_iter().find(|f| f.1) {
+        let message = format!(
+            "{flag} would change nothing: a motion follows the model, its friction and what goes slack by itself"
+        );
+        return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
+    }
+    let files = files_of(args)?;
+    files.drive.iter().for_each(|drive| shown::take_file(&drive.text));
+    let unit = shown::units();
     let sweep = args.sweep.as_deref().map(|text| -> Result<MotionSweep, Failure> {
         let (key, values) = text.split_once('=').ok_or_else(|| {
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
@@ -144,24 +159,24 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
         sweep: sweep.transpose()?,
         rise_time_s: quantity("--rise-time", args.rise_time.as_deref(), Dimension::Time)?,
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-        ..files_of(args)?
+        ..files
     };
     let bar = Bar::new("motion");
     let mut answer = motion(&request, &bar)?;
     drop(bar);
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
-    let text = || {
-        answer.warnings.iter().for_each(warn);
-        as_text(&answer, &unit)
-    };
+    let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "series", text, args.output.target())?;
-    Ok(0)
+    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
 }
 
 fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     let mut text = format!("model {}\n", answer.model);
     for muscle in &answer.muscles {
         text += &format!("muscle: {}\n", muscle.line(u));
+    }
+    if let Some(burst) = answer.burst_pressure_mpa {
+        text += &format!("burst pressure {}\n", u.pressure.show(burst));
     }
     if let Some(c) = answer.sonic_conductance_l_per_s_bar {
         text += &format!("\nthe smallest valve has {} L/(s bar)\n", number(c, 4));
@@ -184,6 +199,12 @@ fn one(run: &MotionRun, u: &Units) -> String {
     if let Some(muscle) = &run.series.muscle {
         let ends = last(&muscle.contraction).zip(last(&muscle.pressure_mpa));
         list.extend(ends.map(|(e, p)| ("ends at", format!("{}, {}", percent(e), u.pressure.show(p)))));
+    }
+    if run.at_rest == Some(false) {
+        let angle = run.equilibrium_angle_deg.map(|v| format!("{} °", number(v, 4)));
+        let at = run.equilibrium_contraction.map(percent).or(angle);
+        let at = at.map_or_else(String::new, |at| format!("; its equilibrium is {at}"));
+        list.push(("at rest", format!("not yet{at}")));
     }
     let times = [
         ("rise time (10–90 %)", run.rise_time_s),

@@ -3,14 +3,14 @@
 use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
 use crate::output::text::{Units, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
-use crate::output::{json, show as print, warn};
+use crate::output::{FLAT, burst_first, show as print};
 use crate::quantities::quantity;
+use crate::shown;
 use clap::Args;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::RubberLaw;
 use mckibben::units::Dimension;
 use mckibben_app::{Characteristics, MuscleShowRequest, muscle_show};
-use serde_json::{Map, Value};
 
 /// `muscle show`.
 #[derive(Debug, Args)]
@@ -33,19 +33,16 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
         model: args.model.fields()?,
         asking: args.model.asking.fields(),
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
+        muscle_file: false,
     })?;
     let path = args.output.target();
-    if format == Format::Csv {
-        print(&flat(&json(&answer)?), format, "", String::new, path)?;
-        return Ok(0);
-    }
     let text = || {
-        answer.warnings.iter().for_each(warn);
-        let u = args.output.units.or_typed([&args.pressure, &args.muscle.outer_diameter]);
+        let burst = burst_first(&answer.warnings);
+        let u = shown::units();
         let does = answer.characteristics.as_ref().map(|c| characteristics(c, &u));
-        as_text(&answer.muscle, &u) + &does.unwrap_or_default()
+        burst + &as_text(&answer.muscle, &u) + &does.unwrap_or_default()
     };
-    print(&answer, format, "", text, path)?;
+    print(&answer, format, FLAT, text, path)?;
     Ok(0)
 }
 
@@ -56,24 +53,9 @@ fn characteristics(c: &Characteristics, u: &Units) -> String {
         ("work of a free stroke", or_dash(c.work_j, |v| format!("{} J", number(v, 4)))),
         ("cavity at its end", or_dash(c.volume_mm3, |v| u.volume.show(v))),
         ("air of a free stroke", or_dash(c.air_normal_litres, |v| format!("{} normal litres", number(v, 4)))),
-        (
-            "strands break at",
-            c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v)),
-        ),
+        ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
     ];
     format!("\nAt {}, model {}\n{}", u.pressure.show(c.pressure_mpa), c.model, pairs(&list))
-}
-
-/// Nested objects laid flat, for one CSV row.
-fn flat(value: &Value) -> Value {
-    let mut out = Map::new();
-    for (key, value) in value.as_object().into_iter().flatten() {
-        match value.as_object() {
-            Some(inner) => out.extend(inner.clone()),
-            None => drop(out.insert(key.clone(), value.clone())),
-        }
-    }
-    Value::Object(out)
 }
 
 /// How far the muscle stretches its rubber, and how far the rubber is known.

@@ -4,9 +4,10 @@ use crate::failure::Failure;
 use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
 use crate::output::loaded::loaded;
 use crate::output::text::{Units, number, pairs, percent};
-use crate::output::{show, warn};
+use crate::output::{burst_first, show};
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity};
+use crate::shown;
 use clap::Args;
 use mckibben::answer::Answer;
 use mckibben::units::Dimension;
@@ -87,7 +88,7 @@ pub fn force(args: &ForceArgs, format: Format) -> Result<u8, Failure> {
         },
         &Bar::hidden(),
     )?;
-    print(&answer, Asked::Force, format, &args.output, [&args.pressure, &None, &args.muscle.outer_diameter])
+    print(&answer, Asked::Force, format, &args.output)
 }
 
 /// P(F, ε).
@@ -103,7 +104,7 @@ pub fn pressure(args: &PressureArgs, format: Format) -> Result<u8, Failure> {
         },
         &Bar::hidden(),
     )?;
-    print(&answer, Asked::Pressure, format, &args.output, [&None, &args.force, &args.muscle.outer_diameter])
+    print(&answer, Asked::Pressure, format, &args.output)
 }
 
 /// ε(F, P).
@@ -120,26 +121,11 @@ pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure
         },
         &Bar::hidden(),
     )?;
-    print(
-        &answer,
-        Asked::Contraction,
-        format,
-        &args.output,
-        [&args.pressure, &args.force, &args.muscle.outer_diameter],
-    )
+    print(&answer, Asked::Contraction, format, &args.output)
 }
 
-fn print(
-    answer: &PointAnswer,
-    asked: Asked,
-    format: Format,
-    output: &OutputFlags,
-    typed: [&Option<String>; 3],
-) -> Result<u8, Failure> {
-    let text = || {
-        answer.point.warnings.iter().for_each(warn);
-        text(answer, asked, &output.units.or_typed(typed))
-    };
+fn print(answer: &PointAnswer, asked: Asked, format: Format, output: &OutputFlags) -> Result<u8, Failure> {
+    let text = || burst_first(&answer.point.warnings) + &text(answer, asked, &shown::units());
     show(answer, format, "", text, output.target())?;
     Ok(0)
 }
@@ -172,18 +158,41 @@ impl Asked {
 
 fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
     let (a, r) = (&answer.point, &answer.point.response);
-    let pull = if a.slack {
-        format!("{} (slack: the muscle would have to push)", u.force.show(0.0))
-    } else {
-        let error = a.uncertainty_n.map_or_else(|| "unknown".into(), |e| u.force.to(e, 2));
-        format!("{} ± {error} {}", u.force.within(r.force_n, a.uncertainty_n), u.force.name)
+    // The ± belongs to what was asked; the rest was given.
+    let unknown = || "unknown".to_owned();
+    let pull = match asked {
+        _ if a.slack => format!("{} (slack: the muscle would have to push)", u.force.show(0.0)),
+        Asked::Force => {
+            let half = a.uncertainty_n.map_or_else(unknown, |e| u.force.to(e, 2));
+            format!("{} ± {half} {}", u.force.within(r.force_n, a.uncertainty_n), u.force.name)
+        }
+        _ => u.force.show(r.force_n),
+    };
+    let pressure = match asked {
+        Asked::Pressure => {
+            let half = a.pressure_uncertainty_mpa;
+            let value = u.pressure.within(r.pressure_mpa, half);
+            format!("{value} ± {} {}", half.map_or_else(unknown, |v| u.pressure.to(v, 2)), u.pressure.name)
+        }
+        _ => u.pressure.show(r.pressure_mpa),
+    };
+    let half = match asked {
+        Asked::Contraction => {
+            let half = a.contraction_uncertainty.map_or_else(unknown, |v| number(100.0 * v, 2));
+            format!(" ± {half} %")
+        }
+        _ => String::new(),
+    };
+    let ratio = match half.is_empty() {
+        true => percent(r.contraction),
+        false => format!("{}{half}", percent(r.contraction).trim_end_matches(" %")),
     };
     let shortening = u.length.to(r.contraction * answer.muscle.length_mm, 4);
     let mut list = vec![
         ("muscle", answer.muscle.line(u)),
         ("model", format!("{} ({})", a.model, answer.about.source)),
-        ("pressure", u.pressure.show(r.pressure_mpa)),
-        ("contraction", format!("{}  ({shortening} {})", percent(r.contraction), u.length.name)),
+        ("pressure", pressure),
+        ("contraction", format!("{ratio}  ({shortening} {})", u.length.name)),
         ("pull", pull),
     ];
     if let [shortening, lengthening] = &answer.branches[..] {
@@ -209,15 +218,20 @@ fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
     let tension = |v| format!("{} {}", u.force.to(v, 4), u.force.name);
     add("tension of one strand", r.strand_tension_n, &tension);
     add("tension of all strands", r.braid_tension_n, &tension);
+    add("burst pressure", answer.burst_pressure_mpa, &|v| u.pressure.show(v));
     add("stretch of the rubber at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("99 % of the rubber is stretched by less than", r.max_stretch, &|v| number(v, 3));
     if let Some(parts) = &a.uncertainty_parts_n {
         let each: Vec<String> =
             parts.named().map(|(name, part)| format!("{name} {}", u.force.to(part, 2))).collect();
-        let of = each.join(", ");
+        let (of, force) = (each.join(", "), &u.force.name);
+        let whole = match asked {
+            Asked::Force => String::new(),
+            _ => format!(" {} {force} of the pull:", u.force.to(parts.total_n(), 2)),
+        };
         list.push((
             "the ± is",
-            format!("95 %, against a measured muscle: {of} {} (mckibben models {})", u.force.name, a.model),
+            format!("95 %, against a measured muscle:{whole} {of} {force} (mckibben models {})", a.model),
         ));
     }
     pairs(&list) + &answer.loaded.as_ref().map_or_else(String::new, |load| loaded(load, u))

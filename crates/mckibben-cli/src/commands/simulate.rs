@@ -3,10 +3,11 @@
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{Content, Target, check, save, show, warn};
+use crate::output::{Content, Target, burst_first, check, ending, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
+use crate::shown;
 use crate::word::word;
 use clap::Args;
 use mckibben::curve::Test;
@@ -101,7 +102,9 @@ pub struct SimulateArgs {
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     check_picture(args.picture.as_deref())?;
-    let unit = args.output.units.or_typed([&args.pressure, &args.force, &args.muscle.outer_diameter]);
+    let deck = args.export_inp.as_deref();
+    check(Target { path: deck, overwrite: args.output.replace.overwrite }, &Content::Deck)?;
+    let unit = shown::units();
     let request = SimulateRequest {
         test: args.test,
         muscle: args.muscle.fields()?,
@@ -131,7 +134,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
     let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
     if let (Some(path), Some(deck)) = (&args.export_inp, answer.deck.take()) {
-        save(Target::file(path, args.output.replace.overwrite), Content::Other, deck.as_bytes())?;
+        save(Target::file(path, args.output.replace.overwrite), Content::Deck, deck.as_bytes())?;
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
@@ -142,9 +145,9 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         return Err(problem.into());
     }
     let text = || {
-        answer.warnings.iter().for_each(warn);
+        let burst = burst_first(&answer.warnings);
         let opened = opened.as_ref().map(|path| format!("\nParaView opens {}.\n", place(path)));
-        as_text(&answer, &unit) + &opened.unwrap_or_default()
+        burst + &as_text(&answer, &unit) + &opened.unwrap_or_default()
     };
     show(&answer, format, "points", text, args.output.target())?;
     Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
@@ -153,8 +156,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
 /// Refuses a picture that could not be written, before any work is done for it.
 fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     let Some(path) = path else { return Ok(()) };
-    let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
-    if ending.is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
+    if ending(path).is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
         return Ok(());
     }
     let message = format!("cannot tell the format of {}: a picture ends in .svg or .png", path.display());
@@ -235,7 +237,7 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
         (String::new(), notes.collect()),
     ];
     let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line(u));
-    answer.notes.iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
+    answer.notes.iter().for_each(|note| out.push_str(&format!("note: {}\n", u.sentence(note))));
     out.push('\n');
     out.push_str(&columns(list));
     let what =

@@ -21,6 +21,14 @@ pub enum Content {
     Json,
     /// An answer as Parquet.
     Parquet,
+    /// A report as a page.
+    Page,
+    /// A report, printed.
+    Pdf,
+    /// An input deck.
+    Deck,
+    /// An equation.
+    Latex,
     /// A figure or a picture.
     Figure,
     /// A file for ParaView, in a folder of them.
@@ -44,7 +52,7 @@ impl Content {
             Self::Parquet => super::parquet::is_ours(path),
             Self::Vtk => text_of(&head(path)).contains("<VTKFile"),
             Self::Table { head } => text_of(&self::head(path)).lines().next() == Some(head),
-            Self::Figure | Self::Other => true,
+            Self::Page | Self::Pdf | Self::Deck | Self::Latex | Self::Figure | Self::Other => true,
         }
     }
 
@@ -54,12 +62,47 @@ impl Content {
             Self::Formula => "a formula",
             Self::Json => "an answer in JSON",
             Self::Parquet => "an answer in Parquet",
+            Self::Page => "a page in HTML",
+            Self::Pdf => "a PDF",
+            Self::Deck => "an input deck",
+            Self::Latex => "an equation in LaTeX",
             Self::Figure => "a figure",
             Self::Vtk => "a file of a series for ParaView",
             Self::Table { .. } => "a table of this kind",
             Self::Other => "a file",
         }
     }
+
+    /// Endings of files that hold it; any where there are none.
+    fn endings(&self) -> &'static [&'static str] {
+        match self {
+            Self::Muscle => &["toml"],
+            Self::Formula | Self::Json => &["json"],
+            Self::Parquet => &["parquet"],
+            Self::Page => &["html", "htm"],
+            Self::Pdf => &["pdf"],
+            Self::Deck => &["inp"],
+            Self::Latex => &["tex", "txt", "md"],
+            Self::Figure | Self::Vtk | Self::Table { .. } | Self::Other => &[],
+        }
+    }
+
+    /// Refuses a name whose ending promises something else.
+    fn check_ending(&self, path: &Path) -> Result<(), Failure> {
+        let (endings, ending) = (self.endings(), ending(path));
+        if endings.is_empty() || ending.as_deref().is_none_or(|e| endings.contains(&e)) {
+            return Ok(());
+        }
+        let (name, ending) = (self.name(), ending.unwrap_or_default());
+        let message = format!("{} would hold {name}, and its name ends in .{ending}", path.display());
+        let list: Vec<String> = endings.iter().map(|e| format!(".{e}")).collect();
+        Err(Failure::input(ProblemKind::Output, message, format!("end it in {}", list.join(" or "))))
+    }
+}
+
+/// The ending of a name in lower case.
+pub fn ending(path: &Path) -> Option<String> {
+    path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase())
 }
 
 /// The first bytes of a file, as many as tell what it is.
@@ -80,13 +123,14 @@ fn is_formula(path: &Path) -> bool {
     formula::read_text(path).is_ok_and(|text| Document::parse(&text).is_ok())
 }
 
-/// Refuses to write what is no answer, what was read for it, and where something would be lost; best before any work is done for it.
+/// Refuses to write what is no answer, what was read for it, where something would be lost, and under a name that promises something else, best before any work is done for it.
 pub fn check(target: Target<'_>, content: &Content) -> Result<(), Failure> {
     progress::ended()?;
     let Some(path) = target.path else { return Ok(()) };
     if !target.overwrite && files::was_read(path) {
         return Err(of_input(path));
     }
+    content.check_ending(path)?;
     // What is no regular file is written in place, or refused when it is written.
     let Ok(there) = std::fs::metadata(path) else { return Ok(()) };
     if !there.is_file() {

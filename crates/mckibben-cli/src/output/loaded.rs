@@ -9,6 +9,7 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
     let header = [
         u.pressure.heading("P"),
         "ε".into(),
+        "±".into(),
         u.length.heading("x"),
         u.force.heading("F"),
         format!("muscle and load [{}]", u.stiffness().name),
@@ -23,6 +24,9 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
             rows.push(vec![
                 pressure.clone(),
                 percent(r.contraction),
+                e.answer
+                    .contraction_uncertainty
+                    .map_or_else(|| "–".into(), |h| format!("{} %", number(100.0 * h, 2))),
                 u.length.to(e.shortening_mm, 4),
                 u.force.within(r.force_n, e.answer.uncertainty_n),
                 u.stiffness().to(e.held_stiffness_n_per_mm, 4),
@@ -33,7 +37,7 @@ pub fn loaded(answer: &LoadAnswer, u: &Units) -> String {
         if let (true, Some(error)) = (at.equilibria.is_empty(), &at.error) {
             let not_lifted = if matches!(error, LoadError::NotLifted { .. }) { "not lifted" } else { "none" };
             let dash = || "–".to_owned();
-            rows.push(vec![pressure, dash(), dash(), dash(), dash(), not_lifted.into(), dash()]);
+            rows.push(vec![pressure, dash(), dash(), dash(), dash(), dash(), not_lifted.into(), dash()]);
         }
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();

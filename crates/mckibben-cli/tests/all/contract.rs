@@ -14,6 +14,7 @@ fn numbers(value: &Value, keys: &[&str]) {
 fn assert_units(value: &Value) {
     const PLAIN: &[&str] = &[
         "contraction",
+        "contraction_uncertainty",
         "free_contraction",
         "max_ideal_contraction",
         "max_stretch",

@@ -106,6 +106,12 @@ fn what_no_joint_or_load_can_do_is_an_error_with_its_words() {
         ),
         ("joint examples/elbow.toml --stiffness 5".into(), 2, "usage", "--angle"),
         ("joint examples/elbow.toml --map 60000 --model universal".into(), 2, "budget", "points"),
+        (
+            "joint examples/elbow.toml --map 5 --max-pressure 40bar --model universal".into(),
+            2,
+            "out_of_range",
+            "pressure 4 MPa",
+        ),
         (format!("joint {lone} -p 2bar"), 2, "file", "none.toml"),
         ("joint examples/prototype.toml -p 2bar".into(), 2, "file", "unknown key"),
     ] {

@@ -4,6 +4,7 @@
 
 mod bad_input;
 mod budget;
+mod burst;
 mod campaign;
 mod common;
 mod contract;
@@ -11,6 +12,7 @@ mod design;
 mod examples;
 mod files;
 mod formulas;
+mod frictions;
 mod fuzz_cli;
 mod identify;
 mod joint;
@@ -21,3 +23,4 @@ mod security;
 mod serve;
 mod tables;
 mod threads;
+mod trust;

@@ -1,6 +1,6 @@
 //! Motion as a user meets it.
 
-use crate::common::{folder, json, mckibben, number, root};
+use crate::common::{folder, json, mckibben, number, root, run_in};
 
 #[test]
 fn a_drive_file_becomes_series_of_one_length() {
@@ -49,7 +49,10 @@ fn a_joint_moves_to_its_rest() {
 fn rows_of_csv_are_the_points_of_time() {
     let ran = mckibben("motion examples/drive.toml --model universal --format csv").ok();
     let mut lines = ran.text().lines();
-    assert!(lines.next().unwrap().starts_with("time_s,velocity_mm_per_s,pressure_mpa,contraction"));
+    let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+    for column in ["time_s", "velocity_mm_per_s", "pressure_mpa", "contraction", "angle_deg"] {
+        assert!(head.contains(&column), "{column}: {head:?}");
+    }
     assert!(lines.count() > 900);
 }
 
@@ -157,4 +160,71 @@ fn flags_say_what_a_file_says() {
         let ran = mckibben(&format!("motion --muscle examples/prototype.toml --model universal {flags}"));
         assert!(ran.code == 2 && ran.err.contains(words), "{flags}: {}", ran.err);
     }
+}
+
+/// The muscle of a design for 700 N at 15 % and 2.5 bar, thrown up and caught without a damper.
+const THROWN: &str =
+    "[tube]\nouter_diameter = \"38.61 mm\"\nwall_thickness = \"0.5 mm\"\nlength = \"285 mm\"\n";
+
+#[test]
+fn a_load_that_is_thrown_and_caught_by_finite_elements_swings_to_the_end() {
+    let dir = folder();
+    std::fs::write(dir.path().join("thrown.toml"), THROWN).unwrap();
+    let words = ["--load", "mass:10kg", "-p", "2bar", "--valve", "0.5 L/(s bar)", "--until", "3s"];
+    let words = ["motion", "--muscle", "thrown.toml"].into_iter().chain(words).chain(["--format", "json"]);
+    let found = run_in(dir.path(), &words.collect::<Vec<_>>()).ok().json();
+    assert_eq!(*found["series"]["time_s"].as_array().unwrap().last().unwrap(), 3.0);
+    // Each slack is followed by a taut, and in between the load flies for some hundredths of a second.
+    let events = found["events"].as_array().unwrap();
+    let of = |e: &serde_json::Value| e["kind"].as_str().unwrap().to_owned();
+    let caught: Vec<_> = events.iter().filter(|e| ["slack", "taut"].contains(&&*of(e))).collect();
+    assert!(caught.len() > 10);
+    for pair in caught.windows(2) {
+        assert!(of(pair[0]) != of(pair[1]));
+        assert!(number(pair[1], "time_s") - number(pair[0], "time_s") > 0.01, "{pair:?}");
+    }
+    // The equilibrium is the static one, and the answer says that it is not reached.
+    let held = run_in(
+        dir.path(),
+        &["contraction", "thrown.toml", "-p", "2bar", "--load", "mass:10kg", "--format", "json"],
+    );
+    let still = number(&held.ok().json(), "contraction");
+    assert!((number(&found, "equilibrium_contraction") - still).abs() < 1e-6, "{still}");
+    assert_eq!(found["at_rest"], false);
+    let said = found["warnings"].to_string();
+    assert!(said.contains("still swinging") && said.contains("damping is 0"), "{said}");
+    let speed = |v: &serde_json::Value| number(v, "largest_velocity_mm_per_s");
+    assert!(speed(&found) > 600.0 && speed(&found) < 800.0, "{}", speed(&found));
+}
+
+#[test]
+fn a_muscle_whose_ends_are_held_fills_and_pulls_as_the_static_model_says() {
+    let found = json(
+        "motion --muscle examples/prototype.toml --load held:10% -p 2bar --valve festo-mh2 --model universal --until 1s",
+    );
+    let still = json("force -p 2bar -e 10% --model universal --muscle examples/prototype.toml");
+    let force = found["series"]["force_n"].as_array().unwrap().last().unwrap().as_f64().unwrap();
+    assert!((force / number(&still, "force_n") - 1.0).abs() < 1e-4, "{force}");
+    assert!(number(&found, "fill_time_s") > 0.0 && found["at_rest"].is_null());
+    // The same by stops that leave no way.
+    let dir = folder();
+    let muscle = root().join("examples/prototype.toml").display().to_string();
+    let text = format!(
+        "muscle = '{muscle}'\n[valve]\nname = 'festo-mh2'\n[load]\nmass = '1 kg'\nstops = '28.5..28.5 mm'\n\
+         [command]\npressure = [['0 s', '0 bar'], ['0.05 s', '2 bar']]\nuntil = '1 s'\n"
+    );
+    std::fs::write(dir.path().join("stops.toml"), text).unwrap();
+    let path = dir.path().join("stops.toml").display().to_string();
+    let stopped = json(&format!("motion {path} --model universal"));
+    let list =
+        |v: &serde_json::Value| v["series"]["force_n"].as_array().unwrap().last().unwrap().as_f64().unwrap();
+    assert!((list(&stopped) / force - 1.0).abs() < 1e-6, "{}", list(&stopped));
+}
+
+#[test]
+fn a_rise_time_that_no_valve_meets_is_said_in_words() {
+    let ran = mckibben("motion examples/drive.toml --size valve --rise-time 0.001s --model universal");
+    assert!(ran.code == 1 && ran.err.contains("with 100 L/(s bar) it is 0.0"), "{}", ran.err);
+    let digits = ran.err.split(|c: char| !c.is_ascii_digit() && c != '.').map(str::len).max();
+    assert!(!ran.err.contains("Some(") && digits < Some(12), "{}", ran.err);
 }

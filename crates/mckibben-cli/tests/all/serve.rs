@@ -61,7 +61,7 @@ fn it_prints_an_address_that_answers_and_a_signal_ends_it() {
     let (_, body) = force.split_once("\r\n\r\n").unwrap();
     let line: serde_json::Value = crate::common::json("force -p 0.2 -e 0.1");
     assert_eq!(serde_json::from_str::<serde_json::Value>(body).unwrap(), line);
-    let job = r#"{"test": "isobaric", "model": "fe3d", "mesh": "2x24x60"}"#;
+    let job = r#"{"test": "isobaric", "model": "fe3d", "mesh": "2x24x78"}"#;
     assert!(answer(&address, &format!("POST /api/v1/jobs/simulate\n\n{job}")).starts_with("HTTP/1.1 202"));
     std::thread::sleep(Duration::from_millis(500));
     let (code, took) = ended(child);

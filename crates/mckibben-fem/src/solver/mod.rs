@@ -10,6 +10,7 @@ pub mod dissection;
 pub mod newton;
 mod search;
 pub mod sparse;
+mod supernodal;
 pub mod trail;
 mod walk;
 
@@ -17,7 +18,7 @@ use thiserror::Error;
 
 /// A factorisation that meets a pivot of zero or one that is no number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
-#[error("the tangent is singular (pivot {pivot} of block {block})")]
+#[error("the muscle has no stiffness against some change of its shape: it buckles")]
 pub struct Singular {
     /// Block, counted from zero.
     pub block: usize,

@@ -35,7 +35,7 @@ pub trait NewtonSystem {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 pub enum Stopped {
     /// An element is turned inside out.
-    #[error("element {element} is turned inside out (J = {smallest_j:.3e})")]
+    #[error("the wall folds: in one place the rubber would be turned inside out")]
     Inverted {
         /// Which element.
         element: usize,
@@ -43,7 +43,7 @@ pub enum Stopped {
         smallest_j: f64,
     },
     /// A number that is not finite: a law beyond its limit.
-    #[error("the rubber law has no finite stress in element {element}")]
+    #[error("the rubber is stretched past the limit of its law")]
     NotFinite {
         /// Which element.
         element: usize,
@@ -52,7 +52,7 @@ pub enum Stopped {
     #[error(transparent)]
     Singular(#[from] Singular),
     /// Corrections that do not become smaller.
-    #[error("no convergence after {iterations} iterations, residual {residual:.3e}")]
+    #[error("the search for the deformed shape did not settle")]
     Iterations {
         /// Iterations done.
         iterations: usize,
@@ -60,13 +60,13 @@ pub enum Stopped {
         residual: f64,
     },
     /// No equilibrium continues the one before.
-    #[error("its branch of equilibria ends")]
+    #[error("the shapes that begin at the taut muscle end before it")]
     Branch,
     /// The equilibrium is not stable.
-    #[error("the equilibrium is not stable")]
+    #[error("the shape that was found is not stable: the muscle would leave it")]
     Unstable,
     /// The work that a question may cost is spent.
-    #[error("given up after {factorisations} factorisations")]
+    #[error("the search for the deformed shape took too long and was given up")]
     Budget {
         /// Factorisations done.
         factorisations: usize,
@@ -75,7 +75,7 @@ pub enum Stopped {
     #[error(transparent)]
     Exceeded(#[from] Exceeded),
     /// Corrections beyond any sense.
-    #[error("the iteration ran away (correction of {correction:.3e} of the radius)")]
+    #[error("the search for the deformed shape left all shapes of a muscle")]
     Diverged {
         /// Size of the correction.
         correction: f64,

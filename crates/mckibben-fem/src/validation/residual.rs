@@ -9,7 +9,7 @@ use mckibben::measured::{DataPoint, Section};
 use mckibben::model::{BlockedAt, ForceModel, ModelError, Reference, Workspace, seated};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
-use mckibben::uncertainty::{measured_n, with_friction_n};
+use mckibben::uncertainty::{friction_n, measured_n};
 
 /// Finite elements, with ends that give way where the muscle says so.
 ///
@@ -34,8 +34,8 @@ pub struct Residual {
     pub pressure_mpa: f64,
     /// The computed blocked force there, in N.
     pub blocked_n: f64,
-    /// The ± there in N, of what is known to err in the model and against measured muscles; on a single branch with the friction that the muscle does
-    /// not state. `None` where nobody has measured the model's error.
+    /// The ± there in N, of what is known to err in the model and against measured muscles; on a single branch with that of its
+    /// friction. `None` where nobody has measured the model's error.
     pub half_width_n: Option<f64>,
 }
 
@@ -63,8 +63,11 @@ fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, bl
         return Some(own_n);
     }
     let half_n = measured_n(muscle, blocked_n, point.at.contraction).hypot(own_n);
-    let with_loop = point.at.branch != Direction::Mean && muscle.friction().is_none();
-    Some(if with_loop { with_friction_n(half_n, blocked_n) } else { half_n })
+    if point.at.branch.is_mean() {
+        return Some(half_n);
+    }
+    let at = (point.at.pressure_mpa, point.at.contraction);
+    Some(half_n.hypot(friction_n(model, w, at, point.at.branch, blocked_n)))
 }
 
 fn residual(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint) -> Option<Residual> {

@@ -1,6 +1,13 @@
 //! The measured muscles and rubbers that the crate carries are those of the repository.
 
-use mckibben_fem::validation::case::built_in;
+use mckibben::analysis::force_on;
+use mckibben::identify::{Request, identify};
+use mckibben::least_squares::Loss;
+use mckibben::model::Workspace;
+use mckibben::muscle::Direction;
+use mckibben::uncertainty::uncertainty;
+use mckibben_fem::validation::case::{built_in, muscles};
+use mckibben_fem::validation::residual::elements;
 use std::path::Path;
 
 #[test]
@@ -26,5 +33,50 @@ fn the_crates_copies_are_the_files_in_data() {
     ] {
         let original = std::fs::read_to_string(repository.join(format!("{original}.csv"))).unwrap();
         assert!(built_in().iter().any(|f| f.name == name && f.points == original), "{name}");
+    }
+}
+
+/// The share of measured single branches that the ± holds of a muscle whose friction was identified from both: with no branch asked for, and on
+/// the branch of each point. Of Tondu's 20° muscle the loops are ± 37 N.
+#[test]
+fn the_uncertainty_holds_single_branches_of_muscles_that_state_their_friction() {
+    for (name, fit) in [
+        ("tondu2012", "Gent, friction; both branches"),
+        ("dmsp-10-hose", "modulus, angle, slip, friction; both branches"),
+    ] {
+        let set = muscles().unwrap().into_iter().find(|c| c.facts.name == name).unwrap();
+        let fit = set.fits.iter().find(|f| f.name == fit).unwrap();
+        let branch = |p: &&mckibben::measured::DataPoint| !p.at.branch.is_mean();
+        // Every third: quick, and of all pressures and contractions.
+        let points: Vec<_> = set.points.iter().filter(branch).step_by(3).copied().collect();
+        let request = Request {
+            muscle: &fit.muscle,
+            free: &fit.free,
+            fixed: &[],
+            points: &points,
+            loss: Loss::Squares,
+            two_sided: false,
+        };
+        let found = identify(&request, elements).unwrap();
+        assert!(found.muscle.friction().is_some());
+        let (mut held, mut judged) = ([0, 0], 0);
+        let mut models: Vec<(mckibben::measured::Section, _, Workspace)> = vec![];
+        for p in &points {
+            if !models.iter().any(|m| m.0 == p.section) {
+                let muscle = found.candidate.of_section(&p.section).unwrap();
+                models.push((p.section, elements(&muscle).unwrap(), Workspace::new()));
+            }
+            let (_, model, w) = models.iter_mut().find(|m| m.0 == p.section).unwrap();
+            let at = (p.at.pressure_mpa, p.at.contraction);
+            judged += 1;
+            for (held, direction) in held.iter_mut().zip([Direction::Mean, p.at.branch]) {
+                let force_n = force_on(&**model, w, at.0, at.1, direction).unwrap();
+                let half = uncertainty(&**model, w, at, force_n, direction).unwrap().total_n();
+                *held += usize::from((p.at.force_n - force_n.max(0.0)).abs() <= half);
+            }
+        }
+        let shares = held.map(|h| h as f64 / f64::from(judged));
+        println!("{name}: {shares:?} of {judged}");
+        assert!(shares.iter().all(|s| *s >= 0.94), "{name}: {shares:?} of {judged}");
     }
 }

@@ -52,6 +52,8 @@ pub struct DriveFile {
     pub air: Air,
     /// The load of a muscle.
     pub load: Option<Load>,
+    /// The contraction at which both ends of a muscle are held, in place of a load.
+    pub held: Option<f64>,
     /// Damper of a muscle's load in N s/m.
     pub damping_n_s_per_m: f64,
     /// Stops of a muscle's load: shortenings in mm.
@@ -84,7 +86,7 @@ const TOP: &[&str] = &[
     "notes",
 ];
 const SUPPLY: &[&str] = &["pressure", "temperature"];
-const LOAD: &[&str] = &["mass", "level", "line", "damping", "stops"];
+const LOAD: &[&str] = &["mass", "level", "line", "damping", "stops", "held"];
 /// Presliding length in mm where none is said.
 const PRESLIDING_MM: f64 = 0.5;
 
@@ -140,6 +142,7 @@ pub fn parse_drive(text: &str, tables: &Tables) -> Result<DriveFile, FileError> 
         actuator,
         air,
         load: line(&load, tables)?,
+        held: held(&load)?,
         damping_n_s_per_m: load.quantity("damping", Dimension::Damping)?.unwrap_or(0.0),
         stops_mm: stops(&load)?,
         presliding_mm: above(&friction, "presliding", Dimension::Length)?.unwrap_or(PRESLIDING_MM),
@@ -254,6 +257,18 @@ fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileErro
         Some(mass) => Load::Sum(vec![mass, line]),
         None => line,
     }))
+}
+
+/// The contraction at which both ends are held; it goes with no other key of the load.
+fn held(section: &Section<'_>) -> Result<Option<f64>, FileError> {
+    let Some(contraction) = section.quantity("held", Dimension::Ratio)? else { return Ok(None) };
+    if let Some(key) = LOAD.iter().find(|key| **key != "held" && section.has(key)) {
+        return Err(said(section, key, "stands beside held: a muscle whose ends are held moves no load"));
+    }
+    if contraction.abs() >= 1.0 {
+        return Err(said(section, "held", "must be a contraction below 1, such as \"10 %\""));
+    }
+    Ok(Some(contraction))
 }
 
 fn stops(section: &Section<'_>) -> Result<(f64, f64), FileError> {

@@ -4,6 +4,7 @@
 
 mod chamber;
 mod control;
+mod ends;
 mod frequency;
 mod measured;
 mod mechanics;

@@ -44,7 +44,21 @@ fn friction_n<M: ForceModel + ?Sized>(
     Ok(rule + direction.sign() * friction.lever_mm * pivoting)
 }
 
-/// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± (C P^β + μw G).
+/// Half the width of the hysteresis loop by the friction that the muscle states, C P^β + μw G, in N; 0 where it states none.
+///
+/// # Errors
+/// The model's.
+pub(crate) fn friction_half_width_n<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    pressure_mpa: f64,
+    contraction: f64,
+) -> Result<f64, ModelError> {
+    friction_n(model, workspace, (pressure_mpa, contraction), Direction::Elongation)
+}
+
+/// What a model says, with the friction of the muscle's braid in a direction of motion: F = F_model ± (C P^β + μw G), and its slopes in
+/// pressure and contraction with those of G.
 ///
 /// # Errors
 /// The model's.
@@ -58,15 +72,23 @@ pub fn response_on<M: ForceModel + ?Sized>(
     workspace.budget().check().map_err(ModelError::Exceeded)?;
     let mut response = model.response(workspace, pressure_mpa, contraction)?;
     if let Some(friction) = friction(model, direction) {
-        /// Of the pressure, for differences of G.
+        /// Of the pressure (relative) and the contraction, for differences of G.
         const STEP: f64 = 1e-4;
         response.force_n += friction_n(model, workspace, (pressure_mpa, contraction), direction)?;
         let mut slope = friction.slope_mm2(pressure_mpa, direction);
         if friction.lever_mm > 0.0 && pressure_mpa > 0.0 {
-            let mut of = |p: f64| model.pivoting_n_per_mm(workspace, p, contraction);
+            let lever = direction.sign() * friction.lever_mm;
+            let mut of = |p: f64, e: f64| model.pivoting_n_per_mm(workspace, p, e);
             let h = STEP * pressure_mpa;
-            let by_pressure = (of(pressure_mpa + h)? - of(pressure_mpa - h)?) / (2.0 * h);
-            slope += direction.sign() * friction.lever_mm * by_pressure;
+            slope +=
+                lever * (of(pressure_mpa + h, contraction)? - of(pressure_mpa - h, contraction)?) / (2.0 * h);
+            // K = −(1/L0) ∂F/∂ε has its part of ∂G/∂ε as well.
+            if let Some(k) = &mut response.stiffness_n_per_mm {
+                let by_contraction = (of(pressure_mpa, contraction + STEP)?
+                    - of(pressure_mpa, contraction - STEP)?)
+                    / (2.0 * STEP);
+                *k -= lever * by_contraction / model.muscle().length_mm();
+            }
         }
         response.force_per_pressure_mm2 = response.force_per_pressure_mm2.map(|f| f + slope);
     }
@@ -175,6 +197,13 @@ mod tests {
             let slope = (at(p + h, Direction::Contraction) - at(p - h, Direction::Contraction)) / (2.0 * h);
             let response = response_on(&model, w, p, e, Direction::Contraction).unwrap();
             assert!((slope / response.force_per_pressure_mm2.unwrap() - 1.0).abs() < 1e-6);
+            // K = −(1/L0) ∂F/∂ε on every branch; that of G is of the order of the muscle's own.
+            for d in Direction::ALL {
+                let mut at = |e: f64| force_on(&model, w, p, e, d).unwrap();
+                let k = (at(e - h) - at(e + h)) / (2.0 * h * m.length_mm());
+                let response = response_on(&model, w, p, e, d).unwrap();
+                assert!((response.stiffness_n_per_mm.unwrap() / k - 1.0).abs() < 1e-6, "{d:?} {k}");
+            }
         }
         assert!(source_of(&model, Direction::Contraction).contains("strands' contact"));
     }

@@ -1,10 +1,9 @@
-//! Blocked force, free contraction, dead pressure, work and burst.
+//! Blocked force, free contraction, dead pressure and work.
 
 use super::ask::{Options, force_on};
 use super::error::AnalysisError;
 use super::inverse::{contraction_at, pressure_at};
-use super::root::find_root;
-use crate::model::{ForceModel, ModelError, Workspace};
+use crate::model::{ForceModel, Workspace};
 
 /// Blocked force F(P, 0) in N.
 ///
@@ -81,50 +80,4 @@ pub fn work_per_stroke_j<M: ForceModel + ?Sized>(
         }
     }
     Ok(sum * model.muscle().length_mm() * 1e-3)
-}
-
-/// Pressure in MPa at which the strands break at a contraction: strand tension = strand strength.
-///
-/// `None` where the strands' strength or number is not stated. A pressure beyond which the model has no equilibrium is
-/// the bursting pressure as well.
-///
-/// # Errors
-/// [`AnalysisError::Unknown`] for a model without strand tension; the model's own errors at low pressure.
-pub fn burst_pressure_mpa<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    contraction: f64,
-) -> Result<Option<f64>, AnalysisError> {
-    let Some(strands) = model.muscle().braid().strands else { return Ok(None) };
-    let Some(strength) = strands.strength_n else { return Ok(None) };
-    let mut at = |p: f64| -> Result<f64, AnalysisError> {
-        let tension = model.response(workspace, p, contraction)?.strand_tension_n;
-        let unknown = AnalysisError::Unknown { model: model.name().into(), quantity: "strand tension" };
-        Ok(tension.ok_or(unknown)? - strength)
-    };
-    let (mut low, mut step) = (0.0, 0.05);
-    at(low)?;
-    while low < 1e4 {
-        match at(low + step) {
-            Ok(t) if t >= 0.0 => {
-                let root = find_root(at, low, low + step, 1e-12);
-                return root.map(Some).map_err(|_| {
-                    ModelError::NotConverged {
-                        pressure_mpa: low,
-                        contraction,
-                        iterations: 200,
-                        residual: f64::NAN,
-                    }
-                    .into()
-                });
-            }
-            Ok(_) => {
-                low += step;
-                step *= 1.5;
-            }
-            Err(_) if step > 1e-6 => step *= 0.25,
-            Err(_) => return Ok(Some(low)),
-        }
-    }
-    Ok(None)
 }

@@ -11,9 +11,7 @@ pub enum AnalysisError {
     #[error(transparent)]
     Model(#[from] ModelError),
     /// No pressure gives this pull at this contraction.
-    #[error(
-        "no pressure gives {force_n} N at a contraction of {contraction}; the nearest the {model} model reaches is {nearest_force_n:.4} N at {nearest_pressure_mpa:.6} MPa"
-    )]
+    #[error("{}", no_pressure(model, *.force_n, *.contraction, (*.nearest_pressure_mpa, *.nearest_force_n), *.braid_stops_at))]
     NoPressure {
         /// The model's name.
         model: String,
@@ -25,11 +23,11 @@ pub enum AnalysisError {
         nearest_force_n: f64,
         /// The pressure it needs, in MPa.
         nearest_pressure_mpa: f64,
+        /// The contraction at which the braid stops (its angle reaches 54.7°), where that is why the muscle does not pull.
+        braid_stops_at: Option<f64>,
     },
     /// No contraction gives this pull at this pressure.
-    #[error(
-        "no contraction gives {force_n} N at {pressure_mpa} MPa; the nearest the {model} model reaches is {nearest_force_n:.4} N at a contraction of {nearest_contraction:.6}"
-    )]
+    #[error("{}", no_contraction(model, *.force_n, *.pressure_mpa, (*.nearest_contraction, *.nearest_force_n), *.at_rest_n))]
     NoContraction {
         /// The model's name.
         model: String,
@@ -41,6 +39,8 @@ pub enum AnalysisError {
         nearest_force_n: f64,
         /// The contraction it has.
         nearest_contraction: f64,
+        /// The pull in N at the length at rest, where the model answers there.
+        at_rest_n: Option<f64>,
     },
     /// The model does not know a quantity that the question needs.
     #[error("the {model} model does not give {quantity}")]
@@ -50,6 +50,62 @@ pub enum AnalysisError {
         /// What is missing.
         quantity: &'static str,
     },
+}
+
+/// A number with at most so many decimals, without trailing zeros.
+fn short(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".into() } else { text.to_owned() }
+}
+
+/// A contraction in percent.
+fn percent(contraction: f64) -> String {
+    format!("{} %", short(100.0 * contraction, 2))
+}
+
+fn no_pressure(
+    model: &str,
+    force_n: f64,
+    contraction: f64,
+    (nearest_mpa, nearest_n): (f64, f64),
+    braid_stops_at: Option<f64>,
+) -> String {
+    let asked =
+        format!("no pressure gives {} N at a contraction of {}", short(force_n, 4), percent(contraction));
+    match braid_stops_at {
+        Some(end) => format!(
+            "{asked}: this braid stops at {:.1} % (its angle reaches 54.7° there, and a muscle pulls no more); ask for less contraction, or take a braid with a smaller angle",
+            100.0 * end
+        ),
+        None if nearest_n <= 0.0 && force_n > 0.0 => format!(
+            "{asked}: at that contraction the muscle is slack at every pressure that the {model} model accepts; ask for less contraction"
+        ),
+        None => format!(
+            "{asked}: the nearest the {model} model reaches is {} N at {} MPa",
+            short(nearest_n, 4),
+            short(nearest_mpa, 6)
+        ),
+    }
+}
+
+fn no_contraction(
+    model: &str,
+    force_n: f64,
+    pressure_mpa: f64,
+    (nearest, nearest_n): (f64, f64),
+    at_rest_n: Option<f64>,
+) -> String {
+    let asked = format!("no contraction gives {} N at {} MPa", short(force_n, 4), short(pressure_mpa, 6));
+    let rest = match at_rest_n {
+        Some(f) if nearest < 0.0 => format!("at its length at rest the muscle pulls {} N, and ", short(f, 1)),
+        _ => String::new(),
+    };
+    format!(
+        "{asked}: {rest}the nearest the {model} model reaches is {} N at a contraction of {}",
+        short(nearest_n, 4),
+        percent(nearest)
+    )
 }
 
 impl From<&ModelError> for Status {

@@ -4,30 +4,57 @@
 //! 2. Its equilibrium under the load, where it solves for one ([`ForceModel::pressure_under_load`]: finite elements).
 //! 3. Else a bracket, found by steps from the lower end of the range, and inside of it Newton's method with the model's
 //!    own ∂F/∂P or ∂F/∂ε, bisecting where a step would leave the bracket.
+//! 4. Where that finds nothing: every place of the range that the model accepts ([`Sweep`]), with the extrema between the samples.
 //!
-//! Friction is no part of a model: with it only the third way is open.
+//! Friction is no part of a model: with it only the last two ways are open.
 
-use super::ask::{Options, force_on, friction, response_on};
+use super::ask::{Options, force_on, friction};
 use super::error::AnalysisError;
 use super::golden::golden;
-use super::root::{RootError, find_root};
-use crate::model::{ForceModel, ModelError, Workspace, rising_root};
-use crate::muscle::{Direction, Muscle};
+use super::sought::{Along, Sought};
+use super::sweep::Sweep;
+use crate::model::{ForceModel, ModelError, Workspace};
+use crate::muscle::Muscle;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
 const HIGHEST_PRESSURE_MPA: f64 = 20.0;
-/// Steps in which the falling branch is searched for the first crossing.
-const SCAN: usize = 80;
+/// Where the search for a contraction ends if the model sets no limit.
+const LARGEST_CONTRACTION: f64 = 0.999;
 /// A model and its companion differ by less than this share of the pull.
 const NEARLY: f64 = 0.05;
-/// A pressure in MPa or a contraction is known to this.
-const TOLERANCE: f64 = 1e-13;
+/// A pull this near to what is wanted, as a share of it (or of 1 N), is that.
+const SAME: f64 = 1e-9;
+/// The last bits by which an inverse may lie outside of the range.
+const LAST_BITS: f64 = 1e-11;
+
+/// How finely a model is searched.
+struct Fineness {
+    /// Steps of the falling branch.
+    branch: usize,
+    /// Steps of what lies beyond it.
+    beyond: usize,
+    /// Steps towards an extremum or an edge.
+    closing: usize,
+    /// How near the last equilibrium is closed in on, in MPa.
+    edge_mpa: f64,
+}
+
+impl Fineness {
+    fn of<M: ForceModel + ?Sized>(model: &M) -> Self {
+        match model.is_costly() {
+            true => Self { branch: 24, beyond: 6, closing: 12, edge_mpa: 1e-4 },
+            false => Self { branch: 80, beyond: 40, closing: 60, edge_mpa: 1e-9 },
+        }
+    }
+}
 
 /// The smallest pressure in MPa at which the pull is `force_n` at a contraction, within the model's range (with
-/// `extrapolate`, up to 20 MPa).
+/// `extrapolate`, or where the model sets no limit, up to 20 MPa). Soft strands let a pull rise and fall again with the pressure, and a
+/// muscle that pushes pushes harder: both are searched.
 ///
 /// # Errors
-/// [`AnalysisError::NoPressure`] with the nearest pull there is; the model's error where it has no answer at all.
+/// [`AnalysisError::NoPressure`] with the nearest pull there is (without `two_sided` a muscle that would push hangs slack and pulls 0 N);
+/// the model's error where it has no answer at all.
 pub fn pressure_at<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -37,124 +64,166 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
 ) -> Result<f64, AnalysisError> {
     let (lowest, limit) = model.range().pressure_mpa;
     let highest = if options.extrapolate { HIGHEST_PRESSURE_MPA } else { limit.min(HIGHEST_PRESSURE_MPA) };
-    let none = |nearest_pressure_mpa: f64, nearest_force_n: f64| AnalysisError::NoPressure {
-        model: model.name().into(),
-        force_n,
-        contraction,
-        nearest_force_n,
-        nearest_pressure_mpa,
-    };
-    if let Some(companion) = model.companion() {
-        let found = pressure_at(
-            companion,
-            &mut Workspace::within(workspace.budget().clone()),
+    let direction = options.direction;
+    let pulled = |v: f64| if options.two_sided { v + force_n } else { (v + force_n).max(0.0) };
+    let apart = |v: f64| (pulled(v) - force_n).abs();
+    let none = |(nearest_pressure_mpa, v): (f64, f64)| {
+        let ideal = model.muscle().max_ideal_contraction();
+        AnalysisError::NoPressure {
+            model: model.name().into(),
             force_n,
             contraction,
-            options,
-        );
+            nearest_force_n: pulled(v),
+            nearest_pressure_mpa,
+            braid_stops_at: (pulled(v) <= 0.0 && force_n > 0.0 && contraction >= ideal).then_some(ideal),
+        }
+    };
+    if let Some(companion) = model.companion() {
+        let ws = &mut Workspace::within(workspace.budget().clone());
+        let found = pressure_at(companion, ws, force_n, contraction, options);
         if let Err(AnalysisError::NoPressure { nearest_force_n, nearest_pressure_mpa, .. }) = found
             && (force_n - nearest_force_n).abs() > NEARLY * nearest_force_n.abs()
         {
-            return Err(none(nearest_pressure_mpa, nearest_force_n));
+            return Err(none((nearest_pressure_mpa, nearest_force_n - force_n)));
         }
     }
-    let direct = match friction(model, options.direction) {
+    let direct = match friction(model, direction) {
         Some(_) => None,
         None => match model.exact_pressure(force_n, contraction) {
             Some(exact) => Some(exact),
             None => model.pressure_under_load(workspace, force_n, contraction),
         },
     };
+    workspace.budget().check().map_err(ModelError::from)?;
     if let Some(p) = direct {
-        if p >= lowest && p <= highest {
-            return Ok(p);
+        let bits = LAST_BITS * p.abs().max(1.0);
+        if p >= lowest - bits && p <= highest + bits {
+            return Ok(p.clamp(lowest, highest.max(lowest)));
         }
-        let end = if p < lowest { lowest } else { highest };
-        return Err(none(end, model.force_n(workspace, end, contraction)?));
+        // Of a formula the nearest is sought below: its pull may rise and fall.
+        if model.is_costly() {
+            let mut end =
+                |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| (p, f - force_n));
+            let (low, high) = (end(lowest)?, end(highest)?);
+            return Err(none(if apart(high.1) < apart(low.1) { high } else { low }));
+        }
     }
-    let direction = options.direction;
-    let mut at = |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| f - force_n);
+    let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
     // A shortened muscle may have no equilibrium before its strands are taut; it does not pull there either.
-    let (first, refused) = match at(lowest) {
-        Ok(first) => (Some(first), None),
-        Err(error @ (ModelError::OutOfRange { .. } | ModelError::Geometry { .. })) => {
+    let (first, refused) = match force_on(model, workspace, lowest, contraction, direction) {
+        Ok(first) => (Some(first - force_n), None),
+        Err(
+            error @ (ModelError::OutOfRange { .. } | ModelError::Geometry { .. } | ModelError::Exceeded(_)),
+        ) => {
             return Err(error.into());
         }
         Err(error) => (None, Some(error)),
     };
-    if let Some(first) = first {
-        if first.abs() <= 1e-12 * force_n.abs().max(1.0) {
-            return Ok(lowest);
-        }
-        if first > 0.0 {
-            return Err(none(lowest, first + force_n));
-        }
+    if first.is_some_and(|f| f.abs() <= 1e-12 * force_n.abs().max(1.0)) {
+        return Ok(lowest);
     }
-    // Upwards in growing steps to the first pressure that pulls enough.
+    let fineness = Fineness::of(model);
+    let mut sweep = Sweep::new(fineness.closing);
+    // Why the model had no answer where the pull passes what is wanted.
+    let mut lost = None;
+    sweep.keep(lowest, first);
+    // Upwards in growing steps to the first pressure beyond which the pull is on the other side of what is wanted.
     let mut low = (lowest, first);
     let mut before: Option<(f64, f64)> = None;
-    let mut best = first.map(|f| (lowest, f));
     let mut step = (0.02 * highest.min(1.0)).max(1e-6);
     while low.0 < highest {
         let high = (low.0 + step).min(highest);
-        match at(high) {
-            Ok(f) if f >= 0.0 => {
-                let low = match low.1 {
-                    Some(value) => (low.0, value),
-                    None => taut_below(low.0, (high, f), &mut at).ok_or_else(|| none(high, f + force_n))?,
-                };
-                let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
-                return sought.between(model, workspace, low, (high, f));
+        match (sought.value(model, workspace, high)?, low.1) {
+            (Some(f), Some(value)) if (f >= 0.0) != (value > 0.0) || f == 0.0 => {
+                if let Some(p) = sought.between(model, workspace, (low.0, value), (high, f), &mut lost)? {
+                    return Ok(p);
+                }
+                sweep.keep(high, Some(f));
+                (before, low) = (None, (high, Some(f)));
+                step *= 1.5;
             }
-            Ok(f) => {
-                // Soft strands let the pull fall again: its maximum may lie between three points.
-                if let (Some(before), Some(middle)) = (before, low.1)
-                    && middle > before.1.max(f)
+            (Some(f), None) if f >= 0.0 => {
+                // Where its equilibria begin it may pull less.
+                let less = taut_below(low.0, (high, f), &mut |p| sought.value(model, workspace, p))?;
+                if let Some(less) = less
+                    && let Some(p) = sought.between(model, workspace, less, (high, f), &mut lost)?
                 {
-                    let top = maximum(before.0, (low.0, middle), high, &mut at);
-                    if top.1 >= 0.0 {
+                    return Ok(p);
+                }
+                sweep.keep(high, Some(f));
+                low = (high, Some(f));
+                step *= 1.5;
+            }
+            (Some(f), value) => {
+                sweep.keep(high, Some(f));
+                // The pull may come nearest between three points.
+                if let (Some(before), Some(middle)) = (before, value)
+                    && middle.abs() < before.1.abs().min(f.abs())
+                {
+                    let top = extremum(before.0, (low.0, middle), high, &mut |p| {
+                        sought.value(model, workspace, p)
+                    })?;
+                    if (top.1 > 0.0) != (middle > 0.0) {
                         let from = if top.0 > low.0 { (low.0, middle) } else { before };
-                        let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
-                        return sought.between(model, workspace, from, top);
+                        if let Some(p) = sought.between(model, workspace, from, top, &mut lost)? {
+                            return Ok(p);
+                        }
                     }
-                    best = Some(best.filter(|b| b.1 >= top.1).unwrap_or(top));
+                    sweep.keep(top.0, Some(top.1));
                 }
-                if best.is_none_or(|b| f > b.1) {
-                    best = Some((high, f));
-                }
-                before = low.1.map(|value| (low.0, value));
+                before = value.map(|value| (low.0, value));
                 low = (high, Some(f));
                 step *= 1.5;
             }
             // Not taut yet.
-            Err(_) if low.1.is_none() => {
+            (None, None) => {
                 low.0 = high;
                 step *= 1.5;
             }
             // Past the last equilibrium: close in on it.
-            Err(_) if high - low.0 > 1e-9 => step = 0.25 * (high - low.0),
-            Err(_) => break,
+            (None, Some(_)) if high - low.0 > fineness.edge_mpa => step = 0.25 * (high - low.0),
+            (None, Some(_)) => break,
         }
     }
-    Err(match (best, refused) {
-        (None, Some(error)) => error.into(),
-        (best, _) => {
-            let (p, f) = best.unwrap_or((lowest, -force_n));
-            none(p, f + force_n)
+    let mut at = |p: f64| sought.value(model, workspace, p);
+    if !model.is_costly() {
+        if options.extrapolate && lowest > 0.0 {
+            sweep.fill((0.0, lowest), fineness.beyond, &mut at)?;
         }
+        sweep.finer(4, &mut at)?;
+        sweep.refine(&mut at)?;
+        if let Some(zero) = sweep.zeros(&mut at)?.first() {
+            return Ok(zero.at);
+        }
+    }
+    let refused = if sweep.least(apart).is_none() { lost.or(refused) } else { lost };
+    Err(match (sweep.least(apart), refused) {
+        (Some((p, v)), _) if v.abs() <= SAME * force_n.abs().max(1.0) => return Ok(p),
+        (_, Some(error)) => error.into(),
+        (Some(nearest), None) => none(nearest),
+        (None, None) => none((lowest, -force_n)),
     })
 }
 
-/// (pressure, F − wanted) where the pull is largest between two pressures that enclose it, from a point between them.
-fn maximum(
+/// (pressure, F − wanted) where the pull comes nearest between two pressures that enclose it, from a point between them.
+fn extremum(
     left: f64,
     between: (f64, f64),
     right: f64,
-    at: &mut impl FnMut(f64) -> Result<f64, ModelError>,
-) -> (f64, f64) {
+    at: &mut impl FnMut(f64) -> Result<Option<f64>, AnalysisError>,
+) -> Result<(f64, f64), AnalysisError> {
     const STEPS: usize = 30;
-    let mut tried = |p: f64| (p, at(p).unwrap_or(f64::NEG_INFINITY));
-    golden(left, between, right, STEPS, |pull| -pull.1, &mut tried)
+    let sign = between.1.signum();
+    let mut ended = None;
+    let mut tried = |p: f64| match at(p) {
+        Ok(value) => (p, value.unwrap_or(sign * f64::INFINITY)),
+        Err(error) => {
+            ended = Some(error);
+            (p, sign * f64::INFINITY)
+        }
+    };
+    let found = golden(left, between, right, STEPS, |pull| sign * pull.1, &mut tried);
+    ended.map_or(Ok(found), Err)
 }
 
 /// (pressure, F − wanted) below zero, between a pressure without an equilibrium and one at which the muscle pulls more than is
@@ -162,17 +231,17 @@ fn maximum(
 fn taut_below(
     mut without: f64,
     mut high: (f64, f64),
-    at: &mut impl FnMut(f64) -> Result<f64, ModelError>,
-) -> Option<(f64, f64)> {
+    at: &mut impl FnMut(f64) -> Result<Option<f64>, AnalysisError>,
+) -> Result<Option<(f64, f64)>, AnalysisError> {
     while high.0 - without > 1e-9 {
         let middle = 0.5 * (without + high.0);
-        match at(middle) {
-            Ok(f) if f >= 0.0 => high = (middle, f),
-            Ok(f) => return Some((middle, f)),
-            Err(_) => without = middle,
+        match at(middle)? {
+            Some(f) if f >= 0.0 => high = (middle, f),
+            Some(f) => return Ok(Some((middle, f))),
+            None => without = middle,
         }
     }
-    None
+    Ok(None)
 }
 
 /// The pressure in MPa at which the pull is `force_n`, below one at which it is known to be enough (pressure, pull): by Newton's
@@ -197,18 +266,33 @@ pub(crate) fn pressure_up_to<M: ForceModel + ?Sized>(
         }
     }
     let sought = Sought { along: Along::Pressure { contraction }, force_n, direction: options.direction };
-    let p =
-        sought.between(model, workspace, (lowest, f64::NEG_INFINITY), (end, available_n - force_n)).ok()?;
+    let p = sought
+        .between(model, workspace, (lowest, f64::NEG_INFINITY), (end, available_n - force_n), &mut None)
+        .ok()??;
     // The lower end may pull more already.
     (p > lowest).then_some(p)
 }
 
-/// The contraction at which the pull is `force_n` at a pressure: the smallest on the falling branch that starts at ε = 0. With
-/// `two_sided` a pull above the blocked force stretches the muscle: its contraction is below zero.
+/// How far a contraction is sought below zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stretch {
+    /// Not at all.
+    None,
+    /// As far as strands reach that are straight and give way a little.
+    Straight,
+    /// As far as the model is asked.
+    Whole,
+}
+
+/// The contraction at which the pull is `force_n` at a pressure, of a muscle that is not longer than at rest; with `two_sided` also of one
+/// that the pull stretches, whose contraction is below zero.
+///
+/// Of several: that on the branch on which the pull falls through the length at rest; else the smallest at which the pull falls as the muscle
+/// shortens; else the one nearest to the length at rest.
 ///
 /// # Errors
-/// [`AnalysisError::NoContraction`] for a pull above the blocked force (without `two_sided`), or one the model still exceeds at
-/// the end of its range, with the nearest pull there is.
+/// [`AnalysisError::NoContraction`] for a pull that the model does not reach, with the nearest there is (without `two_sided` a muscle that
+/// would push hangs slack and pulls 0 N).
 pub fn contraction_at<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
@@ -216,149 +300,158 @@ pub fn contraction_at<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     options: Options,
 ) -> Result<f64, AnalysisError> {
-    let range = model.range().contraction;
-    let start = range.0.max(0.0);
-    let none = |nearest_contraction: f64, nearest_force_n: f64| AnalysisError::NoContraction {
+    let stretch = if options.two_sided { Stretch::Whole } else { Stretch::None };
+    contraction_down_to(model, workspace, force_n, pressure_mpa, options, stretch)
+}
+
+/// [`contraction_at`] of a muscle that may be stretched: a pull above the blocked force has a contraction below zero, wherever the model's
+/// range goes there, down to where the strands are straight and give way a little (with `two_sided` down to the end of the range).
+///
+/// # Errors
+/// As [`contraction_at`].
+pub fn contraction_or_stretch_at<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    pressure_mpa: f64,
+    options: Options,
+) -> Result<f64, AnalysisError> {
+    let stretch = if options.two_sided { Stretch::Whole } else { Stretch::Straight };
+    contraction_down_to(model, workspace, force_n, pressure_mpa, options, stretch)
+}
+
+fn contraction_down_to<M: ForceModel + ?Sized>(
+    model: &M,
+    workspace: &mut Workspace,
+    force_n: f64,
+    pressure_mpa: f64,
+    options: Options,
+    stretch: Stretch,
+) -> Result<f64, AnalysisError> {
+    let range = match (model.range().contraction, options.extrapolate) {
+        (range, false) => (range.0.max(-LARGEST_CONTRACTION), range.1.min(LARGEST_CONTRACTION)),
+        (_, true) => (-LARGEST_CONTRACTION, LARGEST_CONTRACTION),
+    };
+    let start = model.range().contraction.0.max(0.0);
+    // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.
+    let shortest =
+        (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95).clamp(start, range.1.max(start));
+    let straight = straight_strands(model.muscle()).max(range.0).min(start);
+    let lowest = match stretch {
+        Stretch::None => start,
+        Stretch::Straight => straight,
+        Stretch::Whole => range.0.min(start),
+    };
+    let direction = options.direction;
+    let pulled = |v: f64| if options.two_sided { v + force_n } else { (v + force_n).max(0.0) };
+    let apart = |v: f64| (pulled(v) - force_n).abs();
+    let none = |(nearest_contraction, v): (f64, f64), at_rest: Option<f64>| AnalysisError::NoContraction {
         model: model.name().into(),
         force_n,
         pressure_mpa,
-        nearest_force_n,
+        nearest_force_n: pulled(v),
         nearest_contraction,
+        at_rest_n: at_rest.filter(|_| start == 0.0).map(pulled),
     };
-    let direction = options.direction;
-    let blocked = force_on(model, workspace, pressure_mpa, start, direction)? - force_n;
-    if blocked.abs() <= 1e-12 * force_n.abs().max(1.0) {
+    if let Some(companion) = model.companion() {
+        let ws = &mut Workspace::within(workspace.budget().clone());
+        let found = contraction_down_to(companion, ws, force_n, pressure_mpa, options, stretch);
+        if let Err(AnalysisError::NoContraction { nearest_force_n, nearest_contraction, at_rest_n, .. }) =
+            found
+            && (force_n - nearest_force_n).abs() > NEARLY * nearest_force_n.abs()
+        {
+            let nearest = (nearest_contraction, nearest_force_n - force_n);
+            return Err(none(nearest, at_rest_n.map(|f| f - force_n)));
+        }
+    }
+    let sought = Sought { along: Along::Contraction { pressure_mpa }, force_n, direction };
+    let (at_start, refused) = match force_on(model, workspace, pressure_mpa, start, direction) {
+        Ok(force) => (Some(force - force_n), None),
+        Err(error) if model.is_costly() || matches!(error, ModelError::Exceeded(_)) => {
+            return Err(error.into());
+        }
+        Err(error) => (None, Some(error)),
+    };
+    if at_start.is_some_and(|f| f.abs() <= 1e-12 * force_n.abs().max(1.0)) {
         return Ok(start);
     }
-    if blocked < 0.0 && !options.two_sided {
-        return Err(none(start, blocked + force_n));
-    }
-    // Past the ideal maximum nothing pulls, and strands that are straight hold; those that stretch reach a little further.
-    let natural = if blocked > 0.0 {
-        (model.muscle().max_ideal_contraction() * 1.3 + 0.05).min(0.95)
-    } else {
-        straight_strands(model.muscle())
+    let fineness = Fineness::of(model);
+    let mut sweep = Sweep::new(fineness.closing);
+    let mut lost = None;
+    sweep.keep(start, at_start);
+    // The quick way: along the branch that falls through the start.
+    let end = match at_start {
+        Some(f) if f > 0.0 => Some(shortest),
+        Some(f) if lowest < start => {
+            let beside = start + (shortest - start) / fineness.branch as f64;
+            let next = sought.value(model, workspace, beside)?;
+            sweep.keep(beside, next);
+            next.is_none_or(|next| next < f).then_some(straight)
+        }
+        _ => None,
     };
-    let end = if options.extrapolate { natural } else { natural.clamp(range.0, range.1) };
-    let (lowest, highest) = (start.min(end), start.max(end));
-    if friction(model, direction).is_none() {
-        let direct = model
-            .exact_contraction(force_n, pressure_mpa)
-            .or_else(|| model.contraction_under_load(workspace, force_n, pressure_mpa));
-        if let Some(e) = direct.filter(|e| *e >= lowest && *e <= highest) {
-            return Ok(e);
+    if let (Some(end), Some(first)) = (end, at_start) {
+        if friction(model, direction).is_none() {
+            let direct = model
+                .exact_contraction(force_n, pressure_mpa)
+                .or_else(|| model.contraction_under_load(workspace, force_n, pressure_mpa));
+            let reach = if first > 0.0 { (start, range.1) } else { (lowest, start) };
+            if let Some(e) = direct.filter(|e| *e >= reach.0 - LAST_BITS && *e <= reach.1 + LAST_BITS) {
+                return Ok(e.clamp(reach.0, reach.1));
+            }
         }
-    }
-    let (mut near, mut nearest) = ((start, blocked), (start, blocked));
-    for i in (1..=SCAN).take_while(|_| start != end) {
-        let far = start + (end - start) * i as f64 / SCAN as f64;
-        match force_on(model, workspace, pressure_mpa, far, direction).map(|f| f - force_n) {
-            Ok(f) if (f <= 0.0) == (blocked > 0.0) || f == 0.0 => {
-                let sought = Sought { along: Along::Contraction { pressure_mpa }, force_n, direction };
+        let mut near = (start, first);
+        for i in (1..=fineness.branch).take_while(|_| start != end) {
+            let far = start + (end - start) * i as f64 / fineness.branch as f64;
+            let Some(f) = sought.value(model, workspace, far)? else { break };
+            if (f <= 0.0) == (first > 0.0) || f == 0.0 {
                 let (low, high) = if near.0 < far { (near, (far, f)) } else { ((far, f), near) };
-                return sought.between(model, workspace, low, high);
-            }
-            Ok(f) => {
-                if f.abs() < nearest.1.abs() {
-                    nearest = (far, f);
+                if let Some(e) = sought.between(model, workspace, low, high, &mut lost)? {
+                    return Ok(e);
                 }
-                near = (far, f);
+                break;
             }
-            Err(_) => break,
+            sweep.keep(far, Some(f));
+            near = (far, f);
         }
     }
-    Err(none(nearest.0, nearest.1 + force_n))
+    let mut at = |e: f64| sought.value(model, workspace, e);
+    if model.is_costly() && force_n >= 0.0 {
+        // What has ceased to pull does not pull again as it shortens.
+        for i in 1..=fineness.branch {
+            let e = start + (shortest - start) * i as f64 / fineness.branch as f64;
+            let value = at(e)?;
+            sweep.keep(e, value);
+            if value.is_none_or(|v| v + force_n < 0.0) {
+                break;
+            }
+        }
+    } else {
+        sweep.fill((start, shortest), fineness.branch, &mut at)?;
+        sweep.fill((shortest, range.1.max(shortest)), fineness.beyond, &mut at)?;
+    }
+    if lowest < start {
+        sweep.fill((straight, start), fineness.beyond, &mut at)?;
+        sweep.fill((lowest, straight), fineness.beyond, &mut at)?;
+    }
+    sweep.refine(&mut at)?;
+    let zeros = sweep.zeros(&mut at)?;
+    let falling = || zeros.iter().filter(|zero| zero.falls).map(|zero| zero.at);
+    let shortened = falling().find(|e| *e >= start);
+    let stretched = || falling().rfind(|e| *e < start);
+    let any = || zeros.iter().map(|zero| zero.at).min_by(|a, b| a.abs().total_cmp(&b.abs()));
+    if let Some(e) = shortened.or_else(stretched).or_else(any) {
+        return Ok(e);
+    }
+    Err(match (sweep.least(apart), lost.or(refused)) {
+        (Some((e, v)), _) if v.abs() <= SAME * force_n.abs().max(1.0) => return Ok(e),
+        (_, Some(error)) => error.into(),
+        (Some(nearest), None) => none(nearest, at_start),
+        (None, None) => none((start, -force_n), None),
+    })
 }
 
 /// A contraction below that at which the strands are straight and hold any pull; strands that stretch reach a little further.
 pub(crate) fn straight_strands(muscle: &Muscle) -> f64 {
     1.3 * (1.0 - 1.0 / muscle.braid().angle_rad().cos()) - 0.05
-}
-
-/// What is varied, and what is held.
-#[derive(Debug, Clone, Copy)]
-enum Along {
-    /// The pressure is sought; F rises with it.
-    Pressure { contraction: f64 },
-    /// The contraction is sought; F falls with it.
-    Contraction { pressure_mpa: f64 },
-}
-
-/// A pull that is sought between two places.
-struct Sought {
-    along: Along,
-    force_n: f64,
-    direction: Direction,
-}
-
-impl Sought {
-    /// (P, ε) at a place.
-    fn question(&self, x: f64) -> (f64, f64) {
-        match self.along {
-            Along::Pressure { contraction } => (x, contraction),
-            Along::Contraction { pressure_mpa } => (pressure_mpa, x),
-        }
-    }
-
-    /// The place between `low` and `high`, (place, F − wanted) of which are on both sides of zero.
-    fn between<M: ForceModel + ?Sized>(
-        &self,
-        model: &M,
-        workspace: &mut Workspace,
-        low: (f64, f64),
-        high: (f64, f64),
-    ) -> Result<f64, AnalysisError> {
-        let length = model.muscle().length_mm();
-        let mut failed = None;
-        let mut blind = false;
-        let rising = |x: f64| {
-            let (p, e) = self.question(x);
-            let r = match response_on(model, workspace, p, e, self.direction) {
-                Ok(r) => r,
-                Err(error) => {
-                    failed = Some(error);
-                    return (f64::NAN, f64::NAN);
-                }
-            };
-            let rest = r.force_n - self.force_n;
-            // Both so that they rise.
-            let (value, slope) = match self.along {
-                Along::Pressure { .. } => (rest, r.force_per_pressure_mm2),
-                Along::Contraction { .. } => (-rest, r.stiffness_n_per_mm.map(|k| k * length)),
-            };
-            blind |= slope.is_none();
-            (value, slope.unwrap_or(f64::NAN))
-        };
-        // From where a straight line between both ends crosses zero.
-        let share = if low.1.is_finite() { low.1 / (low.1 - high.1) } else { 1.0 };
-        let guess = low.0 + share * (high.0 - low.0);
-        let found = rising_root(low.0, high.0, guess, TOLERANCE, rising);
-        match (found, failed) {
-            (Some(x), None) if !blind => Ok(x),
-            (_, Some(error)) => Err(error.into()),
-            // Without the model's slopes: interpolation.
-            _ => self.interpolated(model, workspace, low.0, high.0),
-        }
-    }
-
-    fn interpolated<M: ForceModel + ?Sized>(
-        &self,
-        model: &M,
-        workspace: &mut Workspace,
-        low: f64,
-        high: f64,
-    ) -> Result<f64, AnalysisError> {
-        let at = |x: f64| {
-            let (p, e) = self.question(x);
-            force_on(model, workspace, p, e, self.direction).map(|f| f - self.force_n)
-        };
-        find_root(at, low, high, TOLERANCE).map_err(|error| match error {
-            RootError::Function(error) => error.into(),
-            RootError::NotBracketed { low, .. } => {
-                let (pressure_mpa, contraction) = self.question(low);
-                ModelError::NotConverged { pressure_mpa, contraction, iterations: 0, residual: f64::NAN }
-                    .into()
-            }
-        })
-    }
 }

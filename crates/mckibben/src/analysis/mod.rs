@@ -2,20 +2,22 @@
 
 mod air;
 mod ask;
+mod burst;
 mod characteristics;
 mod error;
 mod golden;
 mod inverse;
 mod root;
+mod sought;
+mod sweep;
 
 pub use air::{ATMOSPHERE_MPA, Air, air_per_stroke, normal_litres};
-pub(crate) use ask::stiffness_of;
 pub use ask::{Options, force_on, response_on, source_of};
-pub use characteristics::{
-    blocked_force_n, burst_pressure_mpa, free_contraction, start_pressure_mpa, work_per_stroke_j,
-};
+pub(crate) use ask::{friction_half_width_n, stiffness_of};
+pub use burst::{Burst, NoBurst, burst};
+pub use characteristics::{blocked_force_n, free_contraction, start_pressure_mpa, work_per_stroke_j};
 pub use error::AnalysisError;
 pub(crate) use golden::{Place, golden};
-pub use inverse::{contraction_at, pressure_at};
+pub use inverse::{contraction_at, contraction_or_stretch_at, pressure_at};
 pub(crate) use inverse::{pressure_up_to, straight_strands};
 pub use root::{RootError, find_root};

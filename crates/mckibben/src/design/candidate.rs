@@ -2,8 +2,8 @@
 
 use super::limit::{Limit, Probe, air_of, full_response, need};
 use super::spec::{Build, OperatingPoint, Spec};
-use crate::analysis::{burst_pressure_mpa, force_on, free_contraction, work_per_stroke_j};
-use crate::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
+use crate::analysis::{Burst, burst, force_on, free_contraction, work_per_stroke_j};
+use crate::model::{ModelError, Response, ThickWall, Workspace};
 use crate::muscle::Muscle;
 use crate::uncertainty::uncertainty;
 use serde::Serialize;
@@ -57,9 +57,12 @@ pub struct Candidate {
     /// Work in J from ε = 0 to the largest contraction wanted, at the maximum pressure.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub work_j: Option<f64>,
-    /// Burst pressure in MPa (the least over ε = 0 and the operating points), where the strands' strength is known.
+    /// Burst pressure in MPa ([`burst`]), where the strands' strength is known.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub burst_pressure_mpa: Option<f64>,
+    /// The same, or why it is not known; `None` where no model answers for the blocked muscle.
+    #[serde(skip)]
+    pub burst: Option<Burst>,
     /// Quantities that the design's model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<&'static str>,
 }
@@ -119,8 +122,14 @@ pub(super) fn candidate(
             margin: available_n / point.force_n - 1.0,
             response,
             air_normal_litres,
-            uncertainty_n: uncertainty(model, workspace, pressure_mpa, point.contraction, point.force_n)
-                .map(|parts| parts.total_n()),
+            uncertainty_n: uncertainty(
+                model,
+                workspace,
+                (pressure_mpa, point.contraction),
+                point.force_n,
+                options.direction,
+            )
+            .map(|parts| parts.total_n()),
         });
     }
     let max = spec.max_pressure_mpa;
@@ -128,8 +137,8 @@ pub(super) fn candidate(
         from_thick_wall.push("free contraction");
         free_contraction(&thick_wall, workspace, max, options).ok()
     });
-    let (burst, helped) = burst_of(&wanted, model, workspace, &thick_wall);
-    if helped && burst.is_some() {
+    let burst = burst(model, workspace).ok();
+    if let Some(Burst::At { from_thick_wall: true, .. }) = burst {
         from_thick_wall.push("burst pressure");
     }
     from_thick_wall.sort_unstable();
@@ -141,7 +150,8 @@ pub(super) fn candidate(
         blocked_force_n: force_on(model, workspace, max, 0.0, options.direction)?,
         free_contraction: free,
         work_j: work_per_stroke_j(model, workspace, max, 0.0, furthest, options).ok(),
-        burst_pressure_mpa: burst,
+        burst_pressure_mpa: burst.and_then(|b| b.pressure_mpa()),
+        burst,
         from_thick_wall,
         points,
         model: model.name().into(),
@@ -149,27 +159,4 @@ pub(super) fn candidate(
         binds: probe.worst().filter(|c| c.excess() > -BINDS).map(|c| c.limit),
         muscle: muscle.clone(),
     })
-}
-
-fn burst_of(
-    wanted: &[OperatingPoint],
-    model: &dyn ForceModel,
-    workspace: &mut Workspace,
-    thick_wall: &ThickWall,
-) -> (Option<f64>, bool) {
-    let mut lowest: Option<f64> = None;
-    let mut helped = false;
-    for contraction in std::iter::once(0.0).chain(wanted.iter().map(|p| p.contraction)) {
-        let burst = match burst_pressure_mpa(model, workspace, contraction) {
-            Ok(burst) => burst,
-            Err(_) => {
-                helped = true;
-                burst_pressure_mpa(thick_wall, workspace, contraction).ok().flatten()
-            }
-        };
-        if let Some(b) = burst {
-            lowest = Some(lowest.map_or(b, |l| l.min(b)));
-        }
-    }
-    (lowest, helped)
 }

@@ -6,9 +6,8 @@ use super::run::{Models, Outcome, design_with};
 use super::search::{Search, nice_steps};
 use super::spec::{Build, Spec, SpecError};
 use crate::analysis::golden;
-use crate::budget::Budget;
 use crate::model::ThickWall;
-use crate::progress::Progress;
+use crate::progress::{Progress, Quiet};
 use crate::units::Values;
 use std::cmp::Ordering;
 
@@ -25,19 +24,6 @@ type Tried = (f64, Merit);
 fn best_of(tried: &[Tried]) -> Option<usize> {
     let better = |a: &usize, b: &usize| tried[*a].1.partial_cmp(&tried[*b].1).unwrap_or(Ordering::Equal);
     (0..tried.len()).min_by(better)
-}
-
-/// Only the wish to end, and the budget: radii are counted, not the muscles of each.
-struct Quiet<'a>(&'a dyn Progress);
-
-impl Progress for Quiet<'_> {
-    fn cancelled(&self) -> bool {
-        self.0.cancelled()
-    }
-
-    fn budget(&self) -> Budget {
-        self.0.budget()
-    }
 }
 
 /// Searches radius and muscle for torques at angles: the radius with the best muscle, and what was found with it.

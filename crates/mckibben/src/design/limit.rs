@@ -2,7 +2,7 @@
 
 use super::reason::Reason;
 use super::spec::{Build, Objective, OperatingPoint, Spec};
-use crate::analysis::{AnalysisError, air_per_stroke, force_on, pressure_at, pressure_up_to};
+use crate::analysis::{AnalysisError, air_per_stroke, burst, force_on, pressure_at, pressure_up_to};
 use crate::model::{ForceModel, ModelError, Response, ThickWall, Workspace};
 use crate::muscle::Muscle;
 use serde::{Deserialize, Serialize};
@@ -193,17 +193,21 @@ fn strands(
         checks.extend(largest.map(check));
     }
     if let (Some(bound), Some(strength)) = (limits.burst_margin, strength) {
-        let mut tension = 0.0_f64;
-        for e in places() {
-            // Without an equilibrium at that pressure they break before it.
-            let full = full_response(model, workspace, thick_wall, bound * max, e).ok();
-            let strand = full.map_or(Some(f64::INFINITY), |(r, _)| r.strand_tension_n);
-            tension = tension.max(strand.unwrap_or(0.0));
-        }
-        let value = bound * strength / tension;
+        // Blocked, as the burst pressure is; without an equilibrium at that pressure they break before it.
+        let full = full_response(model, workspace, thick_wall, bound * max, 0.0).ok();
+        let strand = full.map_or(Some(f64::INFINITY), |(r, _)| r.strand_tension_n);
+        let value = bound * strength / strand.unwrap_or(0.0).max(0.0);
         checks.push(Check { limit: Limit::BurstMargin, point: None, value, bound });
     }
     Ok(checks)
+}
+
+/// The burst pressure over the maximum pressure, solved for: where the margin is missed, that of its check is in proportion to the
+/// strands' tension alone.
+pub(super) fn burst_margin(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<f64> {
+    muscle.braid().strands?.strength_n?;
+    let solved = burst(build(muscle).ok()?.as_ref(), &Workspace::new()).ok()?;
+    Some(solved.pressure_mpa()? / spec.max_pressure_mpa)
 }
 
 /// The pressure a point takes, where the pull at the maximum pressure is known to be enough.

@@ -14,6 +14,7 @@ mod relax;
 mod run;
 mod search;
 mod spec;
+mod sure;
 mod tolerance;
 
 pub use crate::warning::VALIDATED_STRAND_STRAIN;
@@ -25,4 +26,5 @@ pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
 pub use run::{Closest, Models, Outcome, design, design_with};
 pub use spec::{BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError};
+pub use sure::{Searcher, Sure, is_doubtful, to_be_sure};
 pub use tolerance::{Spread, SpreadError, Tolerances, spread};

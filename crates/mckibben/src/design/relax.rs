@@ -1,7 +1,7 @@
 //! Where nothing fits: which limit to relax, and by how much.
 
 use super::demand::Demand;
-use super::limit::{Limit, probe};
+use super::limit::{Limit, burst_margin, probe};
 use super::spec::{Build, Limits, OperatingPoint, Spec};
 use crate::analysis::{Options, contraction_at, force_on, pressure_at};
 use crate::model::{ForceModel, ThickWall, Workspace};
@@ -132,9 +132,9 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
     ease(worst(Limit::StrandStrain), &|l, v| l.strand_strain = Some(v * up), &|strain| {
         Relaxation::StrandStrain { strain }
     });
-    // Half a percent: the strands' tension is not quite in proportion to the pressure.
-    ease(worst(Limit::BurstMargin).map(|m| 0.995 * m), &|l, v| l.burst_margin = Some(v), &|margin| {
-        Relaxation::BurstMargin { margin }
+    let margin = worst(Limit::BurstMargin).and_then(|_| burst_margin(spec, build, muscle));
+    ease(margin, &|l, v| l.burst_margin = Some(v * (1.0 - 1e-9)), &|margin| Relaxation::BurstMargin {
+        margin,
     });
     out
 }

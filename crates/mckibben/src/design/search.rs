@@ -4,7 +4,7 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use super::limit::{probe, probe_with};
+use super::limit::{Check, Limit, burst_margin, probe, probe_with};
 use super::line::{self, Found, Merit, Sample};
 use super::reason::Reason;
 use super::run::Models;
@@ -347,7 +347,12 @@ impl<'a> Search<'a> {
     /// Why a muscle does not fit, by a model; `None` where it does.
     pub(super) fn reason(&self, muscle: &Muscle, build: &Build<'_>) -> Option<Reason> {
         match probe(self.spec, build, muscle) {
-            Ok(probe) => probe.worst().filter(|c| c.excess() > 0.0).map(|c| c.reason(self.spec)),
+            Ok(probe) => {
+                let worst = *probe.worst().filter(|c| c.excess() > 0.0)?;
+                let solved =
+                    burst_margin(self.spec, build, muscle).filter(|_| worst.limit == Limit::BurstMargin);
+                Some(Check { value: solved.unwrap_or(worst.value), ..worst }.reason(self.spec))
+            }
             Err(error) => Some(Reason::Model(error)),
         }
     }

@@ -230,10 +230,22 @@ fn not_told(found: &Identification) -> Vec<String> {
         if p.identifiable {
             return None;
         }
-        Some(if !p.matters {
+        Some(if p.implausible {
+            format!(
+                "{} {} {} lets the ends give way by more than 0.3 of the outer diameter, which is known of no muscle: it is not determined; another constant that is wrong (length, angle, modulus) is more likely",
+                p.name,
+                show(p.value),
+                p.unit
+            )
+        } else if !p.matters {
             format!("{}: no point changes with it, with this model: fix it", p.name)
         } else if p.at_bound {
-            format!("{} lies on its bound: the data pull it further; widen the bound, or fix it", p.name)
+            let at = format!("{} {}", if p.value == 0.0 { "0".into() } else { show(p.value) }, p.unit);
+            format!(
+                "{} lies on its bound, {}: the data pull it further; widen the bound, or fix it",
+                p.name,
+                at.trim()
+            )
         } else if p.target == Target::Stiffness && p.value > 30.0 * p.start {
             format!(
                 "{} runs away ({:.1e} N/mm): strands that do not stretch explain these data as well; make it \"inextensible\"",

@@ -56,6 +56,19 @@ pub enum IdentifyError {
     /// Data that no muscle of this size gives.
     #[error("{0}")]
     Implausible(String),
+    /// A column with the wrong sign.
+    #[error("{0}")]
+    Flipped(String),
+    /// Points that no rubber explains.
+    #[error(
+        "no constants were found: {name} falls towards zero, to {value_mpa:.1e} MPa, which is no rubber. The points pull more, or keep more of their pull when they are shortened, than this muscle does with any rubber"
+    )]
+    NoRubber {
+        /// What was free.
+        name: String,
+        /// The shear modulus at rest that it came to, in MPa.
+        value_mpa: f64,
+    },
     /// Errors stated for some rows only.
     #[error(
         "{stated} of {points} points state their error (first without: line {line}): state all, so that they can be weighed against each other, or none"

@@ -7,6 +7,7 @@
 //! lies on no bound.
 
 mod advice;
+mod bench;
 mod candidate;
 mod error;
 mod laws;
@@ -14,6 +15,7 @@ mod parameter;
 mod problem;
 mod result;
 mod run;
+mod signs;
 mod unasked;
 
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};

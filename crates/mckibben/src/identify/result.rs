@@ -3,8 +3,7 @@
 use super::candidate::Candidate;
 use super::parameter::Target;
 use crate::measured::{DataPoint, Quantity};
-use crate::muscle::Direction;
-use crate::muscle::Muscle;
+use crate::muscle::{Bench, Direction, Muscle};
 use serde::Serialize;
 
 /// One parameter with what the data say of it.
@@ -37,6 +36,8 @@ pub struct Identified {
     pub at_bound: bool,
     /// Whether the points change with it at all.
     pub matters: bool,
+    /// Whether it is an end that gives way by more than is known of any muscle: 0.3 of the outer diameter.
+    pub implausible: bool,
 }
 
 /// A point with what the model makes of it.
@@ -104,6 +105,9 @@ pub struct Identification {
     pub spreads: Vec<Spread>,
     /// Sentences a user should read.
     pub notes: Vec<String>,
+    /// The bench of the muscle, where points are of it: the ± that holds there.
+    #[serde(skip)]
+    pub bench: Option<Bench>,
 }
 
 impl Identification {

@@ -1,17 +1,20 @@
 //! From points and parameters to an [`Identification`].
 
 use super::advice;
+use super::bench::{self, Found};
 use super::candidate::own_value;
 use super::error::IdentifyError;
 use super::parameter::{Parameter, Target, usual_pull_n};
 use super::problem::{Build, Problem};
 use super::result::{Fitted, Identification, Identified, spread, spreads};
+use super::signs;
 use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
 use crate::model::ModelError;
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
 use crate::progress::{Progress, Silent};
+use crate::rubber::RubberLaw;
 
 /// What is to be identified.
 #[derive(Debug, Clone, Copy)]
@@ -124,13 +127,23 @@ pub fn identify_with<B: Build>(
     build: B,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
-    let found = search(request, build, progress);
-    // A model without an answer and a caller who has gone look alike to the search.
-    if progress.cancelled() { Err(IdentifyError::Cancelled) } else { found }
+    let flipped = signs::check(request)?;
+    let found = search(request, &flipped, build, progress);
+    match found {
+        // A model without an answer and a caller who has gone look alike to the search.
+        _ if progress.cancelled() => Err(IdentifyError::Cancelled),
+        Err(IdentifyError::Estimate(_) | IdentifyError::NoRubber { .. } | IdentifyError::Start { .. })
+            if !flipped.is_empty() =>
+        {
+            Err(IdentifyError::Flipped(flipped.join("; ")))
+        }
+        found => found,
+    }
 }
 
 fn search<B: Build>(
     request: &Request<'_>,
+    flipped: &[String],
     build: B,
     progress: &dyn Progress,
 ) -> Result<Identification, IdentifyError> {
@@ -147,6 +160,7 @@ fn search<B: Build>(
         return Err(IdentifyError::TooFew { points, dropped, parameters: free.len() });
     }
     let mut notes = advice::before(muscle, &free, &points)?;
+    notes.extend(flipped.iter().cloned());
     let values = request.fixed.iter().copied().chain(free.iter().copied().zip(start.iter().copied()));
     let first = super::Candidate::new(muscle, &values.collect::<Vec<_>>())?;
     build(first.muscle()).map_err(IdentifyError::Model)?;
@@ -163,10 +177,24 @@ fn search<B: Build>(
         EstimateError::TooFew { points, unknowns } => {
             IdentifyError::TooFew { points, dropped: slack.len(), parameters: unknowns }
         }
+        EstimateError::NoMinimum { ref at, .. } => {
+            let fallen = problem.candidate(at).map(|c| rubber_is_left(request, first.muscle(), c.muscle()));
+            fallen.and_then(Result::err).unwrap_or(IdentifyError::Estimate(e))
+        }
         other => IdentifyError::Estimate(other),
     })?;
-    let candidate = problem.candidate(&found.x).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
-    let parameters = parameters(request, &problem, &unknowns, &found, candidate.muscle());
+    // What lies on a bound is that bound, where that is a muscle.
+    let on_bounds: Vec<f64> = unknowns.iter().zip(&found.x).map(|(u, x)| u.at_its_bound(*x)).collect();
+    let (x, candidate) = match problem.candidate(&on_bounds) {
+        Some(candidate) => (on_bounds, candidate),
+        None => {
+            let candidate =
+                problem.candidate(&found.x).ok_or(IdentifyError::Estimate(EstimateError::Start))?;
+            (found.x.clone(), candidate)
+        }
+    };
+    rubber_is_left(request, first.muscle(), candidate.muscle())?;
+    let parameters = parameters(request, &problem, &unknowns, (&found, &x), candidate.muscle());
     let outliers = advice::outliers(&found.residuals, &weights);
     let fitted: Vec<Fitted> = (0..points.len())
         .map(|i| Fitted {
@@ -179,13 +207,18 @@ fn search<B: Build>(
         .collect();
     let all = spread("all", &found.residuals);
     let inside = found.at_bound.iter().filter(|b| !**b).count();
+    let freedom = points.len().saturating_sub(inside).max(1);
+    let (estimate, candidate_of) = (&found, &candidate);
+    let of =
+        Found { x: &x, unknowns: &unknowns, estimate, candidate: candidate_of, points: &fitted, freedom };
+    let bench = bench::bench(request, &build, &of, progress);
     let mut out = Identification {
         muscle: candidate.muscle().clone(),
         candidate,
         parameters,
         correlation: found.correlation,
         spreads: spreads(&fitted),
-        freedom: points.len().saturating_sub(inside).max(1),
+        freedom,
         points: fitted,
         slack,
         rms_before_n: before,
@@ -194,10 +227,41 @@ fn search<B: Build>(
         deviation: found.deviation,
         errors_stated,
         notes: vec![],
+        bench,
     };
     notes.extend(advice::after(&out, request.loss, &build));
     out.notes = notes;
     Ok(out)
+}
+
+/// No rubber of which muscles are made is softer, in MPa.
+const SOFTEST_MPA: f64 = 1e-3;
+/// An end that gives way by more than this share of the outer diameter is no finding.
+const LONGEST_END: f64 = 0.3;
+
+/// Refuses a modulus that fell towards zero.
+fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result<(), IdentifyError> {
+    let modulus = |m: &Muscle| m.tube().rubber.law.shear_modulus_mpa();
+    let sought = request.free.iter().find(|p| matches!(p.target, Target::Law(_) | Target::Modulus));
+    match sought {
+        Some(p) if modulus(end) < SOFTEST_MPA.min(0.01 * modulus(start)) => {
+            Err(IdentifyError::NoRubber { name: p.target.name(request.muscle), value_mpa: modulus(end) })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// How far an end gives way at the points, in mm; `None` of what is no end.
+fn given_way_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Muscle) -> Option<f64> {
+    match target {
+        Target::Seating | Target::Grip => Some(value),
+        Target::Slip => {
+            let ends = muscle.ends();
+            let load = |p: &DataPoint| ends.load_n(p.at.pressure_mpa, p.at.force_n);
+            Some(value * request.points.iter().map(load).fold(0.0, f64::max))
+        }
+        _ => None,
+    }
 }
 
 type Rows = Vec<Result<f64, ModelError>>;
@@ -226,7 +290,7 @@ fn parameters<B: Build>(
     request: &Request<'_>,
     problem: &Problem<'_, B>,
     unknowns: &[Unknown],
-    found: &Estimate,
+    (found, x): (&Estimate, &[f64]),
     muscle: &Muscle,
 ) -> Vec<Identified> {
     let matters = |i: usize| {
@@ -242,8 +306,10 @@ fn parameters<B: Build>(
     };
     let one = |i: usize| {
         let target = request.free[i].target;
-        let value = found.x[i];
+        let value = x[i];
         let limit = target.limit(muscle, value);
+        let way = given_way_mm(request, target, value, muscle);
+        let implausible = way.is_some_and(|way| way > LONGEST_END * muscle.outer_diameter_mm());
         Identified {
             target,
             name: target.name(request.muscle),
@@ -253,9 +319,10 @@ fn parameters<B: Build>(
             standard_error: found.standard_errors[i],
             half_width: found.half_widths[i],
             limit,
-            identifiable: !found.at_bound[i] && found.half_widths[i] <= limit,
+            identifiable: !found.at_bound[i] && !implausible && found.half_widths[i] <= limit,
             at_bound: found.at_bound[i],
             matters: matters(i),
+            implausible,
         }
     };
     (0..found.x.len()).map(one).collect()

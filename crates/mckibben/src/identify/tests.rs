@@ -513,3 +513,185 @@ fn of_all_laws_the_points_prefer_the_one_that_made_them() {
     );
     assert!(plain.aicc - best.aicc > 100.0);
 }
+
+fn points_of(rows: &[(f64, f64, f64)]) -> Vec<DataPoint> {
+    let one = |(i, &(pressure_bar, contraction, force_n)): (usize, &(f64, f64, f64))| {
+        let pressure_mpa = 0.1 * pressure_bar;
+        let at = MeasuredPoint { pressure_mpa, contraction, force_n, branch: Direction::Mean };
+        DataPoint { line: i as u64 + 2, ..DataPoint::of(at) }
+    };
+    rows.iter().enumerate().map(one).collect()
+}
+
+/// Tables of a bench as people sent them: forces, contractions or single points with the wrong sign.
+#[test]
+fn flipped_signs_are_named_and_no_modulus_comes_out() {
+    let m = soft();
+    let error = |rows: &[(f64, f64, f64)]| found(&m, &["mu"], &points_of(rows), Loss::Squares).unwrap_err();
+    let rises =
+        [(1., 0., 247.), (1., 0.05, 300.), (2., 0., 483.), (2., 0.05, 500.), (3., 0., 700.), (3., 0.1, 900.)];
+    let said = error(&rises).to_string();
+    assert!(matches!(error(&rises), IdentifyError::Flipped(_)));
+    assert!(said.contains("sign of the contraction flipped, or") && said.contains("lines 2, 3"), "{said}");
+    let right =
+        [(1., 0., 247.), (1., 0.05, 150.), (2., 0., 483.), (2., 0.05, 300.), (3., 0., 724.), (3., 0.1, 300.)];
+    let negative = right.map(|(p, e, f)| (p, e, -f));
+    let said = error(&negative).to_string();
+    assert!(said.contains("6 of the 6 points") && said.contains("sign of the force flipped?"), "{said}");
+    let shortened = right.map(|(p, e, f)| (p, -e, f));
+    let said = error(&shortened).to_string();
+    assert!(said.contains("sign of the contraction flipped? None"), "{said}");
+    // One of them alone is left to the user, with its line.
+    let exact = bench(&m, 0.0);
+    assert!(found(&m, &["mu"], &exact, Loss::Squares).unwrap().notes.iter().all(|n| !n.contains("flipped")));
+    let mut one = exact.clone();
+    one[8].at.force_n *= -1.0;
+    let notes = found(&m, &["mu"], &one, Loss::Squares).unwrap().notes;
+    assert!(notes.iter().any(|n| n.contains("line 10") && n.contains("flipped there?")), "{notes:?}");
+    let mut one = exact;
+    one[8].at.contraction *= -1.0;
+    let notes = found(&m, &["mu"], &one, Loss::Squares).unwrap().notes;
+    assert!(notes.iter().any(|n| n.contains("the contraction is below zero (line 10)")), "{notes:?}");
+}
+
+/// A loop without a column of branches falls as a whole, whatever its neighbours do.
+#[test]
+fn a_loop_without_branches_is_no_flipped_sign() {
+    let m = soft().with_friction(Some(Friction::power_law(60.0, 0.6))).unwrap();
+    let mut points = bench(&m, 0.0);
+    points.iter_mut().for_each(|p| p.at.branch = Direction::Mean);
+    let f = found(&soft(), &["mu"], &points, Loss::Squares).unwrap();
+    assert!(f.notes.iter().all(|n| !n.contains("flipped") && !n.contains("rises")), "{:?}", f.notes);
+}
+
+#[test]
+fn a_modulus_that_falls_to_zero_is_no_result() {
+    let m = soft();
+    let mut points = bench(&m, 0.0);
+    points.iter_mut().for_each(|p| p.at.force_n *= 1.8);
+    let error = found(&m, &["mu"], &points, Loss::Squares).unwrap_err();
+    assert!(matches!(error, IdentifyError::NoRubber { .. }), "{error}");
+    assert!(error.to_string().contains("tube.material.mu falls towards zero"), "{error}");
+}
+
+/// D0 20 mm: 6 mm are known of no muscle. 9 mm come back from the points, and are no finding.
+#[test]
+fn ends_that_give_way_by_too_much_are_not_determined() {
+    let seating = 9.0;
+    let m = soft();
+    let points: Vec<DataPoint> = [150.0, 250.0, 400.0]
+        .into_iter()
+        .flat_map(|length_mm| {
+            bench(&m, seating / length_mm).into_iter().map(move |p| DataPoint {
+                section: crate::measured::Section { length_mm: Some(length_mm), ..p.section },
+                ..p
+            })
+        })
+        .collect();
+    let free = free(&m, &["mu=0.5", "terminals.seating"]);
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: true,
+    };
+    let f = identify(&request, |m: &Muscle| crate::model::ModelKind::ThickWall.build(m)).unwrap();
+    let seating_found = &f.parameters[1];
+    assert!((seating_found.value - seating).abs() < 1e-5, "{seating_found:#?}");
+    assert!(seating_found.implausible && !seating_found.identifiable && !f.parameters[0].implausible);
+    assert!(f.notes.iter().any(|n| n.contains("0.3 of the outer diameter")), "{:?}", f.notes);
+    // No point is of the muscle itself (200 mm): nothing is said of its bench.
+    assert_eq!(f.bench, None);
+}
+
+/// A constant on its bound has the bound's value, not what the search left of it.
+#[test]
+fn a_constant_on_its_bound_is_the_bound() {
+    let m = soft();
+    let free = free(&m, &["mu", "grip"]);
+    let points = bench(&m, 0.0);
+    let request = Request {
+        muscle: &m,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    let f = identify(&request, |m: &Muscle| crate::model::ModelKind::ThickWall.build(m)).unwrap();
+    assert!(f.parameters[1].at_bound && f.parameters[1].value == 0.0, "{:#?}", f.parameters);
+    assert!(f.notes.iter().any(|n| n.contains("terminals.grip lies on its bound, 0 mm")), "{:?}", f.notes);
+}
+
+/// Benches with a known noise, some with both branches: the ± that they leave holds further points of the same bench at its rate.
+#[test]
+fn the_uncertainty_of_a_bench_holds_points_that_were_held_out() {
+    use crate::uncertainty::uncertainty;
+    let plain = soft();
+    let rubbing = plain.with_friction(Some(Friction::power_law(60.0, 0.6))).unwrap();
+    for (m, names) in
+        [(&plain, &["mu", "braid.stiffness"][..]), (&rubbing, &["mu", "friction.c", "friction.beta"][..])]
+    {
+        let truth = bench(m, 0.0);
+        let (mut held, mut all, mut widest) = (0, 0, 0.0_f64);
+        for seed in 0..60 {
+            let f = found(m, names, &noisy(&truth, 4.0, 1 + 7 * seed), Loss::Squares).unwrap();
+            let own = f.muscle.clone().with_bench(f.bench.clone().unwrap());
+            let (model, w) = (ThickWall::new(&own), &mut Workspace::new());
+            for (i, p) in noisy(&truth, 4.0, 1000 + 13 * seed).iter().enumerate() {
+                // Between the points that were fitted, inside of their range.
+                let e = p.at.contraction + if i % 2 == 0 && p.at.contraction < 0.15 { 0.02 } else { 0.0 };
+                let noise = p.at.force_n - truth[i].at.force_n;
+                let measured =
+                    crate::analysis::force_on(&ThickWall::new(m), w, p.at.pressure_mpa, e, p.at.branch)
+                        .unwrap()
+                        + noise;
+                let found = crate::analysis::force_on(&model, w, p.at.pressure_mpa, e, p.at.branch).unwrap();
+                let parts = uncertainty(&model, w, (p.at.pressure_mpa, e), found, p.at.branch).unwrap();
+                assert!(
+                    parts.fit.is_some() && parts.measured.is_none() && parts.friction.is_none(),
+                    "{parts:?}"
+                );
+                held += usize::from((measured - found).abs() <= parts.total_n());
+                all += 1;
+                widest = widest.max(parts.total_n());
+            }
+        }
+        let share = f64::from(held as u32) / f64::from(all as u32);
+        assert!((0.93..0.985).contains(&share) && widest < 25.0, "{share} of {all}, {widest}");
+    }
+}
+
+/// `[identified]` is read as it was written; with another diameter it says nothing.
+#[test]
+fn the_bench_stands_in_the_muscle_file() {
+    use crate::muscle::file::{parse_muscle, to_toml};
+    let m = soft();
+    let f = found(&m, &["mu", "braid.stiffness"], &noisy(&bench(&m, 0.0), 4.0, 3), Loss::Squares).unwrap();
+    let own = f.muscle.clone().with_bench(f.bench.unwrap());
+    let b = own.bench().unwrap().clone();
+    assert_eq!((b.points, b.pressure_mpa, b.contraction), (15, (0.1, 0.4), (0.0, 0.2)));
+    assert_eq!((b.model.as_str(), &b.branches[..]), ("thick-wall", &[Direction::Mean][..]));
+    let text = to_toml(&own);
+    let read = parse_muscle(&text).unwrap();
+    assert_eq!(read, own);
+    assert_eq!(read.bench(), Some(&b));
+    let wider =
+        parse_muscle(&text.replace("outer_diameter = \"20 mm\"", "outer_diameter = \"21 mm\"")).unwrap();
+    assert_eq!(wider.bench(), None);
+    assert!(!to_toml(&wider).contains("[identified]"));
+    let wrong = |from: &str, to: &str| {
+        assert!(text.contains(from), "{text}");
+        parse_muscle(&text.replacen(from, to, 1)).unwrap_err().to_string()
+    };
+    assert!(wrong("points = 15", "points = -1").contains("identified.points"));
+    assert!(wrong("branches = [\"mean\"]", "branches = [\"up\"]").contains("identified.branches"));
+    assert!(wrong("pressure = [", "pressure = [\"9 MPa\", ").contains("identified.pressure"));
+    assert!(wrong("scatter = \"", "scatter = \"-").contains("identified.scatter"));
+    assert!(wrong("fit = [[", "fit = [[-1, ").contains("identified.fit"));
+    assert!(wrong("parameters = [", "parameters = [\"more\", ").contains("identified.covariance"));
+    assert!(wrong("points = 15", "").contains("identified.points is missing"));
+    assert!(wrong("[identified]", "[identified]\nnonsense = 1").contains("unknown key"));
+}

@@ -2,7 +2,7 @@
 
 use super::model::Fixed;
 use super::{JointError, JointModel, Rest, Turning};
-use crate::model::Workspace;
+use crate::model::{Interval, ModelError, Quantity, Workspace};
 use crate::progress::Progress;
 use crate::threads::Threads;
 use serde::{Deserialize, Serialize};
@@ -13,6 +13,9 @@ const STEPS: usize = 8;
 /// the last two points give at the angle found, as well. A first step has no point before it and must be smaller.
 const SMALL: f64 = 1e-6;
 const SMALL_FIRST: f64 = 1e-9;
+
+/// Angles over the range at which torques are drawn.
+const ANGLES: usize = 37;
 
 /// A rest at a pair of pressures.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -47,13 +50,14 @@ impl JointModel<'_> {
     /// The map with `count` pressures of each muscle from 0 to `max_pressure_mpa`.
     ///
     /// # Errors
-    /// [`JointError`].
+    /// [`JointError`]; that of a model's range where the map leaves it, unless the joint extrapolates.
     pub fn map(
         &self,
         max_pressure_mpa: f64,
         count: usize,
         progress: &dyn Progress,
     ) -> Result<JointMap, JointError> {
+        self.outside(max_pressure_mpa, progress)?;
         let count = count.max(2);
         let grid: Vec<f64> = (0..count).map(|i| max_pressure_mpa * i as f64 / (count - 1) as f64).collect();
         let two = self.joint().muscles().len() == 2;
@@ -94,6 +98,42 @@ impl JointModel<'_> {
             border,
             grid_mpa: grid,
         })
+    }
+
+    /// What of a map lies outside of the models' ranges, a sentence for each muscle: its measures, the highest pressure, and its
+    /// contractions over the range of the angle, as far as it pulls there.
+    ///
+    /// # Errors
+    /// [`JointError::Muscle`] with the range, unless the joint extrapolates.
+    pub fn outside(&self, max_pressure_mpa: f64, progress: &dyn Progress) -> Result<Vec<String>, JointError> {
+        let (low, high) = self.joint().range_deg();
+        let mut said = vec![];
+        for (i, workspace) in self.workspaces(progress).iter_mut().enumerate() {
+            let angle = |k: usize| (low + (high - low) * k as f64 / (ANGLES - 1) as f64).to_radians();
+            let all = || (0..ANGLES).filter_map(|k| Some(self.joint().contraction(i, angle(k))?.0));
+            let (least, most) =
+                (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
+            let range = self.of(i).range();
+            let mut violations = range.violations(max_pressure_mpa, least);
+            let beyond = Interval::new(Quantity::Contraction, range.contraction).violation(most, 1e-12);
+            let beyond = beyond.filter(|v| !violations.contains(v));
+            // Beyond its free contraction it hangs slack.
+            if let Some(beyond) = beyond
+                && self.free(i, workspace, max_pressure_mpa)?.is_none_or(|free| free > range.contraction.1)
+            {
+                violations.push(beyond);
+            }
+            if violations.is_empty() && range.make.is_empty() {
+                continue;
+            }
+            let model = self.of(i).name().into();
+            let error = ModelError::OutOfRange { model, violations, make: range.make };
+            if !self.extrapolates() {
+                return Err(JointError::model(i)(error));
+            }
+            said.push(format!("extrapolated: {error}"));
+        }
+        Ok(said)
     }
 
     /// Workspaces for its muscles.
@@ -151,7 +191,6 @@ impl JointModel<'_> {
     }
 
     fn torques(&self, max_mpa: f64, progress: &dyn Progress) -> Result<Vec<(f64, f64, f64)>, JointError> {
-        const ANGLES: usize = 37;
         let mut workspaces = self.workspaces(progress);
         let (low, high) = self.joint().range_deg();
         let two = self.joint().muscles().len() == 2;

@@ -101,6 +101,11 @@ impl<'m> JointModel<'m> {
         self.models[muscle]
     }
 
+    /// Whether its models answer outside of their ranges.
+    pub(super) fn extrapolates(&self) -> bool {
+        self.extrapolate
+    }
+
     pub(super) fn options(&self, direction: Direction) -> Options {
         Options { extrapolate: self.extrapolate, direction, ..Options::default() }
     }

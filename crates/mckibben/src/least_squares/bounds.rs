@@ -49,6 +49,15 @@ impl Unknown {
         x - self.low < self.margin() || self.high - x < self.margin()
     }
 
+    /// The value itself, or the bound on which it lies.
+    pub fn at_its_bound(&self, x: f64) -> f64 {
+        match (x - self.low < self.margin(), self.high - x < self.margin()) {
+            (true, _) => self.low,
+            (_, true) => self.high,
+            _ => x,
+        }
+    }
+
     /// u of the start.
     pub(super) fn inner_start(&self) -> f64 {
         let inside = self.start.clamp(self.low + 20.0 * self.margin(), self.high - 20.0 * self.margin());

@@ -52,6 +52,8 @@ pub struct Estimate {
     pub standard_errors: Vec<f64>,
     /// Half-widths of the 95 % intervals (Student's t); likewise.
     pub half_widths: Vec<f64>,
+    /// Covariance; 0 for unknowns that are on a bound, and without the combinations of unknowns that the data do not determine at all.
+    pub covariance: Vec<Vec<f64>>,
     /// Correlation ρ; 0 beside the diagonal for unknowns that are on a bound or not identifiable at all.
     pub correlation: Vec<Vec<f64>>,
     /// Whether the data determine this unknown.
@@ -78,7 +80,10 @@ pub enum EstimateError {
         unknowns: usize,
     },
     /// Bounds or a scale that are not valid for an unknown.
-    #[error("unknown {index} has no sound start, bounds and scale: {unknown:?}")]
+    #[error(
+        "unknown {index} cannot be sought: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+        .unknown.start, .unknown.low, .unknown.high, .unknown.scale
+    )]
     Unknown {
         /// Counted from zero.
         index: usize,
@@ -93,6 +98,8 @@ pub enum EstimateError {
     NoMinimum {
         /// Why.
         reason: String,
+        /// The unknowns where it ended.
+        at: Vec<f64>,
     },
 }
 
@@ -112,21 +119,26 @@ impl<R: Residuals> Inner<'_, R> {
 
     /// Columns ∂r/∂x, not weighted.
     fn columns(&self, x: &[f64]) -> Option<Vec<Vec<f64>>> {
-        if let Some(columns) = self.residuals.by_unknowns(x) {
-            return Some(columns);
-        }
-        let column = |i: usize| {
-            let unknown = &self.unknowns[i];
-            let h = 1e-5 * unknown.scale;
-            let (mut up, mut down) = (x.to_vec(), x.to_vec());
-            up[i] = (x[i] + h).min(unknown.high);
-            down[i] = (x[i] - h).max(unknown.low);
-            let (a, b) = (self.residuals.at(&up)?, self.residuals.at(&down)?);
-            let width = up[i] - down[i];
-            Some(a.iter().zip(&b).map(|(a, b)| (a - b) / width).collect())
-        };
-        (0..x.len()).map(column).collect()
+        slopes(self.residuals, self.unknowns, x)
     }
+}
+
+/// ∂r/∂x, one column an unknown, not weighted: the model's own, or by central differences.
+pub fn slopes(residuals: &impl Residuals, unknowns: &[Unknown], x: &[f64]) -> Option<Vec<Vec<f64>>> {
+    if let Some(columns) = residuals.by_unknowns(x) {
+        return Some(columns);
+    }
+    let column = |i: usize| {
+        let unknown = &unknowns[i];
+        let h = 1e-5 * unknown.scale;
+        let (mut up, mut down) = (x.to_vec(), x.to_vec());
+        up[i] = (x[i] + h).min(unknown.high);
+        down[i] = (x[i] - h).max(unknown.low);
+        let (a, b) = (residuals.at(&up)?, residuals.at(&down)?);
+        let width = up[i] - down[i];
+        Some(a.iter().zip(&b).map(|(a, b)| (a - b) / width).collect())
+    };
+    (0..x.len()).map(column).collect()
 }
 
 impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
@@ -205,13 +217,11 @@ pub fn estimate(
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         if !(settled || report.termination.was_successful()) {
             let reason = match report.termination {
-                TerminationReason::User(_) => {
-                    "the model has no answer next to where the search stands".into()
-                }
-                TerminationReason::LostPatience => "the search goes on and on".into(),
-                other => format!("{other:?}"),
+                TerminationReason::User(_) => "the model has no answer beside the best values so far".into(),
+                TerminationReason::LostPatience => "the search did not end; free fewer unknowns".into(),
+                _ => "the data leave the unknowns open, or the model's answers are not smooth".into(),
             };
-            return Err(EstimateError::NoMinimum { reason });
+            return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }
         u = inner.u.clone();
         let r = residuals.at(&inner.x(&u)).ok_or(EstimateError::Start)?;
@@ -292,11 +302,13 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
     }
     let mut standard_errors = vec![0.0; x.len()];
     let mut correlation = vec![vec![0.0; x.len()]; x.len()];
+    let mut full = vec![vec![0.0; x.len()]; x.len()];
     for (a, &i) in inside.iter().enumerate() {
         let scale = unknowns[i].scale;
         standard_errors[i] =
             if lost[a] { f64::INFINITY } else { deviation * scale * covariance[(a, a)].max(0.0).sqrt() };
         for (b, &k) in inside.iter().enumerate() {
+            full[i][k] = deviation * deviation * scale * unknowns[k].scale * covariance[(a, b)];
             if !lost[a] && !lost[b] {
                 correlation[i][k] = covariance[(a, b)] / (covariance[(a, a)] * covariance[(b, b)]).sqrt();
             }
@@ -312,6 +324,7 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
         x,
         standard_errors,
         half_widths,
+        covariance: full,
         correlation,
         identifiable,
         at_bound,

@@ -11,5 +11,5 @@ mod student;
 
 pub use aicc::aicc;
 pub use bounds::Unknown;
-pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate};
+pub use estimate::{Estimate, EstimateError, Loss, Residuals, estimate, slopes};
 pub use student::t95;

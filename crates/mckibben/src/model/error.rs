@@ -88,7 +88,7 @@ pub enum ModelError {
     },
     /// An iteration did not converge.
     #[error(
-        "no convergence at {pressure_mpa} MPa and contraction {contraction} after {iterations} iterations (residual {residual:.3e})"
+        "no equilibrium found at {pressure_mpa} MPa and contraction {contraction}: the search for the deformed shape did not settle; ask a little beside it, or take another model"
     )]
     NotConverged {
         /// Pressure in MPa.

@@ -243,6 +243,11 @@ pub trait ForceModel: Send + Sync {
         None
     }
 
+    /// Whether an answer takes milliseconds or more: searches then ask it at fewer places.
+    fn is_costly(&self) -> bool {
+        false
+    }
+
     /// The pressure in MPa of the equilibrium under a pull of `force_n`, for a model that solves equilibria with the load
     /// held in place of the pressure; `None` where it has none or finds none.
     fn pressure_under_load(

@@ -215,6 +215,10 @@ impl<M: ForceModel + ?Sized> ForceModel for Seated<M> {
             .map_err(|error| self.told(error, e, met.between))
     }
 
+    fn is_costly(&self) -> bool {
+        self.inner.is_costly()
+    }
+
     fn exact_pressure(&self, force_n: f64, e: f64) -> Option<f64> {
         if self.ends.slip_mm_per_n > 0.0 {
             return None;

@@ -2,6 +2,7 @@
 //!
 //! Everything is checked once, in [`Muscle::new`]; whoever holds a [`Muscle`] may rely on it.
 
+mod bench;
 mod braid;
 mod crimp;
 mod derived;
@@ -16,6 +17,7 @@ mod rubber;
 mod terminals;
 mod tube;
 
+pub use bench::Bench;
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use crimp::Crimp;
 pub use derived::BuildSheet;
@@ -30,6 +32,7 @@ pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
 use crate::rubber::library;
+use std::sync::Arc;
 
 /// The braid angle at which a muscle neither contracts nor extends: cos²θ = 1/3, in degrees.
 pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
@@ -41,6 +44,8 @@ pub struct Muscle {
     braid: Braid,
     terminals: Terminals,
     friction: Option<Friction>,
+    /// The bench that its constants come from; it may be that of another muscle.
+    bench: Option<Arc<Bench>>,
 }
 
 impl Muscle {
@@ -79,7 +84,7 @@ impl Muscle {
         }
         let reach = largest_stretch(&tube, &braid);
         tube.rubber = library::following(tube.rubber, reach);
-        let muscle = Self { tube, braid, terminals, friction };
+        let muscle = Self { tube, braid, terminals, friction, bench: None };
         if let Some(value) = muscle.terminals.cone_factor {
             let end = muscle.max_ideal_contraction();
             let largest = (1.0 - end) / (2.0 * end);
@@ -97,6 +102,7 @@ impl Muscle {
             braid: Braid::paper(),
             terminals: Terminals::default(),
             friction: None,
+            bench: None,
         }
     }
 
@@ -120,9 +126,34 @@ impl Muscle {
         self.friction.as_ref()
     }
 
+    /// The bench that its constants were identified from; `None` also where the muscle was changed since.
+    pub fn bench(&self) -> Option<&Bench> {
+        self.bench.as_deref().filter(|bench| bench.of == self.digest())
+    }
+
+    /// The same muscle with what a bench says of it.
+    pub fn with_bench(mut self, bench: Bench) -> Self {
+        self.bench = Some(Arc::new(bench));
+        self
+    }
+
+    /// The same muscle with the bench of another one, which it may have been made from.
+    pub fn with_bench_of(mut self, other: &Self) -> Self {
+        self.bench.clone_from(&other.bench);
+        self
+    }
+
     /// What the user should know of this muscle, in sentences, whatever is asked of it.
     pub fn warnings(&self) -> Vec<String> {
-        self.braid.warning(&self.tube).into_iter().chain(self.measured_strand_warning()).collect()
+        let own = self.braid.warning(&self.tube).into_iter().chain(self.measured_strand_warning());
+        own.chain(self.bench_warning()).collect()
+    }
+
+    /// A bench that saw another muscle.
+    fn bench_warning(&self) -> Option<String> {
+        (self.bench.is_some() && self.bench().is_none()).then(|| {
+            "[identified] belongs to the muscle as it was identified, and this one differs from it: the ± is that of a muscle without a bench; identify it again".to_owned()
+        })
     }
 
     /// A strand that was measured, and contradicts the angle by more than its rounded ends.
@@ -145,7 +176,7 @@ impl Muscle {
     /// As [`Muscle::new`], and [`MuscleError::Sleeve`] where the sleeve does not fit the tube.
     pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
         let braid = self.braid_on(tube.outer_diameter_mm)?;
-        Self::new(tube, braid, self.terminals.clone(), self.friction)
+        Ok(Self::new(tube, braid, self.terminals.clone(), self.friction)?.with_bench_of(self))
     }
 
     /// The braid of this muscle on a tube of a diameter: its own on its own, that of its named sleeve on another.
@@ -175,7 +206,7 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with_braid(&self, braid: Braid) -> Result<Self, MuscleError> {
-        Self::new(self.tube.clone(), braid, self.terminals.clone(), self.friction)
+        Ok(Self::new(self.tube.clone(), braid, self.terminals.clone(), self.friction)?.with_bench_of(self))
     }
 
     /// The same muscle with other terminals.
@@ -183,7 +214,7 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with_terminals(&self, terminals: Terminals) -> Result<Self, MuscleError> {
-        Self::new(self.tube.clone(), self.braid.clone(), terminals, self.friction)
+        Ok(Self::new(self.tube.clone(), self.braid.clone(), terminals, self.friction)?.with_bench_of(self))
     }
 
     /// The same muscle with another friction of its braid.
@@ -191,6 +222,7 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with_friction(&self, friction: Option<Friction>) -> Result<Self, MuscleError> {
-        Self::new(self.tube.clone(), self.braid.clone(), self.terminals.clone(), friction)
+        Ok(Self::new(self.tube.clone(), self.braid.clone(), self.terminals.clone(), friction)?
+            .with_bench_of(self))
     }
 }

@@ -5,9 +5,11 @@
 
 mod quantity;
 mod range;
+mod short;
 mod unit;
 
-pub(crate) use quantity::tidy;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
+pub(crate) use quantity::{plausible, tidy};
 pub use range::{MAX_POINTS, RangeError, Values, parse_at_most, parse_values};
+pub use short::short_numbers;
 pub use unit::Unit;

@@ -1,6 +1,6 @@
 //! Ranges and lists of quantities.
 
-use super::quantity::{Dimension, QuantityError, convert, factor, split, tidy};
+use super::quantity::{Dimension, QuantityError, convert, factor, plausible, split, tidy};
 use thiserror::Error;
 
 /// The most points a range or list may hold.
@@ -125,10 +125,17 @@ pub fn parse_at_most(text: &str, dimension: Dimension, most: usize) -> Result<Va
         Values::List(parts.iter().zip(factors).map(|(p, f)| convert(p.0, f)).collect())
     };
     let (low, high) = parsed.bounds();
-    if low.is_finite() && high.is_finite() {
+    if !(low.is_finite() && high.is_finite()) {
+        return Err(QuantityError::NotFinite { text: shortened(text), expected: dimension }.into());
+    }
+    let sound = match &parsed {
+        Values::List(list) => list.iter().copied().all(plausible),
+        Values::Interval(low, high) => plausible(*low) && plausible(*high),
+    };
+    if sound {
         Ok(parsed)
     } else {
-        Err(QuantityError::NotFinite { text: shortened(text), expected: dimension }.into())
+        Err(QuantityError::Beyond { text: shortened(text), expected: dimension }.into())
     }
 }
 

@@ -1,8 +1,13 @@
 //! Inverses against the function that they invert, looked at on a fine grid.
 
-use mckibben::analysis::{Options, pressure_at};
-use mckibben::model::{ModelKind, Workspace};
-use mckibben::muscle::{Braid, BraidStiffness, Muscle, Tube};
+use mckibben::analysis::{
+    AnalysisError, Options, contraction_at, contraction_or_stretch_at, force_on, pressure_at,
+};
+use mckibben::budget::{Budget, Limits, Resource};
+use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
+use mckibben::muscle::{
+    Braid, BraidStiffness, Direction, EndFactor, Friction, MeasuredStrand, Muscle, Terminals, Tube,
+};
 use mckibben::random::Random;
 
 /// Soft strands let the pull rise and fall again with the pressure. A pull just below its largest has a pressure, and it is the one
@@ -42,4 +47,207 @@ fn pulls_just_below_the_largest_are_found_where_the_pull_still_rises() {
         }
     }
     assert!(peaks > 50, "{peaks}");
+}
+
+/// How many questions, where more are wanted than a check takes: `MCKIBBEN_QUESTIONS=3000`.
+fn questions(usual: usize) -> usize {
+    std::env::var("MCKIBBEN_QUESTIONS").ok().and_then(|n| n.parse().ok()).unwrap_or(usual)
+}
+
+/// Any muscle: thin and thick, short and long, flat and steep braids, stiff and soft strands, ends that give way.
+fn any_muscle(r: &mut Random) -> Muscle {
+    let d0 = r.between(8.0, 60.0);
+    let angle_deg = r.between(14.0, 42.0);
+    let length_mm = d0 * r.between(5.0, 20.0);
+    let stiffness = match r.one_of(&[0, 1, 2]) {
+        0 => BraidStiffness::Inextensible,
+        1 => BraidStiffness::Paper,
+        _ => BraidStiffness::NewtonPerMm(r.log(50.0, 3000.0)),
+    };
+    let length = length_mm / f64::to_radians(angle_deg).cos();
+    let turns = length * f64::to_radians(angle_deg).sin() / (std::f64::consts::PI * d0);
+    let measured = Some(MeasuredStrand { strand_length_mm: length, turns });
+    let tube = Tube {
+        outer_diameter_mm: d0,
+        wall_mm: d0 * r.between(0.02, 0.22),
+        length_mm,
+        ..Muscle::prototype().tube().clone()
+    };
+    let terminals = Terminals {
+        end_factor: Some(EndFactor::Constant(r.between(1.0, 1.3))),
+        cone_factor: Some(r.between(0.1, 0.5)),
+        seating_mm: (r.unit() < 0.2).then_some(0.01 * length_mm),
+        ..Terminals::default()
+    };
+    let friction = (r.unit() < 0.2).then(|| Friction::power_law(r.between(5.0, 60.0), r.between(0.4, 1.0)));
+    let braid = Braid { angle_deg, stiffness, measured, ..Braid::paper() };
+    let muscle = Muscle::prototype().with_tube(tube).and_then(|m| m.with_braid(braid));
+    let muscle = muscle.and_then(|m| m.with_terminals(terminals)).and_then(|m| m.with_friction(friction));
+    muscle.unwrap()
+}
+
+/// A question whose answer exists, since a force is asked first: (P, ε, F).
+struct Known {
+    model: Box<dyn ForceModel>,
+    options: Options,
+    pressure_mpa: f64,
+    contraction: f64,
+    force_n: f64,
+    /// Of which errors are a share.
+    scale_n: f64,
+}
+
+fn known(r: &mut Random) -> Option<Known> {
+    let muscle = any_muscle(r);
+    let model = r.one_of(&ModelKind::ALL).build(&muscle).ok()?;
+    let range = model.range();
+    let options = Options {
+        two_sided: r.unit() < 0.5,
+        extrapolate: r.unit() < 0.2,
+        direction: if muscle.friction().is_some() { r.one_of(&Direction::ALL) } else { Direction::Mean },
+    };
+    let pressure_mpa = r.log(0.005, 3.0).clamp(range.pressure_mpa.0, range.pressure_mpa.1);
+    let contraction = match options.extrapolate {
+        true => r.between(-0.1, 0.6),
+        false => r.between(range.contraction.0.max(-0.2), range.contraction.1.min(0.7)),
+    };
+    let w = &mut Workspace::new();
+    let mut pull = |e: f64| force_on(&*model, w, pressure_mpa, e, options.direction).ok();
+    let force_n = pull(contraction)?;
+    let scale_n = pull(0.0).map_or(1.0, f64::abs).max(1.0);
+    let asked = options.two_sided || force_n >= 0.0;
+    asked.then_some(Known { model, options, pressure_mpa, contraction, force_n, scale_n })
+}
+
+/// Identity: both inverses of F = force(P, ε) have an answer and give F back, whatever the model, muscle, pressure and contraction:
+/// pulls that rise and fall with ε, pulls that fall with P, and muscles that their pull stretches.
+#[test]
+fn no_inverse_that_exists_is_denied() {
+    let (mut r, mut asked, mut denied) = (Random(25), 0, vec![]);
+    while asked < questions(3000) {
+        let Some(k) = known(&mut r) else { continue };
+        asked += 1;
+        let w = &mut Workspace::new();
+        let (model, f) = (&*k.model, k.force_n);
+        let p = pressure_at(model, w, f, k.contraction, k.options);
+        let e = contraction_or_stretch_at(model, w, f, k.pressure_mpa, k.options);
+        let direction = k.options.direction;
+        let mut back =
+            |p: f64, e: f64| force_on(model, w, p, e, direction).map_or(f64::INFINITY, |b| (b - f).abs());
+        let told = |what: &str, error: String| {
+            format!(
+                "{what} {}: P {} ε {} F {f} {:?} {error}\n{:?}",
+                model.name(),
+                k.pressure_mpa,
+                k.contraction,
+                k.options,
+                model.muscle()
+            )
+        };
+        match p {
+            Ok(p) if back(p, k.contraction) <= 1e-6 * k.scale_n => {}
+            Ok(p) => denied.push(told("pressure", format!("off by {} at {p}", back(p, k.contraction)))),
+            Err(error) => denied.push(told("pressure", error.to_string())),
+        }
+        match e {
+            Ok(e) if back(k.pressure_mpa, e) <= 1e-6 * k.scale_n => {}
+            Ok(e) => denied.push(told("contraction", format!("off by {} at {e}", back(k.pressure_mpa, e)))),
+            Err(error) => denied.push(told("contraction", error.to_string())),
+        }
+    }
+    assert!(
+        denied.is_empty(),
+        "{} of {asked}:\n{}",
+        denied.len(),
+        denied.iter().take(12).cloned().collect::<Vec<_>>().join("\n")
+    );
+}
+
+/// The nearest pull of a question without an answer is as near as any on a fine grid over what the model accepts.
+#[test]
+fn no_place_comes_nearer_than_the_nearest() {
+    let (mut r, mut refused) = (Random(26), 0);
+    for _ in 0..questions(3000) {
+        let Some(k) = known(&mut r) else { continue };
+        let (model, w) = (&*k.model, &mut Workspace::new());
+        let f = k.force_n + r.one_of(&[-1.0, 1.0]) * k.scale_n * r.log(0.05, 5.0);
+        if f < 0.0 && !k.options.two_sided {
+            continue;
+        }
+        let range = model.range();
+        let direction = k.options.direction;
+        let pulled = |v: f64| if k.options.two_sided { v } else { v.max(0.0) };
+        let said = pressure_at(model, w, f, k.contraction, k.options);
+        if let Err(AnalysisError::NoPressure { nearest_force_n, .. }) = said {
+            refused += 1;
+            let high = if k.options.extrapolate { 20.0 } else { range.pressure_mpa.1.min(20.0) };
+            let nearest = (nearest_force_n - f).abs();
+            for i in 0..=500 {
+                let p = range.pressure_mpa.0 + (high - range.pressure_mpa.0) * (f64::from(i) / 500.0).powi(2);
+                let Ok(there) = force_on(model, w, p, k.contraction, direction) else { continue };
+                let there = (pulled(there) - f).abs();
+                assert!(there >= nearest - 1e-6 * k.scale_n, "{}: {there} at {p}, {said:?}", model.name());
+            }
+        }
+        let said = contraction_at(model, w, f, k.pressure_mpa, k.options);
+        if let Err(AnalysisError::NoContraction { nearest_force_n, .. }) = said {
+            refused += 1;
+            let (low, high) = if k.options.extrapolate { (-0.99, 0.99) } else { range.contraction };
+            let low = if k.options.two_sided { low } else { low.max(0.0) };
+            let nearest = (nearest_force_n - f).abs();
+            for i in 0..=500 {
+                let e = low + (high.min(0.999) - low) * f64::from(i) / 500.0;
+                let Ok(there) = force_on(model, w, k.pressure_mpa, e, direction) else { continue };
+                let there = (pulled(there) - f).abs();
+                assert!(there >= nearest - 1e-6 * k.scale_n, "{}: {there} at {e}, {said:?}", model.name());
+            }
+        }
+    }
+    assert!(refused > 50, "{refused}");
+}
+
+/// force-balance rises from 2,014 N or less at rest to 2,073 N at 2 % and falls to 2,014.5 N at 5.4 %: that is the answer, on the branch on which
+/// the pull falls. The ideal muscle, beyond 34.6 %, pushes harder the higher its pressure.
+#[test]
+fn a_pull_that_rises_and_falls_and_one_that_falls_with_the_pressure_are_found() {
+    let tube = Tube {
+        outer_diameter_mm: 38.175_422_551_947_98,
+        wall_mm: 7.595_408_261_814_994_5,
+        length_mm: 428.0,
+        ..Muscle::prototype().tube().clone()
+    };
+    let braid =
+        Braid { angle_deg: 26.296_787_933_536_05, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
+    let muscle = Muscle::prototype().with_tube(tube).unwrap().with_braid(braid).unwrap();
+    let (model, w) = (ModelKind::ForceBalance.build(&muscle).unwrap(), &mut Workspace::new());
+    let p = 0.384_802_29;
+    let e = contraction_at(&*model, w, 2014.0, p, Options::default()).unwrap();
+    assert!((0.05..0.06).contains(&e), "{e}");
+    assert!((model.force_n(w, p, e).unwrap() - 2014.0).abs() < 1e-6);
+    let tube = Tube { wall_mm: 2.0, ..Muscle::prototype().tube().clone() };
+    let ideal = ModelKind::Ideal.build(&Muscle::prototype().with_tube(tube).unwrap()).unwrap();
+    let two_sided = Options { two_sided: true, ..Options::default() };
+    let p = pressure_at(&*ideal, w, -200.0, 0.35, two_sided).unwrap();
+    assert!((ideal.force_n(w, p, 0.35).unwrap() + 200.0).abs() < 1e-6);
+}
+
+/// What an engineer reads: where the braid stops, and never a push as the nearest pull.
+#[test]
+fn beyond_the_braid_the_refusal_says_where_it_stops() {
+    let (model, w) = (ModelKind::Universal.build(&Muscle::prototype()).unwrap(), &mut Workspace::new());
+    let options = Options::extrapolating();
+    let error = pressure_at(&*model, w, 300.0, 0.4, options).unwrap_err();
+    let AnalysisError::NoPressure { nearest_force_n, .. } = error else { panic!("{error}") };
+    // 1 − 1/(√3 cos 28°) = 0.346
+    assert!(nearest_force_n == 0.0 && error.to_string().contains("stops at 34.6 %"), "{error}");
+}
+
+/// A search ends with its budget.
+#[test]
+fn a_search_ends_with_its_budget() {
+    let model = ModelKind::Universal.build(&Muscle::prototype()).unwrap();
+    let w = &mut Workspace::within(Budget::new(Limits::default().with(Resource::Seconds, 0.0)));
+    let spent = |e: AnalysisError| matches!(e, AnalysisError::Model(ModelError::Exceeded(_)));
+    assert!(pressure_at(&*model, w, 1e6, 0.1, Options::default()).is_err_and(spent));
+    assert!(contraction_at(&*model, w, 1e6, 0.2, Options::default()).is_err_and(spent));
 }

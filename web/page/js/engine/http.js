@@ -41,7 +41,7 @@ export class Engine {
   /**
    * @template {keyof Commands} K
    * @param {K} command @param {Commands[K]["request"]} request
-   * @param {{ lane?: "state" | "side", signal?: AbortSignal }} [options]
+   * @param {{ lane?: import("./wasm.js").LaneName, signal?: AbortSignal }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */
   async ask(command, request, { signal } = {}) {
@@ -59,7 +59,8 @@ export class Engine {
     const begun = await (await reach(`jobs/${command}`, { ...post(request, signal), headers: { "content-type": "application/json" } })).json();
     const events = new EventSource(new URL(`jobs/${begun.id}/events`, API));
     return new Promise((resolve, reject) => {
-      const end = (/** @type {() => void} */ act) => { events.close(); act(); };
+      let ended = false;
+      const end = (/** @type {() => void} */ act) => { if (!ended) { ended = true; events.close(); act(); } };
       signal?.addEventListener("abort", () => {
         fetch(new URL(`jobs/${begun.id}`, API), { method: "DELETE" }).catch(() => {});
         end(() => reject(new DOMException("cancelled", "AbortError")));
@@ -67,7 +68,11 @@ export class Engine {
       events.addEventListener("progress", ({ data }) => { const { done, total } = JSON.parse(data); progress?.(done, total); });
       events.addEventListener("answer", ({ data }) => end(() => resolve(JSON.parse(data))));
       events.addEventListener("problem", ({ data }) => end(() => reject(new Problem(JSON.parse(data)))));
-      events.onerror = () => { if (events.readyState === EventSource.CLOSED) end(() => reject(gone("the server went away"))); };
+      // An EventSource tries again for ever: whether the server and the job are still there, the job's own address says.
+      events.onerror = async () => {
+        const there = events.readyState !== EventSource.CLOSED && await fetch(new URL(`jobs/${begun.id}`, API)).then((answer) => answer.ok, () => false);
+        if (!there) end(() => reject(gone("the server went away")));
+      };
     });
   }
 }

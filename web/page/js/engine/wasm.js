@@ -7,12 +7,15 @@ import { Problem, gone } from "./problem.js";
 /** Commands of the small module; it has no `fe3d`. */
 const LIVE = ["force", "pressure", "contraction", "curve", "shape", "muscle-show", "braid-list", "braid-show", "rubber-list", "rubber-show", "models", "quantities", "units"];
 
+/** @typedef {"state" | "read" | "side" | "curves"} LaneName */
+
+/** A worker, asked one question after the other: one that is given up costs those behind it nothing. */
 class Lane {
   /** @param {() => Promise<WebAssembly.Module>} module */
   constructor(module) {
     this.module = module;
     /** @type {Worker | undefined} */ this.worker = undefined;
-    /** @type {Map<number, any>} */ this.open = new Map();
+    /** Questions; the first is the one that the worker has. @type {any[]} */ this.open = [];
     this.next = 1;
   }
 
@@ -28,38 +31,60 @@ class Lane {
     return worker;
   }
 
+  /** The first question goes to the worker, where it is not there yet. */
+  async go() {
+    const [first] = this.open;
+    if (!first || first.posted) return;
+    first.posted = true;
+    try {
+      const worker = await this.start();
+      // It may have been given up meanwhile.
+      if (this.open[0] === first) worker.postMessage({ id: first.id, command: first.command, request: first.request });
+    } catch (problem) {
+      this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(problem)));
+    }
+  }
+
+  /** @param {any} asked @param {() => void} act */
+  close(asked, act) {
+    asked.signal?.removeEventListener("abort", asked.stop);
+    act();
+  }
+
   /** @param {any} data */
   take(data) {
     if (data.dead) return this.end(data.dead);
-    const asked = this.open.get(data.id);
-    if (!asked) return;
+    const [asked] = this.open;
+    if (!asked || asked.id !== data.id) return;
     if (data.total !== undefined && data.answer === undefined && !data.problem) return asked.progress?.(data.done, data.total);
-    this.open.delete(data.id);
-    asked.signal?.removeEventListener("abort", asked.stop);
-    if (data.problem) asked.reject(new Problem(data.problem));
-    else asked.resolve(data.answer);
+    this.open.shift();
+    this.go();
+    this.close(asked, () => (data.problem ? asked.reject(new Problem(data.problem)) : asked.resolve(data.answer)));
   }
 
   /** The worker is given up; the next question starts another. @param {string} why */
   end(why) {
     this.worker?.terminate();
     this.worker = undefined;
-    const open = [...this.open.values()];
-    this.open.clear();
-    open.forEach((asked) => asked.reject(asked.signal?.aborted ? new DOMException("cancelled", "AbortError") : gone(why)));
+    this.open.splice(0).forEach((asked) => this.close(asked, () => asked.reject(gone(why))));
   }
 
   /** @param {string} command @param {any} request @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} options */
-  async ask(command, request, { signal, progress } = {}) {
-    const worker = await this.start();
+  ask(command, request, { signal, progress } = {}) {
     signal?.throwIfAborted();
     return new Promise((resolve, reject) => {
-      const id = this.next++;
-      // Work in WebAssembly cannot be asked to stop: it ends with its worker.
-      const stop = () => this.end("cancelled");
-      this.open.set(id, { resolve, reject, signal, progress, stop });
-      signal?.addEventListener("abort", stop, { once: true });
-      worker.postMessage({ id, command, request: JSON.stringify(request) });
+      const asked = { id: this.next++, command, request: JSON.stringify(request), resolve, reject, signal, progress, posted: false, stop: () => {} };
+      asked.stop = () => {
+        const at = this.open.indexOf(asked);
+        if (at < 0) return;
+        this.open.splice(at, 1);
+        // Work in WebAssembly cannot be asked to stop: it ends with its worker.
+        if (asked.posted) { this.worker?.terminate(); this.worker = undefined; this.go(); }
+        reject(new DOMException("cancelled", "AbortError"));
+      };
+      signal?.addEventListener("abort", asked.stop, { once: true });
+      this.open.push(asked);
+      this.go();
     });
   }
 }
@@ -87,19 +112,19 @@ export class Engine {
   constructor() {
     if (typeof WebAssembly !== "object") throw gone("this browser has no WebAssembly");
     const live = loaded("live.wasm"), whole = loaded("whole.wasm");
-    this.lanes = { state: new Lane(live), side: new Lane(live), whole: new Lane(whole), job: new Lane(whole) };
+    this.lanes = { state: new Lane(live), read: new Lane(live), side: new Lane(live), curves: new Lane(live), whole: new Lane(whole), job: new Lane(whole) };
   }
 
   get about() { return "WebAssembly in this browser"; }
 
   /**
-   * Answers a request. `lane`: `state` for what must come first.
+   * Answers a request. `lane`: what waits for what; `state` comes first, and `read` is for what takes no time.
    * @template {keyof Commands} K
    * @param {K} command @param {Commands[K]["request"]} request
-   * @param {{ lane?: "state" | "side", signal?: AbortSignal }} [options]
+   * @param {{ lane?: LaneName, signal?: AbortSignal }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */
-  ask(command, request, { lane = "side", signal } = {}) {
+  async ask(command, request, { lane = "side", signal } = {}) {
     const { model, formulas } = /** @type {any} */ (request);
     const small = LIVE.includes(command) && model !== "fe3d" && !formulas?.length;
     return this.lanes[small ? lane : "whole"].ask(command, request, { signal });
@@ -112,7 +137,7 @@ export class Engine {
    * @param {{ signal?: AbortSignal, progress?: (done: number, total: number) => void }} [options]
    * @returns {Promise<Commands[K]["answer"]>}
    */
-  job(command, request, options) {
+  async job(command, request, options) {
     return this.lanes.job.ask(command, request, options);
   }
 }

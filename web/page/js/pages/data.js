@@ -40,7 +40,7 @@ export function mount(main) {
 
   function fields() {
     const of = muscle.fields();
-    which.textContent = `Held against D0 ${show("length", muscle.values.D)}, s ${show("length", muscle.values.s)}, L0 ${show("length", muscle.values.L)}, θ0 ${show("angle", muscle.values.angle)}, ${muscle.values.rubber || "its file"}.`;
+    which.textContent = `Compared with ${muscle.line()}.`;
     return of;
   }
 
@@ -53,18 +53,22 @@ export function mount(main) {
     look();
   }
 
+  let looking = new AbortController();
   async function look() {
     const read = await what.read();
     if (!data || !read) return;
     write(address("data", { ...muscle.params(), ...what.texts(), columns: columns.text() }), true);
+    looking.abort();
+    const { signal } = (looking = new AbortController());
     try {
-      const answer = await engine().ask("compare", { ...fields(), data, columns: columns.value(), models: read.models, extrapolate: true, figure: unitName("pressure") });
+      const answer = await engine().ask("compare", { ...fields(), data, columns: columns.value(), models: read.models, extrapolate: true, figure: unitName("pressure") }, { signal });
       const u = answer.understood?.[0] ?? answer.understood;
       const list = u?.columns?.map((/** @type {any} */ c) => `${c.column} → ${c.quantity}${c.unit ? ` (${c.unit})` : ""}`).join(", ");
       understood.replaceChildren(el("p", {}, `${data.name}: ${answer.points} points. ${list ?? ""}`), warnings(answer.warnings));
       errors.replaceChildren(table(["model", "rms", "largest", "mean", "points"], answer.models.map((/** @type {any} */ m) => [m.model, show("force", m.rms_n, 3), show("force", m.max_n, 3), show("force", m.mean_n, 3), String(m.points)]), { label: "errors of the models" }));
       figures.show(answer.figure);
     } catch (problem) {
+      if (signal.aborted) return;
       understood.replaceChildren(problemBox(problem));
       if (/** @type {any} */ (problem).kind === "data") columns.open();
       errors.replaceChildren();
@@ -89,6 +93,6 @@ export function mount(main) {
       fields();
       if (data) await look();
     },
-    unmount() { identify.end(); },
+    unmount() { identify.end(); looking.abort(); },
   };
 }

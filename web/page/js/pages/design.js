@@ -2,11 +2,13 @@
 import { engine } from "../ask.js";
 import { address, write } from "../address.js";
 import { Chart, KINDS, token } from "../chart.js";
-import { capital, el } from "../dom.js";
+import { capital, el, problemBox } from "../dom.js";
 import { Figures } from "../figure.js";
 import { form, job, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
-import { number, onUnits, outside, show, typed, unitName, withUncertainty } from "../units.js";
+import { STIFFNESS_NAMES, candidate, missing } from "../state.js";
+import { number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
+import { inWords } from "../words.js";
 
 const OBJECTIVES = /** @type {[string, string][]} */ ([["diameter", "smallest diameter"], ["pressure", "lowest pressure"], ["air", "least air"], ["margin", "most pull to spare"], ["bulged-diameter", "smallest when bulged"], ["length", "shortest"]]);
 
@@ -14,6 +16,8 @@ const OBJECTIVES = /** @type {[string, string][]} */ ([["diameter", "smallest di
 export function mount(main) {
   /** @type {any} */ let found;
   /** @type {any} */ let asked;
+  /** What the answer that is shown was asked by. @type {any} */ let of;
+  let mapping = new AbortController();
   const fields = form([
     { key: "F", field: "force_n", label: "Pull", kind: "force", value: "700 N" },
     { key: "e", field: "contraction", label: "at a contraction of", kind: "ratio", value: "15 %" },
@@ -32,8 +36,11 @@ export function mount(main) {
     { key: "angle", field: "angle_deg", label: "Braid angles", kind: "angle", list: true, hint: "28 deg" },
     { key: "rubber", field: "rubbers", label: "Rubbers", words: true, hint: "paper, ecoflex-0030" },
     { key: "braid", field: "braids", label: "Sleeves as sold", words: true, hint: "names of the list" },
+    { key: "sd", field: "strand_diameter_mm", label: "Diameter of a strand", kind: "length", hint: "0.25 mm", hidden: true },
+    { key: "sE", field: "strand_modulus_mpa", label: "Young's modulus of a strand", kind: "modulus", hint: "2500 MPa", hidden: true },
+    { key: "k", field: "stiffness", label: "Stiffness of a strand family", kind: "stiffness", or: STIFFNESS_NAMES, hint: "500 N/mm; inextensible" },
     { key: "r", field: "radius_mm", label: "Pulley of a joint", kind: "length", list: true, hint: "20..40 mm" },
-    { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", hint: "1.5" },
+    { key: "burst", field: "min_burst_margin", label: "Burst over supply, at least", kind: "ratio", factor: true, hint: "1.5" },
   ], () => search.run());
   const spreads = form([
     { key: "ts", field: "wall_mm", label: "Wall ±", kind: "length", hint: "0.1 mm" },
@@ -44,24 +51,44 @@ export function mount(main) {
     { key: "tm", field: "modulus", label: "Modulus of the rubber ±", kind: "ratio", hint: "10 %" },
   ], () => search.run());
   const forms = [fields, choices, spreads];
+  /** What the sleeves need beside their names has a field. */
+  const lacking = () => {
+    const k = choices.text("k");
+    const names = choices.text("braid").split(",").map((name) => name.trim()).filter(Boolean);
+    return [...new Set(names.flatMap((braid) => missing({ said: k ? { braid, k } : { braid } }, muscle.sleeves)))];
+  };
+  const offer = () => {
+    const lacks = lacking();
+    for (const key of ["sd", "sE"]) choices.shown(key, lacks.includes(key));
+    if (lacks.length) vary.open = true;
+  };
+  choices.element.addEventListener("input", offer);
   const results = el("div", {});
   const figures = new Figures("design");
   const feasible = new Chart("design-map", { tools: el("h3", {}, "What is feasible, over diameter and wall"), tall: true, drag(x, y, settled) { if (settled) pickOnMap(x, y); } });
   feasible.element.hidden = true;
+  const vary = el("details", {}, el("summary", {}, "What may be varied"), choices.element);
   const picked = el("p", { class: "small", style: "min-height:1.5em" });
-  const search = job("Design", "design", request, take, (problem) => { forms.some((f) => f.at(problem)); });
+  const search = job("Design", "design", request, take, (problem) => {
+    forms.some((f) => f.at(problem));
+    for (const key of lacking()) if (!choices.text(key)) choices.mark(key, "The source of the sleeve does not state it: measure it, or give a stiffness.");
+    if (!found) results.replaceChildren(problemBox(problem));
+    stale(true);
+  });
+  /** What is shown belongs to the last specification that had an answer. @param {boolean} on */
+  const stale = (on) => [results, picked, feasible.element, figures.element].forEach((part) => part.classList.toggle("stale", on && Boolean(found)));
   main.replaceChildren(el("div", { class: "bench two" },
-    el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, el("details", {}, el("summary", {}, "What may be varied"), choices.element), el("details", {}, el("summary", {}, "Tolerances of the workshop"), spreads.element), search.element),
+    el("section", { class: "controls", "aria-label": "Specification" }, el("h2", {}, "Specification"), fields.element, vary, el("details", {}, el("summary", {}, "Tolerances of the workshop"), spreads.element), search.element),
     el("div", { class: "middle" }, results, picked, feasible.element, figures.element)));
   results.append(el("p", { class: "soft" }, "What shall the muscle do? The search ranks every diameter and wall, and finite elements decide."));
 
   async function request() {
-    const [wanted, vary, tolerance] = await Promise.all(forms.map((f) => f.read()));
-    if (!wanted || !vary || !tolerance) return undefined;
+    const [wanted, choice, tolerance] = await Promise.all(forms.map((f) => f.read()));
+    if (!wanted || !choice || !tolerance) return undefined;
     // Several points or torques stand in place of the one pull; a load in place of its force.
     if (wanted.points || wanted.torques || wanted.load) delete wanted.force_n;
     if (wanted.points || wanted.torques || (wanted.load && wanted.stroke_mm)) delete wanted.contraction;
-    asked = { ...wanted, ...vary, figure: unitName("pressure") };
+    asked = { ...wanted, ...choice, figure: unitName("pressure") };
     if (Object.keys(tolerance).length) asked.tolerance = tolerance;
     write(address("design", Object.assign({}, ...forms.map((f) => f.texts()))));
     return asked;
@@ -70,9 +97,11 @@ export function mount(main) {
   /** @param {any} answer */
   function take(answer) {
     found = answer;
+    of = asked;
+    stale(false);
     paint();
     figures.show(answer.figure);
-    map().catch(() => { feasible.element.hidden = true; });
+    map().catch((problem) => { if (problem.name !== "AbortError") feasible.element.hidden = true; });
   }
 
   function paint() {
@@ -91,11 +120,11 @@ export function mount(main) {
       out.push(el("p", { class: "small soft" }, `${found.fitting} of ${found.looked_at} muscles fit; searched with ${found.searched_with}, decided by ${found.model}. Click one to see it.`));
     } else if (found.closest) {
       const c = found.closest;
-      out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}: ${c.reason}.`));
-      if (c.hint) out.push(el("p", {}, capital(c.hint)));
+      out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}: ${inWords(c.reason)}.`));
+      if (c.hint) out.push(el("p", {}, capital(inWords(c.hint))));
       out.push(el("ul", {}, ...c.relaxations.map((/** @type {any} */ r) => el("li", {}, relaxation(r)))));
     }
-    if (found.rejected?.length) out.push(el("details", {}, el("summary", {}, "Why others fail"), table(["D0", "s", "L0", "reason"], found.rejected.map((/** @type {any} */ r) => [show("length", r.outer_diameter_mm), show("length", r.wall_mm), show("length", r.length_mm), r.reason]), { text: [3] })));
+    if (found.rejected?.length) out.push(el("details", {}, el("summary", {}, "Why others fail"), table(["D0", "s", "L0", "reason"], found.rejected.map((/** @type {any} */ r) => [show("length", r.outer_diameter_mm), show("length", r.wall_mm), show("length", r.length_mm), inWords(r.reason)]), { text: [3] })));
     results.replaceChildren(...out);
   }
 
@@ -115,13 +144,16 @@ export function mount(main) {
   async function map() {
     const best = found.candidates[0] ?? found.closest;
     // A joint is searched over its pulley too: there is no one map.
-    feasible.element.hidden = !best || Boolean(asked.torques);
+    feasible.element.hidden = !best || Boolean(of.torques);
+    mapping.abort();
     if (feasible.element.hidden) return;
-    const { figure, tolerance, ...rest } = asked;
+    const { signal } = (mapping = new AbortController());
+    const { figure, tolerance, ...rest } = of;
     const span = (/** @type {number} */ mid, /** @type {number} */ low, /** @type {number} */ high, /** @type {number} */ n) => Array.from({ length: n }, (_, i) => Number((low * mid + ((high - low) * mid * i) / (n - 1)).toPrecision(4)));
     const D = span(best.outer_diameter_mm, 0.5, 1.9, 29), S = span(Math.max(best.wall_mm, 1.5), 0.2, 2.6, 25);
-    const fixed = { length_mm: asked.stroke_mm ? undefined : best.length_mm, angle_deg: best.angle_deg };
-    const answer = await engine().ask("design", { ...rest, ...fixed, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none", extrapolate: true, top: D.length * S.length });
+    // With a named sleeve the diameter sets the angle.
+    const fixed = { length_mm: of.stroke_mm ? undefined : best.length_mm, ...(of.braids?.length ? {} : { angle_deg: best.angle_deg }) };
+    const answer = await engine().ask("design", { ...rest, ...fixed, outer_diameter_mm: D, wall_mm: S, model: "universal", verify: "none", extrapolate: true, top: D.length * S.length }, { signal });
     const at = new Map(answer.candidates.map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
     const not = new Map((answer.rejected ?? []).map((/** @type {any} */ c) => [`${c.outer_diameter_mm},${c.wall_mm}`, c]));
     const limits = [...new Set([...not.values()].map((c) => c.limit ?? "no answer"))];
@@ -159,15 +191,22 @@ export function mount(main) {
     if (!best) return;
     const scale = outside("length", 1);
     const [d, s] = [Number((x / scale).toPrecision(3)), Number((y / scale).toPrecision(2))];
-    const link = address("muscle", { D: typed("length", d), s: typed("length", s), L: typed("length", best.length_mm), angle: typed("angle", best.angle_deg), rubber: best.rubber, p: typed("pressure", found.max_pressure_mpa), e: typed("ratio", best.points?.[0]?.contraction ?? 0.1) });
+    const link = linked({ ...best, outer_diameter_mm: d, wall_mm: s }, { p: found.max_pressure_mpa, e: best.points?.[0]?.contraction ?? 0.1 });
     picked.replaceChildren(`D0 ${show("length", d)}, s ${show("length", s)}: `, el("a", { href: link }, "see this muscle"));
+  }
+
+  /** The address of a muscle of the search: that muscle, and nothing of the one on the page Muscle. @param {any} c @param {{ p: number, e: number }} at */
+  function linked(c, at) {
+    const before = muscle.state;
+    muscle.state = candidate(c, of, at);
+    const link = address("muscle", muscle.params());
+    muscle.state = before;
+    return link;
   }
 
   /** @param {any} c */
   function open(c) {
-    const values = muscle.values;
-    Object.assign(values, { D: c.outer_diameter_mm, s: c.wall_mm, L: c.length_mm, angle: c.angle_deg, rubber: c.rubber, p: c.pressure_mpa, e: c.points[0].contraction, F: undefined, file: "" });
-    location.hash = address("muscle", muscle.params());
+    location.hash = linked(c, { p: c.pressure_mpa, e: c.points[0].contraction });
   }
 
   const off = onUnits(() => { paint(); });
@@ -177,8 +216,11 @@ export function mount(main) {
       // The muscle's own words mean other things here: a link to a specification has none of its pressure.
       if (params.has("p")) params = new URLSearchParams();
       forms.forEach((f) => f.set(params));
+      await muscle.known();
+      choices.options("braid", muscle.sleeves.map((s) => s.name));
+      offer();
       await search.run();
     },
-    unmount() { off(); search.end(); },
+    unmount() { off(); search.end(); mapping.abort(); },
   };
 }

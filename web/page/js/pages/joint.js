@@ -6,15 +6,16 @@ import { fileField, quantity } from "../controls.js";
 import { el, problemBox } from "../dom.js";
 import { job, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
+import { joint } from "../state.js";
 import { number, onUnits, outside, show, typed, unitName } from "../units.js";
 
-/** Words of the address, and what kind of quantity each is. */
-const KINDS_OF = /** @type {const} */ ({ r: "length", range: "angle", e0: "ratio", phi: "angle", k: "angular-stiffness", pmax: "pressure" });
+/** Words of the address, and what kind of quantity each is; `k` is that of the muscle's strands. */
+const KINDS_OF = /** @type {const} */ ({ r: "length", range: "angle", e0: "ratio", phi: "angle", K: "angular-stiffness", pmax: "pressure" });
 const SECOND = "file2";
 
 /** @param {HTMLElement} main */
 export function mount(main) {
-  const v = { r: 25, range: 60, e0: 0.12, phi: 20, k: 5, pmax: 0.5 };
+  const v = { r: 25, range: 60, e0: 0.12, phi: 20, K: 5, pmax: 0.5 };
   /** @type {any} */ let point;
   /** @type {any} */ let family;
   const controls = /** @type {Record<string, any>} */ ({});
@@ -25,9 +26,11 @@ export function mount(main) {
   const which = el("p", { class: "small soft" });
   /** The file of muscle 2, where it is another one. */
   let second = "";
+  /** The file that says what the muscle of the page Muscle is. */
+  let first = "";
   const back = el("button", { type: "button", hidden: true, onclick: () => takeSecond("", "") }, "Twice the same muscle");
   const controlsBox = el("section", { class: "controls", "aria-label": "Joint" },
-    el("fieldset", { class: "state" }, el("legend", {}, "Wanted"), make("phi", "Angle", "angle", -60, 60, "φ"), make("k", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 takes the lowest pressures.")),
+    el("fieldset", { class: "state" }, el("legend", {}, "Wanted"), make("phi", "Angle", "angle", -60, 60, "φ"), make("K", "Stiffness", "angular-stiffness", 0, 30), el("p", { class: "small soft" }, "A stiffness of 0 takes the lowest pressures.")),
     el("fieldset", {}, el("legend", {}, "Joint"), make("r", "Radius of the pulley", "length", 5, 80, "r"), make("range", "Range to either side", "angle", 10, 120), make("e0", "Contraction at the neutral angle", "ratio", 0, 0.25), make("pmax", "Pressure of the supply", "pressure", 0.05, 1)),
     which,
     el("details", {}, el("summary", {}, "Another muscle 2"), el("p", { class: "small soft" }, "Both muscles are the one of the page Muscle unless a file says otherwise."), fileField("Open muscle 2 (TOML)", ".toml", takeSecond), back));
@@ -39,34 +42,38 @@ export function mount(main) {
   const map = job("Map what it reaches", "joint", async () => ({ ...request(), map: 25, max_pressure_mpa: v.pmax }), (answer) => drawMap(answer.map));
   main.replaceChildren(el("div", { class: "bench" }, controlsBox, el("div", { class: "middle" }, arm, el("div", { class: "charts" }, torque.element, reach.element), map.element), el("div", { class: "side" }, said, numbers)));
 
-  let settling = 0;
-  const pointSlot = new Slot(), familySlot = new Slot();
+  const stale = (/** @type {boolean} */ on) => [arm, numbers].forEach((part) => part.classList.toggle("stale", on));
+  let settling = 0, asking = 0, decided = 0;
+  const pointSlot = new Slot(), elementSlot = new Slot(), familySlot = new Slot();
   const clamp = (/** @type {number} */ phi) => Math.max(-v.range, Math.min(v.range, Math.round(phi)));
 
-  function request() {
-    const other = second ? "muscle-2.toml" : "muscle.toml";
-    const text = `[joint]\nradius = "${v.r} mm"\nrange = "-${v.range}..${v.range} deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "${v.e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${v.e0}"\n`;
-    return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: muscle.toml() }, ...(second ? [{ name: other, text: second }] : [])], model: "universal", extrapolate: true };
-  }
+  const request = () => ({ ...joint(first, second, v), model: "universal", extrapolate: true });
 
   /** @param {boolean} settled */
   function ask(settled) {
     controls.phi.reach(-v.range, v.range);
-    const wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.k > 0 ? { stiffness_nm_per_rad: v.k } : {}) };
+    const wanted = { angles_deg: [v.phi], max_pressure_mpa: v.pmax, ...(v.K > 0 ? { stiffness_nm_per_rad: v.K } : {}) };
     const take = (/** @type {any} */ answer) => {
+      stale(false);
       said.replaceChildren(warnings(answer.warnings));
       point = { ...answer.points[0], model: answer.model };
       paint();
     };
-    const fail = (/** @type {any} */ problem) => { said.replaceChildren(problemBox(problem)); point = undefined; paint(); };
-    pointSlot.ask("joint", { ...request(), ...wanted }, take, fail);
+    const fail = (/** @type {any} */ problem) => {
+      said.replaceChildren(problemBox(problem));
+      if (point) stale(true);
+      else drawArm();
+    };
+    const mine = ++asking;
+    pointSlot.ask("joint", { ...request(), ...wanted }, (answer) => { if (decided !== mine) take(answer); }, (problem) => { if (decided !== mine) fail(problem); });
     // What stays is what finite elements say.
     clearTimeout(settling);
-    if (settled) settling = window.setTimeout(() => pointSlot.ask("joint", { ...request(), model: "fe", extrapolate: false, ...wanted }, take, fail), 50);
+    elementSlot.end();
+    if (settled) settling = window.setTimeout(() => elementSlot.ask("joint", { ...request(), model: "fe", extrapolate: false, ...wanted }, (answer) => { decided = mine; take(answer); }, (problem) => { decided = mine; fail(problem); }), 50);
     const angles = Array.from({ length: 25 }, (_, i) => -v.range + (2 * v.range * i) / 24);
     const pairs = [[1, 0], [0.75, 0.25], [0.5, 0.5], [0.25, 0.75], [0, 1]].map((pair) => pair.map((x) => x * v.pmax));
     familySlot.ask("joint", { ...request(), pressures_mpa: pairs, angles_deg: angles }, (answer) => { family = { answer, angles, pairs }; drawFamily(); }, () => {});
-    if (settled) write(address("joint", { ...muscle.params(), p: undefined, e: undefined, ...own() }));
+    if (settled) write(address("joint", { ...muscle.params(), ...own() }));
   }
 
   /** @param {string} _name @param {string} text */
@@ -89,7 +96,6 @@ export function mount(main) {
     ];
     numbers.replaceChildren(el("dl", {}, el("dt", { class: "head" }, "rests at"), el("dd", { class: "head" }, `${number(point.angle_deg, 3)}°`), ...rows.flatMap(([name, value]) => [el("dt", {}, name), el("dd", {}, value)])),
       el("p", { class: "small soft" }, `${second ? "Muscle 2 is that of its file." : "Both muscles are those of the page Muscle."} Pressures by ${point.model}; curves and map by universal.`));
-    which.textContent = `Muscles: D0 ${show("length", muscle.values.D)}, s ${show("length", muscle.values.s)}, L0 ${show("length", muscle.values.L)}; change them on the page Muscle.`;
   }
 
   // The arm: dragged about its axis.
@@ -145,16 +151,25 @@ export function mount(main) {
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
+      // Links of before have the stiffness of the joint under the name of that of the strands.
+      if (/rad/.test(params.get("k") ?? "")) { params.set("K", params.get("k") ?? ""); params.delete("k"); }
       await muscle.read(params, [...Object.keys(KINDS_OF), SECOND]);
+      which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
       second = params.get(SECOND) ?? "";
       back.hidden = !second;
       const asked = Object.keys(KINDS_OF).filter((key) => params.has(key));
       const readings = await understood(asked.map((key) => ({ text: params.get(key) ?? "", kind: /** @type {any} */ (KINDS_OF)[key] })));
       asked.forEach((key, i) => { if (!readings[i].problem) /** @type {any} */ (v)[key] = readings[i].value; });
       for (const key of Object.keys(controls)) controls[key].set(/** @type {any} */ (v)[key]);
+      try {
+        first = await muscle.file();
+      } catch (problem) {
+        stale(true);
+        return void said.replaceChildren(problemBox(problem));
+      }
       ask(true);
       map.run();
     },
-    unmount() { off(); map.end(); },
+    unmount() { off(); clearTimeout(settling); map.end(); [pointSlot, elementSlot, familySlot].forEach((slot) => slot.end()); },
   };
 }

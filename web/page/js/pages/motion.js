@@ -5,6 +5,7 @@ import { Chart, KINDS } from "../chart.js";
 import { el } from "../dom.js";
 import { form, job, table, warnings } from "../form.js";
 import { muscle } from "../muscle.js";
+import { motion } from "../state.js";
 import { number, onUnits, outside, show, unitName } from "../units.js";
 import { View, reach } from "../view3d.js";
 
@@ -31,7 +32,7 @@ export function mount(main) {
   const pressure = new Chart("motion-pressure", { tools: el("h3", {}, "Pressure") });
   const way = new Chart("motion-contraction", { tools: el("h3", {}, "Contraction") });
   const numbers = el("div", {});
-  const go = job("Run", "motion", request, (answer) => { run = answer; paint(); start(); }, (problem) => fields.at(problem));
+  const go = job("Run", "motion", request, (answer) => { run = answer; stale(false); paint(); start(); }, (problem) => { fields.at(problem); stale(true); });
   const which = el("p", { class: "small soft" });
   main.replaceChildren(el("div", { class: "bench two" },
     el("section", { class: "controls", "aria-label": "Step" }, el("h2", {}, "A step on a valve"), fields.element, go.element, which, numbers),
@@ -40,11 +41,13 @@ export function mount(main) {
   async function request() {
     const read = await fields.read();
     if (!read) return undefined;
-    const { model, ...step } = read;
-    write(address("motion", { ...muscle.params(), p: undefined, e: undefined, ...fields.texts() }));
-    which.textContent = `The muscle: D0 ${show("length", muscle.values.D)}, s ${show("length", muscle.values.s)}, L0 ${show("length", muscle.values.L)}; change it on the page Muscle.`;
-    return { step, muscle: { name: "muscle", text: muscle.toml() }, model };
+    write(address("motion", { ...muscle.params(), ...fields.texts() }));
+    which.textContent = `The muscle: ${muscle.line()}. Change it on the page Muscle.`;
+    return motion(await muscle.file(), read);
   }
+
+  /** What is shown belongs to the last step that had an answer. @param {boolean} on */
+  const stale = (on) => [stage, numbers, pressure.element, way.element].forEach((part) => part.classList.toggle("stale", on));
 
   function paint() {
     if (!run) return;
@@ -57,7 +60,7 @@ export function mount(main) {
     const time = (/** @type {number | null} */ x) => (x === null || x === undefined ? "–" : `${number(x, 3)} s`);
     numbers.replaceChildren(warnings(run.warnings), table(["", ""], [
       ["rise time, 10–90 %", time(run.rise_time_s)], ["settling time, 2 %", time(run.settling_time_s)], ["overshoot", run.overshoot === null ? "–" : `${number(100 * run.overshoot, 3)} %`],
-      ["filled within 2 % after", time(run.fill_time_s)], ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`], ["largest speed", `${number(run.largest_speed, 3)} mm/s`], ["largest power", `${number(run.largest_power_w, 3)} W`],
+      ["filled within 2 % after", time(run.fill_time_s)], ["air from the supply", `${number(run.air_normal_litres, 3)} normal L`], ["largest speed", `${number(largestSpeed(run), 3)} mm/s`], ["largest power", `${number(run.largest_power_w, 3)} W`],
     ], { label: "figures of the step" }));
   }
 
@@ -68,7 +71,7 @@ export function mount(main) {
     slider.value = String(1000 * share);
     clock.replaceChildren(el("b", {}, `${s.time_s[i].toFixed(2)} s`), el("br"), `${show("pressure", s.pressure_mpa[i], 3)}, ${number(100 * s.contraction[i], 3)} %`);
     slot.ask("shape", { ...muscle.fields(), pressure_mpa: Math.max(0, s.pressure_mpa[i]), contraction: s.contraction[i] }, (shape) => {
-      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]), restLength: muscle.values.L, restRadius: muscle.values.D / 2 });
+      view.set(shape, { field: "max_stretch", low: 1, high: Math.max(1.2, reach(shape.arrays.max_stretch)[1]), restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
     }, () => {});
   }
 
@@ -101,6 +104,9 @@ export function mount(main) {
       fields.set(params);
       await go.run();
     },
-    unmount() { off(); stop(); go.end(); },
+    unmount() { off(); stop(); go.end(); slot.end(); },
   };
 }
+
+/** Largest speed in mm/s, of the motion itself; of what was recorded only where nothing else is known. @param {any} run */
+const largestSpeed = (run) => run.largest_velocity_mm_per_s ?? run.largest_speed;

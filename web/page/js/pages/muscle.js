@@ -1,12 +1,14 @@
 // The muscle, alive: its measures as sliders, the deformed body, curves, and numbers with their ±.
 import { Slot, engine } from "../ask.js";
 import { address, write } from "../address.js";
-import { Chart, KINDS, isDark, pressureColour, viridis } from "../chart.js";
+import { Chart, KINDS, isDark, isobar, pressureColour, viridis } from "../chart.js";
 import { choice, fileField, onDrop, quantity } from "../controls.js";
 import { capital, download, el, problemBox, say, tabs } from "../dom.js";
 import { gauge } from "../gauge.js";
-import { CONTRACTION, LOAD, PRESSURE, QUANTITIES, muscle } from "../muscle.js";
+import { muscle } from "../muscle.js";
+import { CONTRACTION, ENDS, LOAD, PRESSURE, QUANTITIES, STIFFNESS, STRANDS, about, point as pointOf } from "../state.js";
 import { inside, number, onUnits, outside, show, unitName, withUncertainty } from "../units.js";
+import { inWords } from "../words.js";
 import { View, reach } from "../view3d.js";
 
 const TESTS = /** @type {[string, string][]} */ ([["isobaric", "Isobaric"], ["isometric", "Isometric"], ["isotonic", "Isotonic"], ["along", "Along the muscle"]]);
@@ -21,7 +23,6 @@ const OWN = ["test", "show", "cut", "over"];
 /** @param {HTMLElement} main */
 export function mount(main) {
   const wanted = { test: "isobaric", show: "max_stretch", cut: "", over: "" };
-  const v = muscle.values;
   /** @type {any} */ let shape;
   /** @type {any} */ let point;
   /** @type {any} */ let facts;
@@ -29,20 +30,21 @@ export function mount(main) {
 
   // Controls.
   const controls = /** @type {Record<string, ReturnType<typeof quantity>>} */ ({});
-  const make = (/** @type {any} */ spec) => {
-    controls[spec.key] = quantity({ ...spec, value: /** @type {any} */ (muscle.values)[spec.key] ?? spec.low, change: (/** @type {number} */ value, /** @type {boolean} */ settled) => changed(spec.key, value, settled) });
+  const make = (/** @type {import("../state.js").Measure} */ spec) => {
+    controls[spec.key] = quantity({ ...spec, value: muscle.value(spec.key), change: (/** @type {number} */ value, /** @type {boolean} */ settled) => changed(spec.key, value, settled) });
     return controls[spec.key].element;
   };
-  const rubber = choice("Rubber", [["paper", "paper"]], v.rubber, (name) => changed("rubber", name, true));
-  const braid = choice("Braid", [["", "its own angle"]], v.braid, (name) => changed("braid", name, true));
-  const strands = choice("Strands", [["", "of the paper's braid"], ["inextensible", "inextensible"]], v.k, (name) => changed("k", name, true));
-  const held = choice("Held", [["e", "contraction"], ["F", "load"]], "e", (what) => changed("F", what === "F" ? Math.round(point?.force_n ?? 100) : undefined, true));
+  const rubber = choice("Rubber", [["", ""]], "", (name) => changed("rubber", name, true));
+  const braid = choice("Braid", [["", ""]], "", (name) => changed("braid", name, true));
+  const strands = choice("Strands", [["", ""], ["inextensible", "inextensible"], ["paper", "paper's braid"], ["k", "of this stiffness"]], "", (name) => changed("k", name === "k" ? Math.round(facts?.stiffness_n_per_mm ?? 300) : name, true));
+  const held = choice("Held", [["e", "contraction"], ["F", "load"]], "e", (what) => changed("F", what === "F" ? Math.max(1, Math.round(point?.force_n ?? 100)) : undefined, true));
   const fileName = el("p", { class: "small soft" });
   const controlsBox = el("section", { class: "controls", "aria-label": "Muscle" },
     el("fieldset", { class: "state" }, el("legend", {}, "State"), make(PRESSURE), held.element, make(CONTRACTION), make(LOAD)),
-    el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element),
+    el("fieldset", {}, el("legend", {}, "Tube and braid"), ...QUANTITIES.map(make), rubber.element, braid.element, strands.element, make(STIFFNESS), ...STRANDS.map(make)),
+    el("details", {}, el("summary", {}, "Ends"), ...ENDS.map(make)),
     el("details", {}, el("summary", {}, "Muscle file"), fileName, fileField("Open a muscle file (TOML)", ".toml", takeFile),
-      el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: () => download("muscle.toml", muscle.toml(), "application/toml") }, "Download this muscle"))));
+      el("p", { style: "margin-top:8px" }, el("button", { type: "button", onclick: save }, "Download this muscle"))));
 
   // The muscle in space.
   const busy = el("div", { class: "busy" });
@@ -50,11 +52,10 @@ export function mount(main) {
   const hint = "Drag to turn; drag the right end to contract; Ctrl and wheel to zoom; twice to turn back";
   const stage = el("div", { class: "stage", title: hint }, stageSay, scale, legend, busy);
   let dragged = /** @type {number | undefined} */ (undefined);
-  const view = new View(stage, { contract(share, settled) {
+  const view = new View(stage, { drawn: paintScale, contract(share, settled) {
     const from = (dragged ??= Number(shape.shape_contraction));
     const to = Math.min(0.9, Math.max(-0.1, Math.round(1000 * (from + share)) / 1000));
     if (settled) dragged = undefined;
-    muscle.values.F = undefined;
     changed("e", to, settled);
   } });
   const dial = gauge(stage, (pressure, settled) => changed("p", pressure, settled));
@@ -70,7 +71,7 @@ export function mount(main) {
   }));
   const tests = tabs("Curves", TESTS, wanted.test, (name) => { wanted.test = name; drawCurves(); curves(); settle(); });
   const chart = new Chart("muscle-curves", { tools: tests.list, drag(x, _, settled) {
-    if (wanted.test === "isobaric") { muscle.values.F = undefined; changed("e", Math.max(0, Math.round(x * 10) / 1000), settled); }
+    if (wanted.test === "isobaric") { changed("e", Math.max(0, Math.round(x * 10) / 1000), settled); }
     if (wanted.test === "isometric" || wanted.test === "isotonic") changed("p", Math.max(0, Math.round((x / outside("pressure", 1)) * 1000) / 1000), settled);
   } });
 
@@ -84,17 +85,16 @@ export function mount(main) {
 
   // Questions: the state first, then curves, then what is slow.
   const stateSlot = new Slot({ lane: "state", busy: (on) => busy.classList.toggle("on", on) });
-  const factSlot = new Slot(), curveSlot = new Slot(), overSlot = new Slot();
+  const factSlot = new Slot(), startSlot = new Slot(), curveSlot = new Slot({ lane: "curves" }), overSlot = new Slot({ lane: "curves" });
+  const slots = [stateSlot, factSlot, startSlot, curveSlot, overSlot];
   const settleTimer = { id: 0 };
-  let curveTimer = 0;
+  let curveTimer = 0, startTimer = 0;
 
   /** @param {string} key @param {any} value @param {boolean} settled */
   function changed(key, value, settled) {
     stopPump();
-    muscle.set(/** @type {any} */ (key), value);
-    // Also where the hand is on the muscle, its gauge or a curve.
-    if (value !== undefined) controls[key]?.set(value);
-    if (key === "e") muscle.values.F = undefined;
+    muscle.set(key, value);
+    sync();
     ask();
     if (settled) { settle(); follow(); }
     else { clearTimeout(settleTimer.id); settleTimer.id = window.setTimeout(follow, 120); }
@@ -104,14 +104,25 @@ export function mount(main) {
     write(address("muscle", { ...muscle.params(), test: wanted.test === "isobaric" ? "" : wanted.test, show: wanted.show === "max_stretch" ? "" : wanted.show, cut: wanted.cut, over: wanted.over }));
   }
 
+  /** What is shown belongs to the last muscle that had an answer. @param {boolean} on */
+  const stale = (on) => [stage, numbers, chart.element].forEach((part) => part.classList.toggle("stale", on));
+
   /** The point and its shape. @param {number} [pressure] */
   function ask(pressure) {
-    const { p, e, F } = muscle.values;
-    const state = F === undefined ? { contraction: e } : { force_n: F };
-    stateSlot.ask("shape", { ...muscle.fields(), pressure_mpa: pressure ?? p, ...state }, (answer) => {
+    const { state } = muscle, at = pointOf(state);
+    stateSlot.ask("shape", { ...muscle.fields(), ...at, pressure_mpa: pressure ?? at.pressure_mpa }, (answer) => {
       shape = point = answer;
-      if (F !== undefined) muscle.values.e = answer.contraction;
+      if (muscle.state === state) {
+        muscle.shown = { ...muscle.shown, ...answer.muscle };
+        if (state.F !== undefined) {
+          muscle.state = { ...state, e: answer.contraction };
+          clearTimeout(startTimer);
+          startTimer = window.setTimeout(starts, 120);
+        }
+        sync();
+      }
       said.replaceChildren();
+      stale(false);
       Object.values(controls).forEach((c) => c.mark(""));
       paint();
       paintNumbers();
@@ -119,10 +130,14 @@ export function mount(main) {
       else mark();
       if (pressure === undefined) say(`Pull ${withUncertainty("force", answer.force_n, answer.uncertainty_n)}`);
     }, (problem) => {
-      const key = [...QUANTITIES, PRESSURE, CONTRACTION, LOAD].find((q) => q.field === problem.field)?.key;
-      if (key) controls[key].mark(problem.message);
-      said.replaceChildren(problemBox(problem), problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
+      const lacks = muscle.missing().filter((key) => state.said[key] === undefined);
+      const key = about(problem);
+      if (lacks.length) lacks.forEach((key) => controls[key].mark(`The source of ${state.said.braid} does not state it: measure it, or choose a stiffness.`));
+      else if (key) controls[key].mark(problem.message);
+      said.replaceChildren(problemBox(problem), shape ? el("p", { class: "small soft" }, "What is shown is the last answer, of another muscle or state.") : "", problem.kind === "engine" ? el("button", { type: "button", class: "main", onclick: () => ask() }, "Try again") : "");
+      stale(true);
       point = undefined;
+      mark();
     });
     if (pressure === undefined) soon();
   }
@@ -136,15 +151,23 @@ export function mount(main) {
 
   /** What comes after: P′, and what the muscle does at this pressure. */
   function follow() {
-    const { p, e } = muscle.values;
-    factSlot.ask("muscle-show", { ...muscle.fields(), pressure_mpa: p }, (answer) => {
-      facts = { ...answer, start: facts?.start };
+    const { state } = muscle;
+    factSlot.ask("muscle-show", { ...muscle.fields(), pressure_mpa: state.p }, (answer) => {
+      facts = { ...answer, start: facts?.start, said: facts?.said };
+      if (muscle.state.said === state.said) { muscle.shown = answer; sync(); }
       paintNumbers();
       const free = answer.characteristics?.free_contraction;
       if (free) controls.e.reach(0, Math.max(0.1, Math.ceil(free * 22) / 20));
       controls.F.reach(0, Math.max(10, niceUp(answer.characteristics?.blocked_force_n ?? 1000)));
-      factSlot.ask("force", { ...muscle.fields(), pressure_mpa: p, contraction: e }, (answer) => { facts.start = answer.start_pressure_mpa; paintNumbers(); }, () => { facts.start = undefined; });
     }, () => {});
+    // Of a load the contraction is known with its shape.
+    if (state.F === undefined) starts();
+  }
+
+  /** P′, at the contraction of the state, and what `force` has to say of it: whether it bursts takes more than a shape. */
+  function starts() {
+    const { state } = muscle;
+    startSlot.ask("force", { ...muscle.fields(), pressure_mpa: state.p, contraction: state.e }, (answer) => { facts = { ...facts, start: answer.start_pressure_mpa, said: { state, warnings: answer.warnings } }; paintNumbers(); }, () => { facts = { ...facts, start: undefined }; });
   }
 
   // Curves: five pressures up to a round one above this, and the state's own.
@@ -155,7 +178,7 @@ export function mount(main) {
   function curves() {
     const test = /** @type {"isobaric" | "isometric" | "isotonic" | "along"} */ (wanted.test);
     if (test === "along") return drawCurves();
-    const shown = outside("pressure", Math.max(muscle.values.p, 0.02)), step = niceUp(shown / 5), fields = muscle.fields();
+    const shown = outside("pressure", Math.max(muscle.p, 0.02)), step = niceUp(shown / 5), fields = muscle.fields();
     const steps = Math.ceil(shown / step - 1e-9), top = inside("pressure", steps * step);
     const pressures = Array.from({ length: steps }, (_, i) => inside("pressure", Number(((i + 1) * step).toPrecision(12))));
     const along = [...Array(13).keys()].map((i) => (i * top) / 12);
@@ -174,7 +197,7 @@ export function mount(main) {
     const next = (/** @type {string[]} */ rest) => {
       if (!rest.length) { overlays = found; return drawCurves(); }
       const done = (/** @type {any} */ answer) => { if (answer) found.push(answer); next(rest.slice(1)); };
-      overSlot.ask("curve", { test, ...fields, model: rest[0], extrapolate: true, pressures_mpa: [muscle.values.p], contractions: reachOf() }, done, () => done(undefined));
+      overSlot.ask("curve", { test, ...fields, model: rest[0], extrapolate: true, pressures_mpa: [muscle.p], contractions: reachOf() }, done, () => done(undefined));
     };
     next(names);
   }
@@ -195,19 +218,17 @@ export function mount(main) {
     const fu = unitName("force"), pu = unitName("pressure");
     const series = answer.fixed.map((/** @type {number} */ fixed, /** @type {number} */ i) => {
       const points = answer.points.slice(i * count, (i + 1) * count);
-      const ok = (/** @type {any} */ q) => q.status === "ok" && !(q.slack && q.force_n === 0 && isobaric && q.contraction > (q.free_contraction ?? 1) + 0.02);
       const name = isobaric ? show("pressure", fixed, 3) : isotonic ? show("force", fixed, 3) : show("ratio", fixed, 3);
       return {
         name, end: name, at: isobaric ? "start" : "end",
         colour: isobaric ? pressureColour(fixed, top) : (isDark() ? viridis(0.3 + (0.7 * i) / answer.fixed.length, 1) : viridis(i / answer.fixed.length)),
-        x: points.map((/** @type {any} */ q) => (isobaric ? 100 * q.contraction : outside("pressure", q.pressure_mpa))),
-        y: points.map((/** @type {any} */ q) => (ok(q) ? (isotonic ? 100 * q.contraction : outside("force", q.force_n)) : null)),
+        ...(isobaric ? isobar(points) : {
+          x: points.map((/** @type {any} */ q) => outside("pressure", q.pressure_mpa)),
+          y: points.map((/** @type {any} */ q) => (q.status === "ok" ? (isotonic ? 100 * q.contraction : outside("force", q.force_n)) : null)),
+        }),
       };
     });
-    overlays.forEach((o) => series.push({
-      name: `${o.model} at ${show("pressure", o.fixed[0], 3)}`, dash: "dash", colour: KINDS[OVERLAYS.indexOf(o.model) + 1] ?? KINDS[6],
-      x: o.points.map((/** @type {any} */ q) => 100 * q.contraction), y: o.points.map((/** @type {any} */ q) => (q.status === "ok" ? outside("force", q.force_n) : null)),
-    }));
+    overlays.forEach((o) => series.push({ name: `${o.model} at ${show("pressure", o.fixed[0], 3)}`, dash: "dash", colour: KINDS[OVERLAYS.indexOf(o.model) + 1] ?? KINDS[6], ...isobar(o.points) }));
     chart.show({ x: isobaric ? "contraction ε [%]" : `pressure p [${pu}]`, y: isotonic ? "contraction ε [%]" : `pull F [${fu}]`, series });
     mark();
   }
@@ -242,7 +263,8 @@ export function mount(main) {
     cut.setAttribute("aria-pressed", String(Boolean(wanted.cut)));
     view.cut = Boolean(wanted.cut);
     const [low, high] = reach(shape.arrays[name]);
-    view.set(shape, { field: name, low, high, restLength: muscle.values.L, restRadius: muscle.values.D / 2 });
+    view.set(shape, { field: name, low, high, restLength: shape.muscle.length_mm, restRadius: shape.muscle.outer_diameter_mm / 2 });
+    if (!point) return;
     const end = (/** @type {number} */ x) => (kind === "N/mm" ? `${number(x, 3)} N/mm` : kind ? show(kind, x, 3) : number(x, 3));
     const ramp = Array.from({ length: 9 }, (_, i) => viridis(i / 8, 1)).join(",");
     const key = `${words} ${end(low)} ${end(high)}`;
@@ -252,12 +274,15 @@ export function mount(main) {
       : [el("b", {}, withUncertainty("force", point.force_n, point.uncertainty_n)), el("br"), `at ${show("pressure", point.pressure_mpa, 3)} and ${show("ratio", point.contraction, 3)}`];
     stageSay.replaceChildren(...sayIt);
     dial.set(point.pressure_mpa, Math.max(PRESSURE.high, point.pressure_mpa));
+  }
+
+  /** As long as it says at every zoom. */
+  function paintScale() {
     const perPixel = view.millimetresPerPixel;
-    if (perPixel !== scaled) {
-      scaled = perPixel;
-      const step = niceUp(80 * perPixel * 0.6);
-      scale.replaceChildren(el("span", { style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px` }), show("length", step, 3));
-    }
+    if (!shape || perPixel === scaled) return;
+    scaled = perPixel;
+    const step = niceUp(80 * perPixel * 0.6);
+    scale.replaceChildren(el("span", { style: `display:block;border:1px solid currentColor;border-top:0;height:5px;width:${step / perPixel}px` }), show("length", step, 3));
   }
 
   function paintNumbers() {
@@ -271,6 +296,7 @@ export function mount(main) {
       ["starts at", show("pressure", facts?.start, 3)],
       ["blocked force", show("force", c?.blocked_force_n)],
       ["free contraction", show("ratio", c?.free_contraction, 3)],
+      ["bursts at", c?.burst_pressure_mpa ? show("pressure", c.burst_pressure_mpa, 3) : "not known"],
       ["work to there", c?.work_j ? `${number(c.work_j, 3)} J` : "–"],
       ["air to there", c?.air_normal_litres ? `${number(c.air_normal_litres, 3)} normal L` : "–"],
     ]);
@@ -286,7 +312,8 @@ export function mount(main) {
       meter("contraction", point.contraction, c?.free_contraction, (x) => show("ratio", x, 3)),
     ];
     meterBox.replaceChildren(...meters.filter((m) => m !== null));
-    const said = [...(point.warnings ?? []).map(capital), ...muscle.wrong.values(), ...(muscle.unknown.length ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`] : [])];
+    const warned = new Set([...(facts?.said?.state === muscle.state ? facts.said.warnings : []), ...(point.warnings ?? [])]);
+    const said = [...[...warned].map((/** @type {string} */ w) => capital(inWords(w))), ...muscle.wrong.values(), ...(muscle.unknown.length ? [`Not understood in the address: ${muscle.unknown.map(([k]) => k).join(", ")}`] : [])];
     if (said.join() !== noted) {
       noted = said.join();
       notes.replaceChildren(...said.map((w) => el("li", {}, w)));
@@ -300,11 +327,10 @@ export function mount(main) {
     return el("div", { class: share > 1 ? "meter over" : "meter" }, el("span", {}, name, el("span", {}, `${text(value)} of ${text(limit)}`)), el("i", {}, el("b", { style: `width:${Math.min(100, Math.max(0, 100 * share)).toFixed(1)}%` })));
   }
 
-  /** @param {string} name @param {string} text */
-  async function takeFile(name, text) {
+  /** @param {string} _name @param {string} text */
+  async function takeFile(_name, text) {
     try {
-      const shown = await muscle.take(text);
-      fileName.textContent = `${name}: ${shown.rubber}, ${shown.braid}`;
+      await muscle.take(text);
       sync();
       ask();
       follow();
@@ -314,9 +340,17 @@ export function mount(main) {
     }
   }
 
+  async function save() {
+    try {
+      download("muscle.toml", await muscle.file(), "application/toml");
+    } catch (problem) {
+      said.replaceChildren(problemBox(problem));
+    }
+  }
+
   function startPump() {
     if (pumping) return stopPump();
-    const to = muscle.values.p, began = performance.now();
+    const to = muscle.p, began = performance.now();
     const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
     pump.textContent = "Stop";
     const step = () => {
@@ -338,33 +372,37 @@ export function mount(main) {
     pump.textContent = "Pump";
   }
 
+  /** Every control as file, address and engine have it. */
   function sync() {
-    const values = /** @type {any} */ (muscle.values);
-    for (const [key, control] of Object.entries(controls)) if (values[key] !== undefined) control.set(values[key]);
+    const { file, said, F } = muscle.state, { shown } = muscle;
+    for (const key of Object.keys(controls)) controls[key].set(muscle.value(key));
     for (const [key, message] of muscle.wrong) controls[key]?.mark(message);
-    rubber.set(values.rubber);
-    braid.set(values.braid);
-    strands.set(values.k);
-    showHeld();
-    if (!values.file) fileName.textContent = "";
-  }
-
-  function showHeld() {
-    const load = muscle.values.F !== undefined;
-    held.set(load ? "F" : "e");
-    controls.F.element.hidden = !load;
-    controls.e.element.hidden = load;
-    controls.angle.enable(!muscle.values.braid);
+    const own = file ? "as the file has it" : "";
+    rubber.first(own || "paper (default)");
+    braid.first(own || "its own angle");
+    strands.first(said.braid ? "of the sleeve" : own || "paper's braid (default)");
+    rubber.set(String(said.rubber ?? ""));
+    braid.set(String(said.braid ?? ""));
+    strands.set(typeof said.k === "number" ? "k" : String(said.k ?? ""));
+    fileName.textContent = file ? `Open: D0 ${show("length", shown?.outer_diameter_mm)}, ${shown?.rubber ?? ""}, ${shown?.braid ?? ""}${Object.keys(said).length ? "; changed here" : ""}` : "";
+    held.set(F === undefined ? "e" : "F");
+    controls.F.element.hidden = F === undefined;
+    controls.e.element.hidden = F !== undefined;
+    // A named sleeve has its angle, and may need to be said what its strands are.
+    controls.angle.enable(!(said.braid ?? shown?.sleeve) || said.angle !== undefined);
+    controls.k.element.hidden = typeof said.k !== "number";
+    const lacks = muscle.missing();
+    for (const { key } of STRANDS) controls[key].element.hidden = !lacks.includes(key) && said[key] === undefined;
   }
 
   engine().ask("rubber-list", {}).then((answer) => rubber.options(answer.rubbers.map((/** @type {any} */ r) => r.name)), () => {});
-  engine().ask("braid-list", {}).then((answer) => braid.options(answer.braids.map((/** @type {any} */ r) => r.name)), () => {});
-  const offUnits = onUnits(() => { scaled = 0; paint(); paintNumbers(); drawCurves(); settle(); });
+  const offUnits = onUnits(() => { scaled = 0; paint(); paintScale(); paintNumbers(); drawCurves(); settle(); });
 
   return {
     /** @param {URLSearchParams} params */
     async load(params) {
       await muscle.read(params, OWN);
+      braid.options(muscle.sleeves.map((s) => s.name));
       Object.assign(wanted, { test: params.get("test") ?? "isobaric", show: params.get("show") ?? "max_stretch", cut: params.get("cut") ?? "", over: params.get("over") ?? "" });
       tests.list.querySelectorAll("button").forEach((b) => b.setAttribute("aria-selected", String(b.dataset.name === wanted.test)));
       over.querySelectorAll("input").forEach((box) => { box.checked = wanted.over.split(",").includes(box.id.slice(5)); });
@@ -372,7 +410,7 @@ export function mount(main) {
       ask();
       follow();
     },
-    unmount() { offUnits(); stopPump(); },
+    unmount() { offUnits(); stopPump(); [curveTimer, startTimer, settleTimer.id].forEach(clearTimeout); slots.forEach((slot) => slot.end()); },
   };
 }
 

@@ -1,6 +1,6 @@
 //! What was identified, for people.
 
-use crate::output::text::{Units, number, table, understood};
+use crate::output::text::{Units, number, percent, table, understood};
 use mckibben::identify::Identification;
 use mckibben_app::{IdentifyAnswer, with_error_bar};
 
@@ -22,6 +22,7 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
         let identifiable = match p {
             p if p.identifiable => "yes",
             p if p.at_bound => "no (on its bound)",
+            p if p.implausible => "no (too much)",
             p if !p.matters => "no (no effect)",
             _ => "no",
         };
@@ -43,6 +44,21 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
         out.push_str(&format!("; the largest force is {}", u.force.show(largest)));
     }
     out.push('\n');
+    if let Some(bench) = found.bench.as_ref().filter(|_| answer.muscle_file.contains("\n[identified]")) {
+        let (p, e) = (bench.pressure_mpa, bench.contraction);
+        let all = bench.fit_n.iter().flatten().map(|fit| fit.hypot(bench.scatter_n));
+        let (least, most) = all.fold((f64::INFINITY, 0.0_f64), |(a, b), v| (a.min(v), b.max(v)));
+        out.push_str(&format!(
+            "on this bench, from {} to {} and contractions from {} to {}, the ± of its pull is {} to {} {} (95 %)\n",
+            u.pressure.show(p.0),
+            u.pressure.show(p.1),
+            percent(e.0),
+            percent(e.1),
+            u.force.to(least, 2),
+            u.force.to(most, 2),
+            u.force.name
+        ));
+    }
     for s in &found.spreads {
         out.push_str(&format!(
             "  {}: {} points, rms {}, largest {}, mean {}\n",

@@ -144,7 +144,9 @@ fn without_subject(error: &QuantityError) -> String {
     let message = error.to_string();
     match error {
         QuantityError::NotANumber { text, .. }
+        | QuantityError::Comma { text, .. }
         | QuantityError::NotFinite { text, .. }
+        | QuantityError::Beyond { text, .. }
         | QuantityError::WrongDimension { text, .. } => {
             message.strip_prefix(&format!("\"{text}\" ")).unwrap_or(&message).to_string()
         }

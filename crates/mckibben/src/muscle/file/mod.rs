@@ -16,6 +16,7 @@
 //! Whatever is left out is that of [`Muscle::prototype`]. Unknown keys are errors: a mistyped key must not turn into
 //! a default.
 
+mod bench;
 mod braid;
 mod error;
 mod material;

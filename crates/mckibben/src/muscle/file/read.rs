@@ -2,13 +2,13 @@
 
 use super::error::{FileError, Problem};
 use super::source::{Section, Source};
-use super::{braid, material};
+use super::{bench, braid, material};
 use crate::muscle::{EndFactor, Friction, Muscle, MuscleError, Terminals, Tube};
 use crate::rubber::Law;
 use crate::units::Dimension;
 use std::sync::LazyLock;
 
-const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "model", "name", "notes"];
+const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "model", "identified", "name", "notes"];
 const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", "material"];
 /// The two factors belong to a model; these are their keys of before.
 const TERMINALS: &[&str] = &["insertion", "seating", "slip", "grip", "end_factor", "cone_factor"];
@@ -24,7 +24,7 @@ pub(super) static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
     KEYS.iter().copied().chain(CONSTANTS.iter().map(String::as_str)).collect()
 });
 
-/// All but the constants of the rubber laws.
+/// All but the constants of the rubber laws, and those of `[identified]`, which nobody writes by hand.
 const KEYS: &[&str] = &[
     "tube.outer_diameter",
     "tube.wall_thickness",
@@ -91,7 +91,12 @@ pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle
     let braid = braid::read(&root.section("braid", "braid")?, tube.outer_diameter_mm)?;
     let terminals = terminals(&root)?;
     let friction = friction(&root.section("friction", "friction")?)?;
-    Muscle::new(tube, braid, terminals, friction).map_err(|e| located(&source, e))
+    let bench = bench::read(&root.section("identified", "identified")?)?;
+    let muscle = Muscle::new(tube, braid, terminals, friction).map_err(|e| located(&source, e))?;
+    Ok(match bench {
+        Some(bench) => muscle.with_bench(bench),
+        None => muscle,
+    })
 }
 
 /// The error of the finished muscle, at the line of the key that caused it.

@@ -274,6 +274,37 @@ impl<'s> Section<'s> {
         value.as_array().ok_or_else(wrong)?.iter().map(pair).collect::<Result<_, _>>().map(Some)
     }
 
+    /// A list of lists of numbers, each of as many.
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn rows(&self, key: &str) -> Result<Option<Vec<Vec<f64>>>, FileError> {
+        let expected = "rows of numbers, each of as many, such as [[1.5, 2], [1, 0.5]]";
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        let wrong = || self.error(key, Problem::Type { found: value_kind(value), expected });
+        let row = |row: &Value| -> Result<Vec<f64>, FileError> {
+            let row = row.as_array().ok_or_else(wrong)?;
+            row.iter().map(|v| to_number(v).map_err(|p| self.error(key, p))).collect()
+        };
+        let rows: Vec<Vec<f64>> =
+            value.as_array().ok_or_else(wrong)?.iter().map(row).collect::<Result<_, _>>()?;
+        if rows.windows(2).any(|pair| pair[0].len() != pair[1].len()) {
+            return Err(wrong());
+        }
+        Ok(Some(rows))
+    }
+
+    /// A list of texts.
+    ///
+    /// # Errors
+    /// [`FileError`] at the place.
+    pub fn texts(&self, key: &str, expected: &'static str) -> Result<Option<Vec<&'s str>>, FileError> {
+        let Some(value) = self.value(key, expected)? else { return Ok(None) };
+        let wrong = || self.error(key, Problem::Type { found: value_kind(value), expected });
+        let list = value.as_array().ok_or_else(wrong)?;
+        list.iter().map(|v| v.as_str().ok_or_else(wrong)).collect::<Result<_, _>>().map(Some)
+    }
+
     /// Whether a text stands at a key.
     pub fn is_text(&self, key: &str) -> bool {
         self.table.and_then(|t| t.get(key)).is_some_and(Item::is_str)

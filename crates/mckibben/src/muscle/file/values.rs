@@ -1,11 +1,17 @@
 //! TOML values → numbers, and words for what stood there.
 
 use super::error::Problem;
-use crate::units::{Dimension, parse_quantity};
+use crate::units::{Dimension, parse_quantity, plausible};
 use toml_edit::{Item, Value};
 
 /// What a plain number is, for messages.
 pub(super) const PLAIN: &str = "a number without unit, such as 0.8";
+
+/// A number that is computed with.
+fn sound(value: f64, expected: &'static str) -> Result<f64, Problem> {
+    let found = if value.is_finite() { "a number beyond 1e-30 to 1e30" } else { "not a finite number" };
+    if value.is_finite() && plausible(value) { Ok(value) } else { Err(Problem::Type { found, expected }) }
+}
 
 pub(super) fn to_quantity(value: &Value, dimension: Dimension) -> Result<f64, Problem> {
     let expected = dimension.expectation();
@@ -13,8 +19,7 @@ pub(super) fn to_quantity(value: &Value, dimension: Dimension) -> Result<f64, Pr
         Value::String(s) if s.value().len() > 100 => Err(Problem::Type { found: "a long text", expected }),
         Value::String(s) => parse_quantity(s.value(), dimension).map_err(Problem::Quantity),
         Value::Integer(i) => Ok(*i.value() as f64),
-        Value::Float(f) if f.value().is_finite() => Ok(*f.value()),
-        Value::Float(_) => Err(Problem::Type { found: "not a finite number", expected }),
+        Value::Float(f) => sound(*f.value(), expected),
         other => Err(Problem::Type { found: value_kind(other), expected }),
     }
 }
@@ -22,8 +27,7 @@ pub(super) fn to_quantity(value: &Value, dimension: Dimension) -> Result<f64, Pr
 pub(super) fn to_number(value: &Value) -> Result<f64, Problem> {
     match value {
         Value::Integer(i) => Ok(*i.value() as f64),
-        Value::Float(f) if f.value().is_finite() => Ok(*f.value()),
-        Value::Float(_) => Err(Problem::Type { found: "not a finite number", expected: PLAIN }),
+        Value::Float(f) => sound(*f.value(), PLAIN),
         other => Err(Problem::Type { found: value_kind(other), expected: PLAIN }),
     }
 }

@@ -66,11 +66,14 @@ pub fn to_toml(muscle: &Muscle) -> String {
         out.table("model.conical-ends");
         out.key("cone_factor", &number(kc), "conical tips of length kc·L0·ε (Tondu 2012)");
     }
+    if let Some(bench) = muscle.bench() {
+        super::bench::write(&mut out, bench);
+    }
     out.0
 }
 
 #[derive(Default)]
-struct Text(String);
+pub(super) struct Text(String);
 
 impl Text {
     fn line(&mut self, line: &str) {
@@ -78,11 +81,11 @@ impl Text {
         self.0.push('\n');
     }
 
-    fn table(&mut self, name: &str) {
+    pub(super) fn table(&mut self, name: &str) {
         self.line(&format!("\n[{name}]"));
     }
 
-    fn key(&mut self, key: &str, value: &str, comment: &str) {
+    pub(super) fn key(&mut self, key: &str, value: &str, comment: &str) {
         let mut line = format!("{key} = {value}");
         if !comment.is_empty() {
             let gap = COMMENT.saturating_sub(line.chars().count()).max(1);
@@ -224,7 +227,7 @@ fn named_sleeve(braid: &Braid, outer_diameter_mm: f64) -> Option<Sleeve> {
 }
 
 /// A text in quotes, on one line.
-fn text(text: &str) -> String {
+pub(super) fn text(text: &str) -> String {
     let mut out = String::from("\"");
     for c in text.chars() {
         match c {
@@ -240,7 +243,7 @@ fn text(text: &str) -> String {
 }
 
 /// The shortest digits that read back as the same number, with a unit.
-fn quantity(value: f64, unit: &str) -> String {
+pub(super) fn quantity(value: f64, unit: &str) -> String {
     let plain = value == 0.0 || (1e-6..1e15).contains(&value.abs());
     if plain { format!("\"{value} {unit}\"") } else { format!("\"{value:e} {unit}\"") }
 }
@@ -253,6 +256,6 @@ fn percent(ratio: f64) -> String {
 }
 
 /// The shortest digits that read back as the same number.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     format!("{value:?}")
 }

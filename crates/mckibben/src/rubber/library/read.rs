@@ -53,7 +53,8 @@ fn fit(value: &Value, rubber: &str) -> Result<RubberFit, LibraryError> {
     let wrong = |what: String| damaged(format!("{rubber}: {what}"));
     let table = value.as_inline_table().ok_or_else(|| wrong("a fit is a table".into()))?;
     let name = table.get("law").and_then(Value::as_str);
-    let kind = name.and_then(Law::kind_named).ok_or_else(|| wrong(format!("law {name:?}")))?;
+    let name = name.ok_or_else(|| wrong("a fit without its law".into()))?;
+    let kind = Law::kind_named(name).ok_or_else(|| wrong(format!("there is no law `{name}`")))?;
     let known = |key: &str| BESIDE.contains(&key) || kind.names().contains(&key);
     if let Some((key, _)) = table.iter().find(|(key, _)| !known(key)) {
         return Err(wrong(format!("{key} {}", foreign(kind))));

@@ -1,0 +1,122 @@
+//! The burst pressure: one value in every command, said first where it is reached, and said to be missing where it is not known.
+
+use crate::common::{Ran, folder, run_in};
+use serde_json::Value;
+use std::path::Path;
+
+const HOSE: &str = "[tube]\nouter_diameter = \"14 mm\"\nwall_thickness = \"2 mm\"\nlength = \"200 mm\"\n\
+    [tube.material]\nlaw = \"neo-hookean\"\nmu = \"1.2 MPa\"\n\
+    [braid]\nangle = \"22 deg\"\nstrands = 96\nstrand_diameter = \"0.25 mm\"\nstrand_modulus = \"8.5 GPa\"\n";
+const STRENGTH: &str = "strand_strength = \"40 N\"\n";
+const JOINT: &str = "[joint]\nradius = \"20 mm\"\nrange = \"-45..45 deg\"\ninertia = \"0.01 kg m2\"\n\
+    [muscle_1]\nfile = \"hose.toml\"\ncontraction_at_neutral = \"8%\"\n\
+    [muscle_2]\nfile = \"hose.toml\"\ncontraction_at_neutral = \"8%\"\n";
+
+fn asked(dir: &Path, words: &str) -> Ran {
+    run_in(dir, &words.split_whitespace().collect::<Vec<_>>()).ok()
+}
+
+fn as_json(dir: &Path, words: &str) -> Value {
+    asked(dir, &format!("{words} --format json")).json()
+}
+
+fn with(strength: &str) -> tempfile::TempDir {
+    let dir = folder();
+    std::fs::write(dir.path().join("hose.toml"), format!("{HOSE}{strength}")).unwrap();
+    std::fs::write(dir.path().join("joint.toml"), JOINT).unwrap();
+    dir
+}
+
+fn first_warning(answer: &Value) -> &str {
+    answer["warnings"][0].as_str().unwrap_or_default()
+}
+
+const MOTION: &str =
+    "motion --muscle hose.toml --load mass:5kg --valve festo-mh2 --damping 200Ns/m --until 0.3s";
+
+/// The identity that defines it: there the tension of the most loaded strand of the blocked muscle is its strength.
+#[test]
+fn one_burst_pressure_in_every_command_to_the_last_digit() {
+    let dir = with(STRENGTH);
+    let dir = dir.path();
+    let burst =
+        as_json(dir, "muscle show hose.toml -p 6bar")["characteristics"]["burst_pressure_mpa"].clone();
+    let there = as_json(dir, &format!("force hose.toml -p {burst}MPa"));
+    let tension = there["strand_tension_n"].as_f64().unwrap();
+    assert!((tension / 40.0 - 1.0).abs() < 1e-8, "{tension} at {burst}");
+    for words in [
+        "force hose.toml -p 6bar -e 5%",
+        "force hose.toml -p 60bar",
+        "force hose.toml -p 22bar",
+        "pressure hose.toml -F 300N -e 5%",
+        "contraction hose.toml -F 100N -p 3bar",
+        "curve isobaric hose.toml -p 2bar",
+        "simulate isobaric hose.toml -p 2bar",
+        "joint joint.toml -p 3bar,1bar --angle 0",
+        &format!("{MOTION} -p 3bar"),
+        "report hose.toml -p 3bar",
+    ] {
+        let answer = as_json(dir, words);
+        assert_eq!(answer["burst_pressure_mpa"], burst, "{words}");
+    }
+    // A muscle that was designed has the burst pressure of the file that was written.
+    let found = as_json(dir, "design hose.toml -F 300N -e 5% -p 4bar -s 2 -o winner.toml");
+    let designed = &found["candidates"][0]["burst_pressure_mpa"];
+    assert!(designed.as_f64().unwrap() > 0.6, "{designed}");
+    assert_eq!(as_json(dir, "force winner.toml -p 4bar")["burst_pressure_mpa"], *designed);
+}
+
+#[test]
+fn a_pressure_beyond_the_burst_pressure_is_said_before_all_else() {
+    let dir = with(STRENGTH);
+    let dir = dir.path();
+    for words in [
+        "muscle show hose.toml -p 60bar",
+        "force hose.toml -p 60bar",
+        "force hose.toml -p 22bar",
+        "curve isobaric hose.toml -p 22bar -e 0,5%",
+        "simulate isobaric hose.toml -p 22bar -e 0",
+        "joint joint.toml -p 60bar,1bar --angle 0",
+        &format!("{MOTION} -p 40bar --supply 50bar"),
+    ] {
+        let text = asked(dir, words);
+        let first = text.text().lines().next().unwrap_or_default().to_owned();
+        assert!(first.starts_with("BURST: ") && first.contains("21.19 bar"), "{words}: {first}");
+        assert!(first_warning(&as_json(dir, words)).starts_with("BURST: "), "{words}");
+    }
+    // A table has no place for it.
+    let csv = asked(dir, "force hose.toml -p 22bar --format csv");
+    assert!(csv.err.contains("BURST: ") && !csv.text().contains("BURST"), "{}", csv.err);
+    let page = asked(dir, "report hose.toml -p 22bar");
+    assert!(page.text().contains("BURST: "));
+    // Below it nothing is said.
+    assert!(!asked(dir, "force hose.toml -p 21bar").text().contains("BURST"));
+}
+
+#[test]
+fn a_burst_pressure_that_is_not_known_is_said_with_the_number_that_is_missing() {
+    let dir = with("");
+    let dir = dir.path();
+    for (words, missing) in [
+        ("muscle show hose.toml -p 3bar", "strand_strength"),
+        ("joint joint.toml -p 3bar,1bar --angle 0", "strand_strength"),
+        (&format!("{MOTION} -p 3bar"), "strand_strength"),
+        ("design hose.toml -F 300N -e 5% -p 4bar -s 2", "strand_strength"),
+        (
+            "design -F 700N -e 15% -p 10bar --braid flexo-overexpanded-0.75in --strand-diameter 0.25mm",
+            "strand_strength",
+        ),
+        ("muscle show -p 3bar", "`strands` (how many)"),
+        ("force hose.toml -p 7bar", "strand_strength"),
+    ] {
+        let text = asked(dir, words);
+        let first = text.text().lines().next().unwrap_or_default().to_owned();
+        assert!(first.starts_with("BURST NOT CHECKED: ") && first.contains(missing), "{words}: {first}");
+        assert!(first_warning(&as_json(dir, words)).starts_with("BURST NOT CHECKED: "), "{words}");
+    }
+    assert!(asked(dir, "report hose.toml -p 3bar").text().contains("BURST NOT CHECKED: "));
+    // A single point says nothing at the pressure of a usual supply; its key is there all the same.
+    let answer = as_json(dir, "force hose.toml -p 6bar");
+    assert!(answer["warnings"].as_array().unwrap().is_empty(), "{answer}");
+    assert_eq!(answer.get("burst_pressure_mpa"), Some(&Value::Null));
+}

@@ -1,0 +1,129 @@
+//! How a motion begins and ends: loose ends, what has not come to rest, what ends early, what is between the points of the series.
+
+use crate::support::{close, note_muscle, ran, regulator, steps, valve};
+use mckibben::model::{ForceModel, ModelKind, Workspace};
+use mckibben::muscle::{Braid, Muscle, Terminals};
+use mckibben::progress::Silent;
+use mckibben_motion::*;
+
+fn seated() -> Muscle {
+    let m = note_muscle();
+    m.with_terminals(Terminals { seating_mm: Some(2.0), ..m.terminals().clone() }).unwrap()
+}
+
+fn in_a_wide_sleeve() -> Muscle {
+    let m = note_muscle();
+    m.with_braid(Braid { diameter_mm: Some(21.0), ..m.braid().clone() }).unwrap()
+}
+
+/// Without pressure such a muscle hangs longer than at rest; filled, it ends where the static model has it under the load.
+#[test]
+fn a_muscle_that_hangs_loose_without_pressure_is_filled_and_lifts() {
+    for muscle in [seated(), in_a_wide_sleeve()] {
+        for kind in [ModelKind::ThickWall, ModelKind::Universal] {
+            let model = kind.build(&muscle).unwrap();
+            let load = SingleMuscle {
+                stops_mm: (0.0, 1e6),
+                damping_n_s_per_m: 300.0,
+                ..SingleMuscle::hanging(&*model, 2.0)
+            };
+            let drive = Drive::new(
+                &load,
+                vec![Actuated::new(&*model, valve())],
+                steps(&[(0.0, 0.0), (0.05, 0.2)]),
+                3.0,
+            );
+            let motion = ran(&drive);
+            let still = equilibrium(&drive, &[0.2]).unwrap().coordinate;
+            close(*motion.coordinate.last().unwrap(), still, 1e-3);
+            let pull = model.force_n(&mut Workspace::new(), 0.2, still / load.length_mm).unwrap();
+            close(pull, 2.0 * 9.806_65, 1e-6);
+            assert_eq!(motion.rest.unwrap().moves, Moves::Rests, "{kind}");
+        }
+    }
+}
+
+#[test]
+fn without_a_damper_a_load_swings_and_with_one_it_rests() {
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let moves = |damping_n_s_per_m: f64| {
+        let load =
+            SingleMuscle { stops_mm: (0.0, 90.0), damping_n_s_per_m, ..SingleMuscle::hanging(&*model, 5.0) };
+        let drive =
+            Drive::new(&load, vec![Actuated::new(&*model, valve())], steps(&[(0.0, 0.0), (0.1, 0.3)]), 2.0);
+        let rest = ran(&drive).rest.unwrap();
+        assert_eq!(rest.equilibrium, Some(equilibrium(&drive, &[0.3]).unwrap().coordinate));
+        rest
+    };
+    let (swings, rests) = (moves(0.0), moves(300.0));
+    assert_eq!((swings.moves, rests.moves), (Moves::Swings, Moves::Rests));
+    let still = swings.equilibrium.unwrap();
+    assert!(swings.between.0 < still && still < swings.between.1, "{swings:?}");
+    // Nothing can be said of a command that goes on.
+    let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
+    let sine = Command::Sine { mean: 0.2, amplitude: 0.05, frequency_hz: 1.0, phase_rad: 0.0 };
+    let drive = Drive::new(&load, vec![Actuated::new(&*model, valve())], Target::Pressure(vec![sine]), 2.0);
+    assert_eq!(ran(&drive).rest, None);
+}
+
+/// The oracle is a series of 20,000 points.
+#[test]
+fn the_largest_speed_does_not_follow_the_points_of_the_series() {
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let load = SingleMuscle {
+        stops_mm: (0.0, 90.0),
+        damping_n_s_per_m: 100.0,
+        ..SingleMuscle::hanging(&*model, 5.0)
+    };
+    let of = |until_s: f64, output_step_s: f64| {
+        let target = steps(&[(0.0, 0.0), (0.1, 0.3)]);
+        let drive = Drive {
+            output_step_s,
+            ..Drive::new(&load, vec![Actuated::new(&*model, valve())], target, until_s)
+        };
+        ran(&drive)
+    };
+    let fine = of(2.0, 1e-4);
+    let sampled = fine.velocity.iter().fold(0.0_f64, |a, v| a.max(v.abs()));
+    close(fine.largest_speed, sampled, 1e-4);
+    for (until_s, step_s) in [(2.0, 2.0), (20.0, 0.02), (200.0, 0.2), (1000.0, 1.0)] {
+        let motion = of(until_s, step_s);
+        close(motion.largest_speed, fine.largest_speed, 2e-3);
+        close(motion.rise_time_s.unwrap(), fine.rise_time_s.unwrap(), 1e-2);
+    }
+}
+
+#[test]
+fn what_ends_early_gives_what_was_computed() {
+    let model = ModelKind::ThickWall.build(&note_muscle()).unwrap();
+    let load = SingleMuscle { stops_mm: (0.0, 90.0), ..SingleMuscle::hanging(&*model, 5.0) };
+    let target = steps(&[(0.0, 0.0), (0.1, 0.2)]);
+    let mut drive = Drive::new(&load, vec![Actuated::new(&*model, regulator(0.05))], target, 1.0);
+    drive.tolerance.steps = 60;
+    let motion = run_as_far(&drive, &Silent).unwrap();
+    assert!(matches!(motion.ended, Some(MotionError::Steps { steps: 61, .. })), "{:?}", motion.ended);
+    let (end, count) = (*motion.time_s.last().unwrap(), motion.time_s.len());
+    assert!(end > 0.0 && end < 1.0 && motion.muscles[0].pressure_mpa.len() == count);
+    assert!(motion.rest.is_none() && motion.steps.is_empty());
+    assert!(motion.time_s.windows(2).all(|w| w[1] > w[0]));
+    // The same figures as the whole run, as far as it goes.
+    drive.tolerance.steps = 1_000_000;
+    let whole = ran(&drive);
+    for (i, t) in motion.time_s.iter().enumerate().take(count - 1) {
+        assert_eq!((*t, motion.coordinate[i]), (whole.time_s[i], whole.coordinate[i]));
+    }
+}
+
+#[test]
+fn measures_without_bounds_are_refused() {
+    for (diameter, length) in
+        [(1e200, 500.0), (1e-200, 500.0), (4.0, 1e200), (4.0, 1e-200), (0.0, 1.0), (-1.0, 1.0)]
+    {
+        assert!(matches!(Hose::new(diameter, length), Err(MotionError::Value { .. })), "{diameter} {length}");
+    }
+    // A valve that is nearly closed has the flow of its own small opening, and no overflow of its cube.
+    let small = Orifice::new(1e-9, 0.3).unwrap().scaled(1e-110);
+    let both = in_series(&[small, Hose::new(4.0, 500.0).unwrap().orifice()]).unwrap();
+    close(both.conductance_l_per_s_bar(), 1e-119, 1e-9);
+    assert!((both.critical_ratio() - 0.3).abs() < 1e-9);
+}

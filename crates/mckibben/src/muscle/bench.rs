@@ -1,0 +1,196 @@
+//! What a bench says of the muscle whose constants were identified from its points.
+
+use super::{BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle};
+use sha2::{Digest, Sha256};
+use std::fmt::Write;
+
+/// The fit of a muscle to its own bench: where it holds, and how far a point of that bench lies from it.
+///
+/// It belongs to one muscle: [`Bench::of`] is compared with [`Muscle::digest`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bench {
+    /// The model whose constants were fitted.
+    pub model: String,
+    /// Points of this muscle.
+    pub points: usize,
+    /// Branches of the hysteresis loop that its points state; `Mean` where they state none.
+    pub branches: Vec<Direction>,
+    /// Lowest and highest pressure in MPa.
+    pub pressure_mpa: (f64, f64),
+    /// Smallest and largest contraction.
+    pub contraction: (f64, f64),
+    /// 95 % half-width of one point about the fit, in N.
+    pub scatter_n: f64,
+    /// 95 % half-width of the fitted pull in N, from the covariance of the constants: rows at equal steps of the pressure,
+    /// columns at equal steps of the contraction, from end to end.
+    pub fit_n: Vec<Vec<f64>>,
+    /// What was fitted, as in the muscle file.
+    pub parameters: Vec<String>,
+    /// Its covariance, in the units of the parameters.
+    pub covariance: Vec<Vec<f64>>,
+    /// Digest of the muscle with the constants that were found.
+    pub of: String,
+}
+
+/// Share of the range over which the fit's ± turns into the general one outside of it.
+const MARGIN: f64 = 0.25;
+/// The margin of contraction, and that of pressure over the highest one, at least.
+const LEAST_MARGIN: f64 = 0.02;
+
+impl Bench {
+    /// How far a point lies outside of the range: 0 inside and at its edge, 1 at the end of the margin and beyond.
+    pub fn outside(&self, pressure_mpa: f64, contraction: f64) -> f64 {
+        let beyond = |x: f64, (low, high): (f64, f64), least: f64| {
+            let margin = (MARGIN * (high - low)).max(least);
+            ((low - x).max(x - high).max(0.0) / margin).min(1.0)
+        };
+        let least = LEAST_MARGIN * self.pressure_mpa.1.abs().max(1e-3);
+        let by_pressure = beyond(pressure_mpa, self.pressure_mpa, least);
+        by_pressure.max(beyond(contraction, self.contraction, LEAST_MARGIN))
+    }
+
+    /// 95 % half-width in N of a point of this bench about the fit; outside of the range that at its edge.
+    pub fn half_width_n(&self, pressure_mpa: f64, contraction: f64) -> f64 {
+        let at = |x: f64, (low, high): (f64, f64), count: usize| {
+            let share = if high > low { ((x - low) / (high - low)).clamp(0.0, 1.0) } else { 0.0 };
+            let place = share * count.saturating_sub(1) as f64;
+            let left = (place.floor() as usize).min(count.saturating_sub(2));
+            (left, place - left as f64)
+        };
+        let (rows, columns) = (self.fit_n.len(), self.fit_n.first().map_or(0, Vec::len));
+        let ((i, s), (k, t)) =
+            (at(pressure_mpa, self.pressure_mpa, rows), at(contraction, self.contraction, columns));
+        let value = |i: usize, k: usize| {
+            let row = self.fit_n.get(i.min(rows.saturating_sub(1)));
+            row.and_then(|row| row.get(k.min(columns.saturating_sub(1)))).copied().unwrap_or(0.0)
+        };
+        let along = |i: usize| (1.0 - t) * value(i, k) + t * value(i, k + 1);
+        self.scatter_n.hypot((1.0 - s) * along(i) + s * along(i + 1))
+    }
+
+    /// Whether the points went round the whole loop, or are means of it: then their scatter has the loop in it.
+    pub fn saw_the_loop(&self) -> bool {
+        let saw = |d: Direction| self.branches.contains(&d);
+        saw(Direction::Mean) || Direction::BRANCHES.into_iter().all(saw)
+    }
+}
+
+impl Muscle {
+    /// A digest of everything that the pull depends on, to nine digits.
+    pub fn digest(&self) -> String {
+        let mut text = String::new();
+        // Writing to a string does not fail.
+        let mut add = |name: &str, values: &[f64]| {
+            let _ = write!(text, "{name}");
+            values.iter().for_each(|v| {
+                let _ = write!(text, " {v:.8e}");
+            });
+            text.push('\n');
+        };
+        let (tube, braid, ends) = (&self.tube, &self.braid, &self.terminals);
+        add("tube", &[tube.outer_diameter_mm, tube.wall_mm, tube.length_mm]);
+        let rubber = &tube.rubber;
+        add(rubber.law.name(), &rubber.law.values());
+        match rubber.bulk {
+            Bulk::Incompressible => add("incompressible", &[]),
+            Bulk::Modulus(k) => add("bulk", &[k]),
+        }
+        if let Some(s) = rubber.softening {
+            add("softening", &[s.r, s.m_mpa, s.beta]);
+        }
+        match rubber.conditioned {
+            Some(Conditioned::Pressure(p)) => add("conditioned at", &[p]),
+            Some(Conditioned::Strain { strain }) => add("conditioned to", &[strain]),
+            None => {}
+        }
+        for branch in rubber.prony.iter().flat_map(|p| &p.branches) {
+            add("prony", &[branch.share, branch.time_constant_s]);
+        }
+        add("braid", &[braid.angle_deg, braid.thickness_mm, f64::from(u8::from(braid.compression))]);
+        match (braid.stiffness, self.family_stiffness_n_per_mm()) {
+            (BraidStiffness::Inextensible, _) | (_, None) => add("inextensible", &[]),
+            (_, Some(k)) => add("stiffness", &[k]),
+        }
+        if let Some(crimp) = braid.crimp {
+            add("crimp", &[crimp.strain, crimp.stiffness_ratio]);
+        }
+        if let Some(measured) = braid.measured {
+            add("strand", &[measured.strand_length_mm, measured.turns]);
+        }
+        let mut maybe = |name: &str, value: Option<f64>| value.into_iter().for_each(|v| add(name, &[v]));
+        maybe("diameter", braid.diameter_mm);
+        maybe("seating", ends.seating_mm);
+        maybe("slip", ends.slip_mm_per_n);
+        maybe("grip", ends.grip_mm);
+        maybe("cone factor", ends.cone_factor);
+        match ends.end_factor {
+            Some(EndFactor::Constant(k)) => add("end factor", &[k]),
+            Some(EndFactor::OfPressure { a, b }) => add("end factor", &[a, b]),
+            None => {}
+        }
+        if let Some(f) = &self.friction {
+            add("friction", &[f.coefficient, f.exponent, f.lever_mm]);
+        }
+        Sha256::digest(text.as_bytes()).iter().take(8).map(|b| format!("{b:02x}")).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bench() -> Bench {
+        Bench {
+            model: "ideal".into(),
+            points: 12,
+            branches: vec![Direction::Mean],
+            pressure_mpa: (0.1, 0.3),
+            contraction: (0.0, 0.2),
+            scatter_n: 3.0,
+            fit_n: vec![vec![4.0, 0.0], vec![0.0, 4.0]],
+            parameters: vec![],
+            covariance: vec![],
+            of: Muscle::prototype().digest(),
+        }
+    }
+
+    /// √(3² + 4²) at a corner, √(3² + 2²) in the middle, by hand.
+    #[test]
+    fn the_half_width_is_interpolated_and_held_outside() {
+        let b = bench();
+        assert!((b.half_width_n(0.1, 0.0) - 5.0).abs() < 1e-12);
+        assert!((b.half_width_n(0.3, 0.2) - 5.0).abs() < 1e-12);
+        assert!((b.half_width_n(0.2, 0.1) - 13f64.sqrt()).abs() < 1e-12);
+        assert_eq!(b.half_width_n(0.9, 0.9), b.half_width_n(0.3, 0.2));
+        let one = Bench { fit_n: vec![vec![4.0]], ..b };
+        assert!((one.half_width_n(0.2, 0.1) - 5.0).abs() < 1e-12);
+    }
+
+    /// A quarter of 0.2 MPa is 0.05 MPa, a quarter of 0.2 is 0.05.
+    #[test]
+    fn it_ends_continuously_over_a_quarter_of_its_range() {
+        let b = bench();
+        assert_eq!((b.outside(0.1, 0.0), b.outside(0.3, 0.2), b.outside(0.351, 0.1)), (0.0, 0.0, 1.0));
+        assert!((b.outside(0.2, 0.225) - 0.5).abs() < 1e-12);
+        assert!((b.outside(0.325, 0.21) - 0.5).abs() < 1e-12);
+        assert_eq!(b.outside(2.0, 0.0), 1.0);
+    }
+
+    #[test]
+    fn the_digest_changes_with_whatever_the_pull_depends_on() {
+        let m = Muscle::prototype();
+        let other = [
+            m.with_section(30.001, 3.0).unwrap().digest(),
+            m.with_friction(Some(super::super::Friction::power_law(1.0, 0.6))).unwrap().digest(),
+            m.with_terminals(super::super::Terminals { seating_mm: Some(1.0), ..Default::default() })
+                .unwrap()
+                .digest(),
+            m.with_braid(super::super::Braid { angle_deg: 27.0, ..m.braid().clone() }).unwrap().digest(),
+        ];
+        for (i, one) in other.iter().enumerate() {
+            assert_ne!(*one, m.digest());
+            assert!(other[..i].iter().all(|o| o != one));
+        }
+        assert_eq!(m.with_section(30.0, 3.0).unwrap().digest(), m.digest());
+    }
+}

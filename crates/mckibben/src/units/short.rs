@@ -1,0 +1,118 @@
+//! Numbers in sentences.
+
+use std::borrow::Cow;
+
+/// A text whose numbers have at most seven significant digits where they had more than nine, and an exponent where they are longer than
+/// that: `0.03569728515256208 s` becomes `0.03569729 s`, and a one with two hundred zeros `1e200`. What stands in quotes, and what is
+/// part of a word, stays as it is.
+///
+/// ```
+/// use mckibben::units::short_numbers;
+/// assert_eq!(short_numbers("it is 0.03569728515256208 s"), "it is 0.03569729 s");
+/// assert_eq!(short_numbers(&format!("{} mm", 1e200)), "1e200 mm");
+/// assert_eq!(short_numbers("\"0.03569728515256208\" of 907.5 N"), "\"0.03569728515256208\" of 907.5 N");
+/// ```
+pub fn short_numbers(text: &str) -> Cow<'_, str> {
+    const FEW: usize = 9;
+    let long = |word: &str| word.bytes().filter(u8::is_ascii_digit).count() > FEW;
+    if !text.split(|c: char| !(c.is_ascii_digit() || c == '.')).any(long) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    let mut quote: Option<char> = None;
+    let mut before: Option<char> = None;
+    while let Some(c) = rest.chars().next() {
+        let free = quote.is_none() && !before.is_some_and(|b| b.is_alphanumeric() || b == '.' || b == '_');
+        if free && c.is_ascii_digit() {
+            let word = number_at(rest);
+            let after = rest[word.len()..].chars().next();
+            let alone = !after.is_some_and(|a| a.is_alphanumeric() || a == '_');
+            match word.parse::<f64>() {
+                Ok(value) if alone && long(word) => out.push_str(&short(value)),
+                _ => out.push_str(word),
+            }
+            before = word.chars().next_back();
+            rest = &rest[word.len()..];
+            continue;
+        }
+        match quote {
+            Some(open) if open == c => quote = None,
+            None if c == '"' || c == '`' => quote = Some(c),
+            _ => {}
+        }
+        out.push(c);
+        before = Some(c);
+        rest = &rest[c.len_utf8()..];
+    }
+    Cow::Owned(out)
+}
+
+/// The number at the start of a text: digits with a point within, and an exponent.
+fn number_at(text: &str) -> &str {
+    let bytes = text.as_bytes();
+    let digits = |mut i: usize| {
+        while bytes.get(i).is_some_and(u8::is_ascii_digit) {
+            i += 1;
+        }
+        i
+    };
+    let mut end = digits(0);
+    if bytes.get(end) == Some(&b'.') && bytes.get(end + 1).is_some_and(u8::is_ascii_digit) {
+        end = digits(end + 1);
+    }
+    if bytes.get(end) == Some(&b'e') {
+        let sign = usize::from(bytes.get(end + 1) == Some(&b'-'));
+        let exponent = digits(end + 1 + sign);
+        if exponent > end + 1 + sign {
+            end = exponent;
+        }
+    }
+    &text[..end]
+}
+
+/// Seven significant digits, without zeros at the end; with an exponent below 1e-5 and from 1e15 on.
+fn short(value: f64) -> String {
+    const DIGITS: i32 = 7;
+    if value == 0.0 {
+        return "0".into();
+    }
+    let magnitude = value.abs().log10().floor() as i32;
+    if (-5..15).contains(&magnitude) {
+        let decimals = (DIGITS - 1 - magnitude).max(0) as usize;
+        let text = format!("{value:.decimals$}");
+        return match text.contains('.') {
+            true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+            false => text,
+        };
+    }
+    let text = format!("{value:.6e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{}e{exponent}", digits.trim_end_matches('0').trim_end_matches('.'))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_numbers_become_short_and_the_rest_stays() {
+        for (text, expected) in [
+            ("at 0.050006443630911265 s, 0.0001223208368105605 MPa", "at 0.05000644 s, 0.0001223208 MPa"),
+            ("-8481.414633225937 N", "-8481.415 N"),
+            ("0.19999999999982648 MPa", "0.2 MPa"),
+            (
+                "version 1.85.0 of 2026-11-22, 123456789 points",
+                "version 1.85.0 of 2026-11-22, 123456789 points",
+            ),
+            ("SHA-256 00112233445566778899aabb", "SHA-256 00112233445566778899aabb"),
+            ("file_0123456789012.toml", "file_0123456789012.toml"),
+            ("1.2345678901234e-19 bar", "1.234568e-19 bar"),
+            ("0.1..0.30000000000000004", "0.1..0.30000000000000004"),
+        ] {
+            assert_eq!(short_numbers(text), expected);
+        }
+        assert_eq!(short_numbers(&format!("{} and {}", 1e300, 1e-300)), "1e300 and 1e-300");
+        assert_eq!(short_numbers(&format!("{}", f64::MIN_POSITIVE)), "2.225074e-308");
+    }
+}

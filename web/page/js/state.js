@@ -1,0 +1,198 @@
+// The muscle of the page as one state, and what every page asks about it. Nothing here touches the document or the engine: the muscle is
+// what the engine says that the muscle file and the fields over it are, and no page makes another one of them.
+
+/**
+ * Measures: key of the address, field of requests, key of muscle files, kind, name, symbol, bounds of the slider.
+ * @typedef {{ key: string, field: string, filed?: string, kind: import("./units.js").Kind, label: string, symbol?: string, low: number, high: number }} Measure
+ */
+export const QUANTITIES = /** @type {const} @satisfies {readonly Measure[]} */ ([
+  { key: "D", field: "outer_diameter_mm", filed: "tube.outer_diameter", kind: "length", label: "Outer diameter", symbol: "D0", low: 6, high: 80 },
+  { key: "s", field: "wall_mm", filed: "tube.wall_thickness", kind: "length", label: "Wall", symbol: "s", low: 0.3, high: 10 },
+  { key: "L", field: "length_mm", filed: "tube.length", kind: "length", label: "Length", symbol: "L0", low: 60, high: 900 },
+  { key: "angle", field: "angle_deg", filed: "braid.angle", kind: "angle", label: "Braid angle", symbol: "θ0", low: 12, high: 45 },
+]);
+/** Of the strands of a named sleeve, where its source does not state them. */
+export const STRANDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
+  { key: "sd", field: "strand_diameter_mm", kind: "length", label: "Diameter of a strand", low: 0.05, high: 1 },
+  { key: "sE", field: "strand_modulus_mpa", kind: "modulus", label: "Young's modulus of a strand", low: 500, high: 200000 },
+]);
+export const STIFFNESS = /** @type {const} @satisfies {Measure} */ ({ key: "k", field: "stiffness", filed: "braid.stiffness", kind: "stiffness", label: "Stiffness of a strand family", symbol: "k", low: 20, high: 2000 });
+/** What the ends of the muscle do. */
+export const ENDS = /** @type {const} @satisfies {readonly Measure[]} */ ([
+  { key: "seating", field: "seating_mm", filed: "terminals.seating", kind: "length", label: "Give of both ends", low: 0, high: 10 },
+  { key: "slip", field: "slip_mm_per_n", filed: "terminals.slip", kind: "compliance", label: "Slip of both ends", low: 0, high: 0.02 },
+  { key: "grip", field: "grip_mm", filed: "terminals.grip", kind: "length", label: "Held at each end", low: 0, high: 40 },
+]);
+export const PRESSURE = /** @type {const} @satisfies {Measure} */ ({ key: "p", field: "pressure_mpa", kind: "pressure", label: "Pressure", symbol: "p", low: 0, high: 0.6 });
+export const CONTRACTION = /** @type {const} @satisfies {Measure} */ ({ key: "e", field: "contraction", kind: "ratio", label: "Contraction", symbol: "ε", low: 0, high: 0.35 });
+export const LOAD = /** @type {const} @satisfies {Measure} */ ({ key: "F", field: "force_n", kind: "force", label: "Load", symbol: "F", low: 0, high: 1000 });
+
+/** Measures of the muscle, then those of its state. @type {readonly Measure[]} */
+export const MEASURES = [...QUANTITIES, ...STRANDS, STIFFNESS, ...ENDS];
+const POINT = [PRESSURE, CONTRACTION, LOAD];
+/** Words of the address that are no quantities. */
+const NAMES = ["rubber", "braid"];
+/** Stiffnesses that have a name. */
+export const STIFFNESS_NAMES = ["inextensible", "paper"];
+export const FILE = "file";
+
+/**
+ * `file`: a muscle file, empty for the prototype; `said`: what is said over it, and nothing else; `p`, and `e` or `F`: where it is asked.
+ * @typedef {{ file: string, said: Readonly<Record<string, number | string>>, p: number, e: number, F: number | undefined }} State
+ */
+
+/** The prototype at its usual point. @returns {State} */
+export const prototype = () => ({ file: "", said: {}, p: 0.25, e: 0.15, F: undefined });
+
+/** The state of a muscle file at the same pressure. @param {State} state @param {string} file @returns {State} */
+export const opened = (state, file) => ({ ...prototype(), p: state.p, e: state.e, file });
+
+/** What excludes what: a sleeve has its angle, and a stiffness takes the place of its strands. @type {Record<string, string[]>} */
+const OUSTS = { angle: ["braid", "sd", "sE"], braid: ["angle", "sd", "sE"], k: ["sd", "sE"], sd: ["k"], sE: ["k"] };
+
+/**
+ * The state with something said; nothing (`undefined` or an empty text) takes it back.
+ * @param {State} state @param {string} key @param {number | string | undefined} value @returns {State}
+ */
+export function say(state, key, value) {
+  if (key === "p") return { ...state, p: Number(value) };
+  if (key === "e") return { ...state, e: Number(value), F: undefined };
+  if (key === "F") return { ...state, F: value === undefined ? undefined : Number(value) };
+  const said = { ...state.said };
+  if (value === undefined || value === "") {
+    delete said[key];
+    if (key === "braid") for (const other of ["sd", "sE"]) delete said[other];
+  } else {
+    if (said[key] !== value) for (const other of OUSTS[key] ?? []) delete said[other];
+    said[key] = value;
+  }
+  return { ...state, said };
+}
+
+/** The muscle as fields of a request. @param {State} state @returns {Record<string, any>} */
+export function fields({ file, said }) {
+  /** @type {Record<string, any>} */
+  const out = file ? { muscle: { name: "muscle.toml", text: file } } : {};
+  for (const { key, field } of MEASURES) if (said[key] !== undefined) out[field] = said[key];
+  for (const key of NAMES) if (said[key] !== undefined) out[key] = said[key];
+  return out;
+}
+
+/** The measure that a problem is about: that of its field, or the first that its message names as muscle files do. @param {{ field: string, message: string }} problem */
+export function about({ field, message }) {
+  const at = (/** @type {Measure} */ { filed }) => (filed && message.includes(filed) ? message.indexOf(filed) : Infinity);
+  const named = MEASURES.filter((m) => at(m) < Infinity).sort((a, b) => at(a) - at(b));
+  return ([...MEASURES, ...POINT].find((m) => m.field === field) ?? named[0])?.key;
+}
+
+/** Where it is asked. @param {State} state */
+export const point = ({ p, e, F }) => ({ pressure_mpa: p, ...(F === undefined ? { contraction: e } : { force_n: F }) });
+
+/**
+ * The muscle file that says the same: the file itself where nothing is said over it.
+ * @param {State} state @param {(command: "muscle-show", request: any) => Promise<any>} ask
+ */
+export async function canonical(state, ask) {
+  if (state.file && !Object.keys(state.said).length) return state.file;
+  return /** @type {string} */ ((await ask("muscle-show", { ...fields(state), muscle_file: true })).muscle_file);
+}
+
+/** A measure as a control shows it: what is said, or what the engine read. @param {State} state @param {Record<string, any> | undefined} shown an answer's muscle @param {Measure} measure */
+export function shownValue(state, shown, { key, field }) {
+  const said = state.said[key];
+  if (typeof said === "number") return said;
+  const read = key === "k" ? shown?.stiffness_n_per_mm : shown?.[field];
+  return typeof read === "number" ? read : /** @type {Record<string, number | undefined>} */ ({ D: 30, s: 3, L: 285, angle: 28 })[key];
+}
+
+/** What a named sleeve needs beside its name: keys of measures. @param {{ said: State["said"] }} state @param {{ name: string, missing: string }[]} sleeves those of the library */
+export function missing({ said }, sleeves) {
+  if (said.braid === undefined || said.k !== undefined) return [];
+  const words = sleeves.find((s) => s.name === said.braid)?.missing.split(" ") ?? [];
+  return STRANDS.filter(({ field }) => words.includes(field.replace(/_(mm|mpa)$/, ""))).map(({ key }) => /** @type {string} */ (key));
+}
+
+/**
+ * Words of the address: all that is said, to the last digit.
+ * @param {State} state @param {(kind: import("./units.js").Kind, value: number) => string} typed
+ */
+export function words({ file, said, p, e, F }, typed) {
+  /** @type {Record<string, string | undefined>} */
+  const out = {};
+  for (const { key, kind } of MEASURES) {
+    const value = said[key];
+    if (value !== undefined) out[key] = typeof value === "number" ? typed(kind, value) : value;
+  }
+  for (const key of NAMES) if (said[key] !== undefined) out[key] = String(said[key]);
+  out.p = typed("pressure", p);
+  if (F === undefined) out.e = typed("ratio", e);
+  else out.F = typed("force", F);
+  if (file) out[FILE] = file;
+  return out;
+}
+
+/** Texts of an address that the engine has to read. @param {URLSearchParams} params */
+export function texts(params) {
+  const list = [...MEASURES, ...POINT].filter(({ key }) => params.has(key)).map(({ key, kind }) => ({ key, kind, text: params.get(key) ?? "" }));
+  return list.filter(({ key, text }) => !(key === "k" && STIFFNESS_NAMES.includes(text)));
+}
+
+/**
+ * The state of an address, with what was read of its texts.
+ * @param {URLSearchParams} params @param {{ value?: number, problem?: any }[]} readings of `texts`, in their order
+ * @returns {{ state: State, wrong: Map<string, string> }}
+ */
+export function fromWords(params, readings) {
+  /** @type {Record<string, number | string>} */
+  const said = {};
+  /** @type {Map<string, string>} */
+  const wrong = new Map();
+  const at = { p: prototype().p, e: prototype().e, F: /** @type {number | undefined} */ (undefined) };
+  texts(params).forEach(({ key }, i) => {
+    const { value, problem } = readings[i];
+    if (problem || value === undefined) return wrong.set(key, problem?.message ?? "");
+    if (key in at) /** @type {any} */ (at)[key] = value;
+    else said[key] = value;
+  });
+  const stiffness = params.get("k") ?? "";
+  if (STIFFNESS_NAMES.includes(stiffness)) said.k = stiffness;
+  for (const key of NAMES) if (params.get(key)) said[key] = params.get(key) ?? "";
+  return { state: { file: params.get(FILE) ?? "", said, ...at }, wrong };
+}
+
+/** Keys of the address that are the muscle's. */
+export const KEYS = [...MEASURES, ...POINT].map(({ key }) => key).concat(NAMES, FILE);
+
+/** A joint with this muscle against itself or another one. @param {string} file the muscle's @param {string} second file of the other one; empty where it is the same @param {{ r: number, range: number, e0: number }} of mm, degrees, ratio */
+export function joint(file, second, { r, range, e0 }) {
+  const other = second ? "muscle-2.toml" : "muscle.toml";
+  const text = `[joint]\nradius = "${r} mm"\nrange = "-${range}..${range} deg"\n[muscle_1]\nfile = "muscle.toml"\ncontraction_at_neutral = "${e0}"\n[muscle_2]\nfile = "${other}"\ncontraction_at_neutral = "${e0}"\n`;
+  return { joint: { name: "joint.toml", text }, muscles: [{ name: "muscle.toml", text: file }, ...(second ? [{ name: other, text: second }] : [])] };
+}
+
+/** A step of this muscle's pressure. @param {string} file the muscle's @param {Record<string, any>} read fields of the form */
+export function motion(file, { model, ...step }) {
+  return { step, muscle: { name: "muscle", text: file }, model };
+}
+
+/**
+ * One side of a comparison: this muscle, or that of a file of its own, with what the side says over it, at the side's point or this one's.
+ * @param {State} state @param {string} own a muscle file @param {Record<string, any>} read fields of the side's form
+ */
+export function side(state, own, { model, pressure_mpa, contraction, ...over }) {
+  // What a side says ousts what excludes it, as on the page Muscle.
+  let base = own ? opened(state, own) : state;
+  for (const { key, field } of [...MEASURES, { key: "rubber", field: "rubber" }, { key: "braid", field: "braid" }]) if (over[field] !== undefined) base = say(base, key, over[field]);
+  return { muscle: fields(base), model: /** @type {string} */ (model), pressure_mpa: /** @type {number} */ (pressure_mpa ?? state.p), contraction: /** @type {number} */ (contraction ?? state.e) };
+}
+
+/** The muscle of a candidate of a design: what the search chose, with what it was given of the strands. @param {Record<string, any>} candidate @param {Record<string, any>} asked the request @param {{ p: number, e: number }} at @returns {State} */
+export function candidate(candidate, asked, { p, e }) {
+  /** @type {Record<string, number | string>} */
+  const said = { D: candidate.outer_diameter_mm, s: candidate.wall_mm, L: candidate.length_mm };
+  if (asked.rubbers?.length) said.rubber = candidate.rubber;
+  if (candidate.sleeve) said.braid = candidate.sleeve;
+  else said.angle = candidate.angle_deg;
+  for (const { key, field } of [...STRANDS, STIFFNESS]) if (asked[field] !== undefined) said[key] = asked[field];
+  return { ...prototype(), said, p, e };
+}

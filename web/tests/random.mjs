@@ -1,0 +1,114 @@
+// Random muscles: a muscle file, and what somebody says over it, as the command line's flags and as what is typed into the page's fields.
+
+/** Mulberry32: the same numbers everywhere. @param {number} seed */
+export function dice(seed) {
+  let a = seed >>> 0;
+  const next = () => {
+    a = (a + 0x6d2b79f5) | 0;
+    let t = Math.imul(a ^ (a >>> 15), 1 | a);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+  const between = (/** @type {number} */ low, /** @type {number} */ high, digits = 4) => Number((low + (high - low) * next()).toPrecision(digits));
+  /** @template T @param {readonly T[]} list @returns {T} */
+  const pick = (list) => list[Math.floor(next() * list.length)];
+  return { next, between, pick, chance: (/** @type {number} */ share) => next() < share };
+}
+
+const LAWS = [
+  (/** @type {any} */ d) => `law = "neo-hookean"\nmu = "${d.between(0.1, 1.2)} MPa"`,
+  (/** @type {any} */ d) => `law = "mooney-rivlin"\nc10 = "${d.between(60, 300)} kPa"\nc01 = ${d.between(0.005, 0.05)}`,
+  (/** @type {any} */ d) => `law = "yeoh"\nc10 = ${d.between(0.1, 0.3)}\nc20 = ${d.between(0.001, 0.01)}\nc30 = ${d.between(0.0001, 0.001)}\nname = "mine"\nfitted_to_stretch = 2.5`,
+  (/** @type {any} */ d) => `law = "gent"\nmu = ${d.between(0.2, 0.8)}\njm = ${d.between(20, 80)}`,
+  (/** @type {any} */ d) => `law = "ogden"\nmu = [${d.between(0.1, 0.3)}, ${d.between(0.01, 0.05)}]\nalpha = [1.8, 3.2]`,
+  (/** @type {any} */ d) => `law = "neo-hookean"\nmu = "${d.between(0.2, 1)} MPa"\nsoftening = { r = 1.6, m = "0.05 MPa" }\nconditioned = "2 bar"`,
+];
+const RUBBERS = ["paper", "dragon-skin-30", "dragon-skin-20", "ecoflex-00-50", "rebound-25", "dragon-skin-30:neo-hookean"];
+/** Sleeves: name, tubes that suit them in mm, what their sources do not state. @type {[string, number, number, string[]][]} */
+export const SLEEVES = [
+  ["s-muscle-13", 1.4, 2.1, ["sE"]], ["s-muscle-20", 2.2, 3.2, ["sE"]], ["s-muscle-40", 4.4, 6.5, ["sE"]], ["flexo-overexpanded-0.25in", 9, 13, ["sd"]], ["flexo-overexpanded-0.31in", 11, 16, ["sd"]],
+  ["flexo-overexpanded-0.38in", 13.5, 19.5, ["sd"]], ["flexo-overexpanded-0.50in", 18, 26, ["sd"]], ["flexo-overexpanded-0.75in", 27, 39, ["sd"]], ["nfl-19", 15.5, 19, ["sd", "sE"]], ["kevlar-sock", 80, 86, ["sd", "sE"]],
+];
+
+/** What the words of the address are called on the command line, and in which units people type them: unit, mm (MPa, N, …) of one. @type {Record<string, [string, [string, number][]]>} */
+const FLAGS = {
+  D: ["-D", [["mm", 1], ["in", 25.4], ["cm", 10], ["", 1]]], s: ["-s", [["mm", 1], ["", 1]]], L: ["-L", [["mm", 1], ["m", 1000], ["in", 25.4]]], angle: ["--angle", [["deg", 1], ["", 1]]],
+  sd: ["--strand-diameter", [["mm", 1], ["um", 1e-3]]], sE: ["--strand-modulus", [["MPa", 1], ["GPa", 1000]]], k: ["--stiffness", [["N/mm", 1], ["", 1]]],
+  seating: ["--seating", [["mm", 1]]], slip: ["--slip", [["mm/N", 1], ["mm/kN", 1e-3]]], grip: ["--grip", [["mm", 1]]], rubber: ["--rubber", []], braid: ["--braid", []],
+};
+
+/**
+ * A random muscle: its file (empty for the prototype), what is said over it as key and text, the same as flags, and the file that
+ * somebody would write who says all of it there.
+ * @param {number} seed
+ */
+export function muscle(seed) {
+  const d = dice(seed);
+  // What a file says, and what is said over it, drawn apart.
+  const sleeve = d.chance(0.35) ? d.pick(SLEEVES) : undefined;
+  const D = sleeve ? d.between(sleeve[1], sleeve[2]) : d.between(12, 50);
+  const base = /** @type {Record<string, string>} */ ({ D: `${D} mm`, s: `${d.between(0.05 * D, 0.16 * D)} mm`, L: `${d.between(4 * D, 10 * D)} mm` });
+  if (sleeve) { base.braid = sleeve[0]; complete(base, sleeve[3]); }
+  else { base.angle = `${d.between(20, 34)} deg`; base.k = d.pick(["paper", "inextensible", `${d.between(100, 900)} N/mm`]); }
+  if (d.chance(0.5)) base.rubber = d.pick(RUBBERS);
+  else base.law = d.pick(LAWS)(d);
+  if (d.chance(0.4)) base.seating = `${d.between(0.1, 2)} mm`;
+  if (d.chance(0.3)) base.slip = `${d.between(0.1, 2)} mm/kN`;
+  if (d.chance(0.3)) base.grip = `${d.between(1, 5)} mm`;
+  if (d.chance(0.2)) base.friction = "coefficient = 40\nexponent = 0.8";
+  const filed = d.chance(0.75);
+
+  /** @param {Record<string, string>} into @param {string[]} lacks */
+  function complete(into, lacks) {
+    if (d.chance(0.25)) into.k = d.chance(0.5) ? "inextensible" : `${d.between(100, 900)} N/mm`;
+    else {
+      if (lacks.includes("sd")) into.sd = `${d.between(0.15, 0.35)} mm`;
+      if (lacks.includes("sE")) into.sE = `${d.between(2000, 9000)} MPa`;
+    }
+  }
+
+  /** @type {Record<string, string>} */
+  const over = {};
+  const said = filed ? 0.3 : 0.7;
+  const say = (/** @type {string} */ key, /** @type {number} */ mm) => {
+    const [unit, of] = d.pick(FLAGS[key][1]);
+    over[key] = `${Number((mm / of).toPrecision(d.pick([3, 5])))}${unit && d.chance(0.5) ? " " : ""}${unit}`;
+  };
+  // Over a file with a sleeve the diameter stays within it.
+  if (d.chance(said)) say("D", filed ? D * d.between(0.98, 1.08) : d.between(20, 45));
+  if (d.chance(said)) say("s", filed ? D * d.between(0.06, 0.15) : d.between(1, 3));
+  if (d.chance(said)) say("L", filed ? D * d.between(4, 9) : d.between(150, 350));
+  if (!filed || !sleeve) {
+    const other = d.chance(0.25) ? SLEEVES.find(([, low, high]) => [over.D ? undefined : filed ? D : 30].every((x) => x !== undefined && x > low * 1.05 && x < high * 0.95)) : undefined;
+    if (other) { over.braid = other[0]; complete(over, other[3]); }
+    else {
+      if (d.chance(said)) say("angle", d.between(20, 34));
+      if (d.chance(said)) { if (d.chance(0.4)) over.k = d.pick(["inextensible", "paper"]); else say("k", d.between(100, 900)); }
+    }
+  } else if (d.chance(0.2)) over.k = "inextensible";
+  if (d.chance(0.3)) over.rubber = d.pick(RUBBERS);
+  if (d.chance(0.2)) say("seating", d.between(0.1, 2));
+  if (d.chance(0.2)) say("slip", d.between(1e-4, 2e-3));
+  if (d.chance(0.2)) say("grip", d.between(1, 4));
+  const flags = Object.entries(over).flatMap(([key, text]) => [FLAGS[key][0], text]);
+  const ends = { p: `${d.between(0.8, 3, 3)}${d.pick(["bar", " bar"])}`, e: d.pick([`${d.between(1, 14, 3)}%`, `${d.between(0.01, 0.14, 3)}`]) };
+  return { file: filed ? written(base) : "", over, flags, merged: written(merge(filed ? base : {}, over)), ...ends };
+}
+
+/** What is said takes the place of what it excludes. @param {Record<string, string>} base @param {Record<string, string>} over */
+function merge(base, over) {
+  const out = { ...base };
+  if (over.braid) for (const key of ["angle", "sd", "sE", "k"]) delete out[key];
+  if (over.k) for (const key of ["sd", "sE"]) delete out[key];
+  if (over.rubber) delete out.law;
+  return { ...out, ...over };
+}
+
+/** A muscle file. @param {Record<string, string>} of */
+function written({ D, s, L, rubber, law, braid, angle, k, sd, sE, seating, slip, grip, friction }) {
+  const key = (/** @type {string} */ name, /** @type {string | undefined} */ text) => (text === undefined ? "" : `${name} = "${text}"\n`);
+  const tube = key("outer_diameter", D) + key("wall_thickness", s) + key("length", L) + key("rubber", rubber) + (law ? `\n[tube.material]\n${law}\n` : "");
+  const sleeve = key("name", braid) + key("angle", angle) + key("stiffness", k) + key("strand_diameter", sd) + key("strand_modulus", sE);
+  const ends = key("seating", seating) + key("slip", slip) + key("grip", grip);
+  return `name = "random"\n\n[tube]\n${tube}\n[braid]\n${sleeve}${ends ? `\n[terminals]\n${ends}` : ""}${friction ? `\n[friction]\n${friction}\n` : ""}`;
+}
