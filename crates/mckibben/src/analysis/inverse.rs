@@ -18,6 +18,8 @@ use crate::muscle::Muscle;
 
 /// Where the search for a pressure ends if the model sets no limit, in MPa.
 const HIGHEST_PRESSURE_MPA: f64 = 20.0;
+/// First step of that search, as a share of its way or of 1 MPa.
+const FIRST_STEP: f64 = 0.02;
 /// Where the search for a contraction ends if the model sets no limit.
 const LARGEST_CONTRACTION: f64 = 0.999;
 /// A model and its companion differ by less than this share of the pull.
@@ -130,7 +132,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     // Upwards in growing steps to the first pressure beyond which the pull is on the other side of what is wanted.
     let mut low = (lowest, first);
     let mut before: Option<(f64, f64)> = None;
-    let mut step = (0.02 * highest.min(1.0)).max(1e-6);
+    let mut step = (FIRST_STEP * highest.min(1.0)).max(1e-6);
     while low.0 < highest {
         let high = (low.0 + step).min(highest);
         match (sought.value(model, workspace, high)?, low.1) {
@@ -189,6 +191,11 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     if !model.is_costly() {
         if options.extrapolate && lowest > 0.0 {
             sweep.fill((0.0, lowest), fineness.beyond, &mut at)?;
+        }
+        // A muscle that pushes may have equilibria near the lowest pressure, and then none for a while.
+        for share in [1e-4, 1e-3, 1e-2, 1e-1] {
+            let p = lowest + share * FIRST_STEP * highest.min(1.0);
+            sweep.keep(p, at(p)?);
         }
         sweep.finer(4, &mut at)?;
         sweep.refine(&mut at)?;
