@@ -51,7 +51,7 @@ fn one_burst_pressure_in_every_command_to_the_last_digit() {
         "pressure hose.toml -F 300N -e 5%",
         "contraction hose.toml -F 100N -p 3bar",
         "curve isobaric hose.toml -p 2bar",
-        "simulate isobaric hose.toml -p 2bar",
+        "simulate hose.toml --test isobaric -p 2bar",
         "joint joint.toml -p 3bar,1bar --angle 0",
         &format!("{MOTION} -p 3bar"),
         "report hose.toml -p 3bar",
@@ -75,7 +75,7 @@ fn a_pressure_beyond_the_burst_pressure_is_said_before_all_else() {
         "force hose.toml -p 60bar",
         "force hose.toml -p 22bar",
         "curve isobaric hose.toml -p 22bar -e 0,5%",
-        "simulate isobaric hose.toml -p 22bar -e 0",
+        "simulate hose.toml --test isobaric -p 22bar -e 0",
         "joint joint.toml -p 60bar,1bar --angle 0",
         &format!("{MOTION} -p 40bar --supply 50bar"),
     ] {
