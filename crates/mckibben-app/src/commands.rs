@@ -1,14 +1,18 @@
 //! Every command by name: its schema, and its way from JSON to JSON.
 
-use crate::border::guarded;
+use crate::border::within;
+use crate::json_size::JsonSize;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
+use mckibben::budget::Resource;
 use mckibben::nearest::nearest;
 use mckibben::progress::Progress;
 #[cfg(feature = "files")]
 use mckibben_campaign::campaign::{Merged, Outcome, Summary};
 #[cfg(feature = "schema")]
 use schemars::{JsonSchema, generate::SchemaSettings};
+#[cfg(feature = "schema")]
+use serde::Deserialize;
 use serde::Serialize;
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -23,6 +27,8 @@ pub struct CommandEntry {
     #[cfg(feature = "schema")]
     schema: fn() -> Value,
     ask: fn(Value, &dyn Progress) -> Result<Value, Problem>,
+    #[cfg(feature = "schema")]
+    understood: fn(&Value) -> Result<(), Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
     /// Fields of its request, from the schema, which is made once.
@@ -49,14 +55,42 @@ impl CommandEntry {
         (self.schema)()
     }
 
-    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+    /// The fields of its request.
     #[cfg(feature = "schema")]
-    fn check_fields(&self, request: &Value) -> Result<(), Problem> {
-        let known = self.fields.get_or_init(|| {
+    fn fields(&self) -> &[String] {
+        self.fields.get_or_init(|| {
             let schema = self.schema();
             let properties = schema["request"]["properties"].as_object();
             properties.into_iter().flat_map(|p| p.keys().cloned()).collect()
-        });
+        })
+    }
+
+    /// Whether its request may carry tables of measured or computed points, which may be long.
+    #[cfg(feature = "schema")]
+    pub fn takes_tables(&self) -> bool {
+        self.fields()
+            .iter()
+            .any(|field| ["data", "table", "tables", "load_tables", "cases"].contains(&field.as_str()))
+    }
+
+    /// Whether a request is one of this command, before any work is done for it: what is said at once of what begins later.
+    ///
+    /// # Errors
+    /// [`Problem`] of kind `usage`.
+    #[cfg(feature = "schema")]
+    pub fn check(&self, request: &Value) -> Result<(), Problem> {
+        self.check_fields(request)?;
+        (self.understood)(request)
+    }
+
+    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+    #[cfg(feature = "schema")]
+    fn check_fields(&self, request: &Value) -> Result<(), Problem> {
+        if !request.is_object() {
+            let message = "a request is an object of fields";
+            return Err(Problem::new(ProblemKind::Usage, message, "such as {\"pressure_mpa\": 0.2}"));
+        }
+        let known = self.fields();
         let given = request.as_object().into_iter().flat_map(|fields| fields.keys());
         let Some(field) = given.into_iter().find(|field| !known.is_empty() && !known.contains(field)) else {
             return Ok(());
@@ -79,6 +113,8 @@ macro_rules! command {
                 let answer: $answer = $body?;
                 json(&answer)
             },
+            #[cfg(feature = "schema")]
+            understood: |value| <$request>::deserialize(value).map(drop).map_err(|e| not_understood(&e)),
             #[cfg(feature = "schema")]
             fields: OnceLock::new(),
             long: false,
@@ -140,7 +176,7 @@ pub static COMMANDS: LazyLock<Vec<CommandEntry>> = LazyLock::new(|| {
         #[cfg(feature = "whole")]
         command!(long "rubber-fit", RubberFitRequest => RubberFitAnswer, |r, progress| rubber_fit(&r, progress)),
         command!("shape", ShapeRequest => ShapeAnswer, |r, progress| shape(&r, progress)),
-        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, _progress| quantities(&r)),
+        command!("quantities", QuantitiesRequest => QuantitiesAnswer, |r, progress| quantities(&r, progress)),
         command!("units", UnitsRequest => UnitsAnswer, |r, _progress| units(&r)),
         command!("models", ModelsRequest => ModelsAnswer, |r, _progress| models(&r)),
     ]
@@ -173,7 +209,7 @@ pub fn schema(command: &str) -> Result<Value, Problem> {
 /// # Errors
 /// [`Problem`].
 pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<String, Problem> {
-    guarded(|| Ok(answered(command, request, progress)?.to_string()))
+    within(&progress.budget(), || Ok(of_text(command, request, progress)?.to_string()))
 }
 
 /// The same for front ends whose language has lists and maps of its own: no text on the way.
@@ -181,7 +217,7 @@ pub fn ask(command: &str, request: &str, progress: &dyn Progress) -> Result<Stri
 /// # Errors
 /// [`Problem`].
 pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Result<Value, Problem> {
-    guarded(|| of_value(command, request, progress))
+    within(&progress.budget(), || of_value(command, request, progress))
 }
 
 /// The same for front ends that draw: numbers of the answer's `arrays` (those of `shape`) as bytes.
@@ -193,28 +229,40 @@ pub fn ask_value(command: &str, request: Value, progress: &dyn Progress) -> Resu
 /// # Errors
 /// [`Problem`].
 pub fn ask_packed(command: &str, request: &str, progress: &dyn Progress) -> Result<Vec<u8>, Problem> {
-    guarded(|| {
-        let mut answer = answered(command, request, progress)?;
-        let mut numbers: Vec<u8> = vec![];
-        for array in
-            answer.get_mut("arrays").and_then(Value::as_object_mut).into_iter().flat_map(|a| a.values_mut())
-        {
-            let Some(list) = array.as_array() else { continue };
-            let count = list.len();
-            numbers.extend(list.iter().flat_map(|v| (v.as_f64().unwrap_or(f64::NAN) as f32).to_le_bytes()));
-            *array = count.into();
-        }
-        let mut text = answer.to_string().into_bytes();
-        text.resize(text.len().next_multiple_of(4), b' ');
-        let mut packed = (text.len() as u32).to_le_bytes().to_vec();
-        packed.append(&mut text);
-        packed.append(&mut numbers);
-        Ok(packed)
-    })
+    within(&progress.budget(), || Ok(packed(of_text(command, request, progress)?)))
 }
 
-fn answered(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
-    of_value(command, serde_json::from_str(request).map_err(|e| not_understood(&e))?, progress)
+/// An answer as [`ask_packed`] gives it.
+pub fn packed(mut answer: Value) -> Vec<u8> {
+    let mut numbers: Vec<u8> = vec![];
+    for array in
+        answer.get_mut("arrays").and_then(Value::as_object_mut).into_iter().flat_map(|a| a.values_mut())
+    {
+        let Some(list) = array.as_array() else { continue };
+        let count = list.len();
+        numbers.extend(list.iter().flat_map(|v| (v.as_f64().unwrap_or(f64::NAN) as f32).to_le_bytes()));
+        *array = count.into();
+    }
+    let mut text = answer.to_string().into_bytes();
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let mut packed = (text.len() as u32).to_le_bytes().to_vec();
+    packed.append(&mut text);
+    packed.append(&mut numbers);
+    packed
+}
+
+fn of_text(command: &str, request: &str, progress: &dyn Progress) -> Result<Value, Problem> {
+    let size = JsonSize::of(request)?;
+    progress.budget().admit(Resource::Bytes, size.bytes())?;
+    of_value(command, parsed(request)?, progress)
+}
+
+/// A request in JSON that [`JsonSize::of`] let through, as a value.
+///
+/// # Errors
+/// [`Problem`] of kind `usage` for what is no JSON.
+pub fn parsed(request: &str) -> Result<Value, Problem> {
+    serde_json::from_str(request).map_err(|e| not_understood(&e))
 }
 
 fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Value, Problem> {

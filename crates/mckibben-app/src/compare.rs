@@ -3,7 +3,7 @@
 use crate::curve::{contractions, list, steps};
 use crate::fields::{AskFields, Columns, Direction, MeshFields, MuscleFields, TextFile, UnderstoodTable};
 use crate::figure;
-use crate::model::Model;
+use crate::model::{Model, check_direction};
 use crate::muscle::MuscleSummary;
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
@@ -188,6 +188,11 @@ pub fn compare(request: &CompareRequest, progress: &dyn Progress) -> Result<Comp
         asking.direction = request.branch;
     }
     let options = asking.options(&muscle)?;
+    if request.data.is_none() {
+        let why = "it belongs to measured points, and no `data` are given";
+        Problem::refuse_unused(&[("columns", request.columns != Columns::default())], why)?;
+        check_direction(request.branch, &muscle)?;
+    }
     let models = request.chosen()?;
     let read = request.data.as_ref().map(|file| request.on_branch(file, &muscle)).transpose()?;
     let (measured, understood) = read.unzip();
@@ -280,6 +285,7 @@ impl CompareRequest {
                 models.push(model);
             }
         }
+        self.mesh.check_used(&models.iter().collect::<Vec<_>>())?;
         Ok(models)
     }
 

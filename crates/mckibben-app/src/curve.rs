@@ -184,6 +184,7 @@ fn each(
     take: &mut dyn FnMut(Curve) -> Result<(), Problem>,
 ) -> Result<CurveAnswer, Problem> {
     let budget = progress.budget();
+    check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
     let mut question = Question::new(&request.muscle, &request.model, request.asking, &budget)?;
     let isobaric = request.test == Test::Isobaric;
     let pressures = list("pressures_mpa", &request.pressures_mpa, || {
@@ -284,6 +285,21 @@ pub(crate) fn reach(
         list.push(end);
     }
     list
+}
+
+/// Refuses what a test does not take.
+pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result<(), Problem> {
+    let name = test.name();
+    match test {
+        Test::Isotonic => Problem::refuse_unused(
+            &[("contractions", contractions)],
+            format!("`test` {name} takes pulls (`forces_n`) and answers with contractions"),
+        ),
+        Test::Isometric | Test::Isobaric => Problem::refuse_unused(
+            &[("forces_n", forces)],
+            format!("`test` {name} takes contractions (`contractions`) and answers with pulls"),
+        ),
+    }
 }
 
 /// Evenly spaced values, both ends among them.

@@ -16,6 +16,7 @@ use mckibben::joint::{
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
+use mckibben::units::short_numbers;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -277,6 +278,16 @@ impl Asked<'_> {
     fn rows(&mut self, request: &JointRequest, progress: &dyn Progress) -> Result<Vec<JointRow>, Problem> {
         let families = &request.pressures_mpa;
         let angles = request.angles_deg.as_deref();
+        if !families.is_empty() {
+            let (torque, sought) = (request.torque_nm.is_some(), request.stiffness_nm_per_rad.is_some());
+            let why = "it is wanted of pressures that are sought, and `pressures_mpa` are given";
+            Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
+            let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
+            Problem::refuse_unused(&[("torque_nm", torque && angles.is_some())], why)?;
+            let supply = request.max_pressure_mpa.is_some() && request.map.is_none();
+            let why = "it bounds pressures that are sought, and `pressures_mpa` are given";
+            Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
+        }
         for &p in families.iter().flatten() {
             if !(p.is_finite() && p >= 0.0) {
                 let message = format!("{p} MPa is no gauge pressure of a muscle");
@@ -395,7 +406,7 @@ impl From<JointError> for Problem {
             JointError::Cancelled => Self::cancelled(),
             JointError::Muscle { error, .. } => {
                 let inner = Self::from(error);
-                Self { message, ..inner }
+                Self { message: short_numbers(&message).into_owned(), ..inner }
             }
             JointError::NoTorque { .. } | JointError::NoStiffness { .. } => Self::new(
                 ProblemKind::NoAnswer,

@@ -38,6 +38,7 @@ mod figure;
 mod fit;
 mod identify;
 mod joint;
+mod json_size;
 mod load;
 mod many;
 mod measured;
@@ -65,13 +66,13 @@ mod validate;
 mod warnings;
 pub mod words;
 
-pub use border::{guarded, panics_are_problems};
+pub use border::{guarded, panics_are_problems, within};
 pub use braid::*;
 #[cfg(feature = "files")]
 pub use campaign::*;
 #[cfg(feature = "schema")]
 pub use commands::schema;
-pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find};
+pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find, packed, parsed};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
@@ -79,6 +80,7 @@ pub use fields::*;
 pub use fit::*;
 pub use identify::*;
 pub use joint::*;
+pub use json_size::JsonSize;
 pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
     AnswerColumns, BoundModel, Column, Many, NoList, Pairs, Unanswered, Wanted as WantedOfPoint,

@@ -78,11 +78,13 @@ impl Model {
     /// # Errors
     /// [`Problem`] of kind `model`, `mesh`, `terminal` or `formula`.
     pub fn choose(fields: &ModelFields, purpose: Purpose) -> Result<Self, Problem> {
-        match (&fields.model, purpose) {
-            (Some(name), _) => Self::named(name, &fields.formulas, &fields.mesh),
-            (None, Purpose::Answer) => Self::named("fe", &[], &fields.mesh),
-            (None, Purpose::Search) => Self::named("universal", &[], &fields.mesh),
+        if fields.model.is_none() && purpose == Purpose::Search {
+            return Self::named("universal", &[], &fields.mesh);
         }
+        let name = fields.model.as_deref().unwrap_or("fe");
+        let model = Self::named(name, &fields.formulas, &fields.mesh)?;
+        fields.mesh.check_used(&[&model])?;
+        Ok(model)
     }
 
     /// The model of a name: of one of the formulas, or of the list.
@@ -216,6 +218,17 @@ impl MeshFields {
             };
             Problem::new(ProblemKind::Mesh, message, "leave it out and the program chooses").in_field("mesh")
         })
+    }
+
+    /// Refuses a mesh that none of the models has.
+    pub(crate) fn check_used(&self, models: &[&Model]) -> Result<(), Problem> {
+        let elements = models.iter().any(|m| matches!(m, Model::Elements(_)));
+        let why = "only `model` fe and fe3d divide the muscle into elements";
+        Problem::refuse_unused(&[("mesh", self.mesh.is_some() && !elements)], why)?;
+        let bricks = |m: &&Model| matches!(m, Model::Elements(Elements::ThreeDimensional(_)));
+        let why = "only the bricks of `model` fe3d have to fit the length or the angle";
+        let unused = self.keep != Keep::default() && !models.iter().any(bricks);
+        Problem::refuse_unused(&[("match", unused)], why)
     }
 
     /// Refuses a terminal of models that have none.

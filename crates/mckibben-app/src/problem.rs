@@ -91,10 +91,12 @@ pub enum Ending {
     NoAnswer = 1,
     /// The request is wrong.
     WrongInput = 2,
-    /// The computation did not converge, or was cancelled.
+    /// The computation did not converge.
     NotConverged = 3,
     /// The program itself is at fault.
     Internal = 4,
+    /// The work was ended from outside, as shells have it.
+    Cancelled = 130,
 }
 
 impl ProblemKind {
@@ -102,7 +104,8 @@ impl ProblemKind {
     pub fn ending(self) -> Ending {
         match self {
             Self::NoAnswer => Ending::NoAnswer,
-            Self::NotConverged | Self::Cancelled => Ending::NotConverged,
+            Self::NotConverged => Ending::NotConverged,
+            Self::Cancelled => Ending::Cancelled,
             Self::Internal => Ending::Internal,
             _ => Ending::WrongInput,
         }
@@ -149,11 +152,10 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// A problem.
+    /// A problem; numbers in its words have no more digits than anybody reads.
     pub fn new(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
-        // A number of an error has its digits as a computer has them.
         let message = short_numbers(&message.into()).into_owned();
-        Self { kind, message, hint: hint.into(), field: None, nearest: None }
+        Self { kind, message, hint: short_numbers(&hint.into()).into_owned(), field: None, nearest: None }
     }
 
     /// The same with the field that is to blame.
@@ -171,6 +173,26 @@ impl Problem {
     /// A field that must be there and is not.
     pub fn missing(field: &str, expected: &str) -> Self {
         Self::new(ProblemKind::Usage, format!("`{field}` is missing; expected {expected}"), "")
+    }
+
+    /// A field that is there and would change nothing, with the reason, which names the other field.
+    pub fn unused(field: &str, why: impl fmt::Display) -> Self {
+        Self::new(
+            ProblemKind::Usage,
+            format!("`{field}` would change nothing: {why}"),
+            "leave one of them out",
+        )
+    }
+
+    /// Refuses fields that are there and would change nothing.
+    ///
+    /// # Errors
+    /// [`Problem`] about the first of them.
+    pub fn refuse_unused(fields: &[(&str, bool)], why: impl fmt::Display) -> Result<(), Self> {
+        match fields.iter().find(|field| field.1) {
+            Some((field, _)) => Err(Self::unused(field, why)),
+            None => Ok(()),
+        }
     }
 
     /// The caller wanted the work to end.
@@ -248,11 +270,13 @@ impl From<AnalysisError> for Problem {
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa, contraction: None });
             }
             AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
-                if nearest_force_n > force_n {
-                    hint = format!(
+                hint = if nearest_force_n > force_n {
+                    format!(
                         "it still pulls where the range of {model} ends; fe and thick-wall have no such limit"
-                    );
-                }
+                    )
+                } else {
+                    "take more pressure, or a larger muscle".to_owned()
+                };
                 let contraction = Some(nearest_contraction);
                 nearest = Some(Nearest { force_n: nearest_force_n, pressure_mpa: None, contraction });
             }

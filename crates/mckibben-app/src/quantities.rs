@@ -1,7 +1,9 @@
 //! `quantities` and `units`: what a user typed, as numbers, and the units there are.
 
 use crate::problem::{Problem, ProblemKind};
-use mckibben::units::{Dimension, RangeError, parse_quantity, parse_values};
+use mckibben::budget::Resource;
+use mckibben::progress::Progress;
+use mckibben::units::{Dimension, MAX_POINTS, RangeError, parse_at_most, parse_quantity};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -56,24 +58,42 @@ pub enum Reading {
 /// Parts of an interval without a step.
 const DIVISIONS: usize = 20;
 
-/// What a user typed, as numbers.
+/// What a user typed, as numbers; of all texts together as many as the budget allows.
 ///
 /// # Errors
-/// None; each text has its own.
-pub fn quantities(request: &QuantitiesRequest) -> Result<QuantitiesAnswer, Problem> {
+/// [`Problem`] of kind `budget` for more; each text has its own.
+pub fn quantities(request: &QuantitiesRequest, progress: &dyn Progress) -> Result<QuantitiesAnswer, Problem> {
+    let budget = progress.budget();
+    let most = budget.limits().points;
+    let mut points = 0.0;
     let wrong = |kind, message: String| Reading::Wrong { problem: Problem::new(kind, message, "") };
-    let read = |typed: &Typed| match typed.list {
-        false => match parse_quantity(&typed.text, typed.kind) {
-            Ok(value) => Reading::One { value },
-            Err(error) => wrong(ProblemKind::Quantity, error.to_string()),
-        },
-        true => match parse_values(&typed.text, typed.kind) {
-            Ok(values) => Reading::Many { values: values.sampled(DIVISIONS) },
-            Err(error @ RangeError::Quantity(_)) => wrong(ProblemKind::Quantity, error.to_string()),
-            Err(error) => wrong(ProblemKind::Range, error.to_string()),
-        },
+    let mut read = |typed: &Typed| {
+        let reading = match typed.list {
+            false => match parse_quantity(&typed.text, typed.kind) {
+                Ok(value) => Reading::One { value },
+                Err(error) => wrong(ProblemKind::Quantity, error.to_string()),
+            },
+            // What there is no room for is not even made.
+            true => match parse_at_most(&typed.text, typed.kind, (most - points).max(1.0) as usize) {
+                Ok(values) => Reading::Many { values: values.sampled(DIVISIONS) },
+                Err(error @ RangeError::TooMany { points: more, .. }) => {
+                    if more <= MAX_POINTS as f64 {
+                        budget.admit(Resource::Points, points + more)?;
+                    }
+                    wrong(ProblemKind::Range, error.to_string())
+                }
+                Err(error @ RangeError::Quantity(_)) => wrong(ProblemKind::Quantity, error.to_string()),
+                Err(error) => wrong(ProblemKind::Range, error.to_string()),
+            },
+        };
+        points += match &reading {
+            Reading::Many { values } => values.len() as f64,
+            Reading::One { .. } | Reading::Wrong { .. } => 1.0,
+        };
+        budget.admit(Resource::Points, points)?;
+        Ok(reading)
     };
-    Ok(QuantitiesAnswer { readings: request.texts.iter().map(read).collect() })
+    Ok(QuantitiesAnswer { readings: request.texts.iter().map(&mut read).collect::<Result<_, Problem>>()? })
 }
 
 /// The units.

@@ -163,7 +163,7 @@ pub struct LawQuality {
 }
 
 /// A constant with the law that it belongs to: a row of a table.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct ConstantRow {
     law: String,
     constrained: bool,
@@ -243,6 +243,12 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
     };
     let (points, table) = read_tests(file.text.as_bytes(), options, &request.columns)
         .map_err(|error| Problem::of_table(&file.name, &error))?;
+    let has = |quantities: &[&str]| table.columns.iter().any(|c| quantities.contains(&c.quantity.as_str()));
+    let area = request.area_mm2.is_some() && !has(&["force"]);
+    Problem::refuse_unused(&[("area_mm2", area)], "the table has stresses, and no `columns` of forces")?;
+    let gauge = request.gauge_length_mm.is_some() && !has(&["extension", "length"]);
+    let why = "the table has stretches or strains, and no `columns` of extensions or lengths";
+    Problem::refuse_unused(&[("gauge_length_mm", gauge)], why)?;
     progress.budget().admit(Resource::Points, points.len() as f64)?;
     let fit = fit_tension_with(&points, &settings, progress)?;
     let taken = fit.recommended.and_then(|i| fit.laws.get(i));
@@ -347,6 +353,11 @@ impl RubberFitRequest {
         if self.laws.is_empty() && self.terms.is_none() {
             return Ok(forms);
         }
+        let several = |word: &String| {
+            word.trim() == "all" || Form::parse(word).iter().any(|form| form.terms().is_some())
+        };
+        let alone = self.terms.is_some() && !self.laws.is_empty() && !self.laws.iter().any(several);
+        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a number of terms")?;
         let all = ["all".to_owned()];
         for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
             let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };

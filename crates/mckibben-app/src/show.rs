@@ -1,7 +1,7 @@
 //! `muscle show`: what was understood of a muscle, what follows from it, and how to build it.
 
 use crate::burst::{burst_of, said_of};
-use crate::fields::{AskFields, ModelFields, MuscleFields};
+use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
 use crate::point::finite;
@@ -143,6 +143,19 @@ pub struct Characteristics {
 /// [`Problem`].
 pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Problem> {
     let muscle = request.muscle.resolve()?;
+    if request.pressure_mpa.is_none() {
+        let (model, asking) = (&request.model, request.asking);
+        let fields = [
+            ("model", model.model.is_some()),
+            ("mesh", model.mesh != MeshFields::default()),
+            ("extrapolate", asking.extrapolate),
+            ("two_sided", asking.two_sided),
+            ("direction", !asking.direction.is_mean()),
+        ];
+        let why = "a model is asked what the muscle does at a pressure, and no `pressure_mpa` is given";
+        Problem::refuse_unused(&fields, why)
+            .map_err(|p| p.with_hint("give `pressure_mpa`, such as 0.2 MPa"))?;
+    }
     let asked = request.pressure_mpa.map(|p| characteristics(request, &muscle, p)).transpose()?;
     let said = asked.as_ref().and_then(|(c, found)| said_of(found, c.pressure_mpa, 0.0));
     let characteristics = asked.map(|a| a.0);

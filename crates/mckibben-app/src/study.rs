@@ -88,7 +88,15 @@ pub struct StudyRow {
 /// # Errors
 /// [`Problem`] where the model does not take the muscles at all.
 pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
-    let base = request.muscle.resolve()?;
+    let m = &request.muscle;
+    let own = [
+        ("outer_diameter_mm", m.outer_diameter_mm.is_some()),
+        ("wall_mm", m.wall_mm.is_some()),
+        ("length_mm", m.length_mm.is_some()),
+    ];
+    Problem::refuse_unused(&own, "the study has the diameter, walls and length of the paper")
+        .map_err(|p| p.with_hint("leave it out, or draw other muscles with `test`"))?;
+    let base = m.resolve()?;
     let options = request.asking.options(&base)?;
     let model = Model::choose(&request.model, Purpose::Answer)?;
     let budget = progress.budget();

@@ -8,6 +8,12 @@ use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
+/// Values inside (MPa, N, mm, and quotients of these) below which nobody measures anything: what rounding leaves of zero.
+const NOTHING: f64 = 1e-9;
+
+/// Sentences with these words have moduli, stresses and energies, which stay in MPa.
+const MATERIAL: [&str; 4] = ["modul", "stress", "energy", "constants"];
+
 /// How one kind of quantity is shown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale {
@@ -42,12 +48,12 @@ impl Scale {
 
     /// `2.5`.
     pub fn bare(&self, inside: f64) -> String {
-        number(self.value(inside), self.digits)
+        self.to(inside, self.digits)
     }
 
-    /// `2.5`, to so many digits.
+    /// `2.5`, to so many digits; what is left of rounding is nothing.
     pub fn to(&self, inside: f64, digits: usize) -> String {
-        number(self.value(inside), digits)
+        number(if inside.abs() < NOTHING { 0.0 } else { self.value(inside) }, digits)
     }
 
     /// The same to the digits that a ± leaves.
@@ -116,19 +122,76 @@ impl Units {
         }
     }
 
-    /// The units behind texts that a user typed, as far as people who type them want to read them too.
+    /// The units behind texts that a user typed, as far as people who type them want to read them too; of each kind the first.
     pub fn typed<'a>(texts: impl IntoIterator<Item = &'a str>) -> Self {
         let known = ["bar", "kPa", "MPa", "psi", "lbf", "in"];
-        let names = texts.into_iter().filter_map(|text| {
-            let unit = text.trim().rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c)).next()?;
-            let of = [Dimension::Pressure, Dimension::Force, Dimension::Length];
-            let found = of.into_iter().find_map(|kind| kind.unit(unit))?.name;
-            known.contains(&found).then_some(found)
-        });
-        let mut list: Vec<&str> = names.collect();
-        list.dedup();
+        let mut found: [Option<&str>; 3] = [None; 3];
+        for text in texts.into_iter().flat_map(|text| text.split([',', '@'])) {
+            let unit = text.trim().rsplit(|c: char| c.is_ascii_digit() || ".: ".contains(c)).next();
+            let of = [Dimension::Pressure, Dimension::Force, Dimension::Length].into_iter().enumerate();
+            let named = of.into_iter().find_map(|(i, kind)| Some((i, kind.unit(unit?)?.name)));
+            if let Some((i, name)) = named.filter(|(_, name)| known.contains(name)) {
+                found[i].get_or_insert(name);
+            }
+        }
+        let list: Vec<&str> = found.into_iter().flatten().collect();
         list.join(",").parse().unwrap_or_default()
     }
+
+    /// A sentence of the layers below, whose pressures are in MPa, with its pressures in this unit. Moduli, stresses and energies stay
+    /// in MPa, and so do sentences that speak of the unit itself.
+    pub fn sentence<'a>(&self, text: &'a str) -> Cow<'a, str> {
+        if self.pressure.name == "MPa" || MATERIAL.iter().any(|word| text.contains(word)) {
+            return Cow::Borrowed(text);
+        }
+        let mut out = String::with_capacity(text.len());
+        let mut rest = text;
+        while let Some(at) = rest.find("MPa") {
+            let (before, behind) = (&rest[..at], &rest[at + 3..]);
+            let per = before.ends_with("N/");
+            let numbers = before.strip_suffix(if per { " N/" } else { " " });
+            let other = behind.starts_with(|c: char| c.is_alphanumeric() || "^²·/".contains(c));
+            let whole = !other && !behind.starts_with(" = ");
+            match numbers.filter(|_| whole).and_then(|text| self.shown(text, per)) {
+                Some(shown) => {
+                    out.push_str(&shown);
+                    out.push_str(if per { " N/" } else { " " });
+                    out.push_str(&self.pressure.name);
+                }
+                None => out.push_str(&rest[..at + 3]),
+            }
+            rest = behind;
+        }
+        out.push_str(rest);
+        Cow::Owned(out)
+    }
+
+    /// A text with the numbers at its end, `1`, `1 to 2`, `1..2` or `1, 2 and 3` of them, in this unit; `None` where there is none.
+    fn shown(&self, text: &str, per: bool) -> Option<String> {
+        const BETWEEN: [&str; 5] = [" to ", " and ", " or ", ", ", ".."];
+        let (before, number_text) = number_at_end(text)?;
+        let value: f64 = number_text.parse().ok()?;
+        let digits = number_text.split(['e', 'E']).next()?.chars().filter(char::is_ascii_digit).count();
+        let pressure = &self.pressure;
+        let outside = if per { value / pressure.value(1.0) } else { pressure.value(value) };
+        let more =
+            BETWEEN.iter().find_map(|&word| Some((self.shown(before.strip_suffix(word)?, per)?, word)));
+        let before = more.map_or_else(|| before.to_owned(), |(before, word)| before + word);
+        Some(before + &number(outside, digits.clamp(4, 6)))
+    }
+}
+
+/// A text without the number at its end, and that number.
+fn number_at_end(text: &str) -> Option<(&str, &str)> {
+    let inside = |c: char| c.is_ascii_digit() || "+-.eE".contains(c);
+    let from = text.trim_end_matches(inside).len();
+    let starts = text[from..].char_indices().map(|(at, _)| from + at);
+    let starts_well = |at: &usize| !text[..*at].ends_with(char::is_alphanumeric);
+    let at = starts.filter(starts_well).find(|&at| {
+        let range = text[..at].ends_with('.') && !text[..at].ends_with("..");
+        !range && text[at..].parse::<f64>().is_ok()
+    })?;
+    Some(text.split_at(at))
 }
 
 impl Default for Units {
@@ -218,6 +281,39 @@ mod tests {
         assert_eq!(Units::typed(["0..40:5psi", "70lbf"]).to_string(), "psi,lbf");
         // Nobody reads muscles in mbar or cm.
         assert_eq!(Units::typed(["2500mbar", "3cm", "0.25"]), Units::default());
+    }
+
+    #[test]
+    fn of_each_kind_the_first_unit_that_was_typed_is_shown() {
+        assert_eq!(Units::typed(["2bar,1bar", "30psi", "1.2in"]).to_string(), "bar,in");
+        assert_eq!(Units::typed(["700lbf@15%,900N@5%"]).force.name, "lbf");
+    }
+
+    #[test]
+    fn pressures_of_sentences_are_shown_in_the_unit_and_moduli_are_not() {
+        let bar: Units = "bar".parse().unwrap();
+        for (sentence, shown) in [
+            ("no pressures up to 0.25 MPa give 3 N m", "no pressures up to 2.5 bar give 3 N m"),
+            ("nearest 12.5 N at 0.095000 MPa.", "nearest 12.5 N at 0.95 bar."),
+            ("falls when it rises (-1200 N/MPa): soft", "falls when it rises (-120 N/bar): soft"),
+            ("P 0.05..0.25 MPa, or -1e-2 to 3 MPa", "P 0.5..2.5 bar, or -0.1 to 30 bar"),
+            ("a modulus of 0.1 MPa", "a modulus of 0.1 MPa"),
+            ("C10 is 0.1 MPa², 3 MPa·s and MPa", "C10 is 0.1 MPa², 3 MPa·s and MPa"),
+        ] {
+            assert_eq!(bar.sentence(sentence), shown);
+        }
+        // 1 psi is 6 894.757 Pa (NIST SP 811).
+        let psi: Units = "psi".parse().unwrap();
+        assert_eq!(psi.sentence("at 0.3 MPa"), "at 43.51 psi");
+        assert_eq!(Units::default().sentence("at 0.3 MPa"), "at 0.3 MPa");
+    }
+
+    #[test]
+    fn what_rounding_leaves_of_zero_is_zero() {
+        let bar: Units = "bar".parse().unwrap();
+        assert_eq!(bar.pressure.show(5.444e-20), "0 bar");
+        assert_eq!(bar.stiffness().show(-1e-12), "0 N/mm");
+        assert_eq!(bar.pressure.show(1e-4), "0.001 bar");
     }
 
     #[test]

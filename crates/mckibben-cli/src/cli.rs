@@ -30,8 +30,7 @@ const ABOUT: &str = "Design McKibben pneumatic muscles: from a specification to 
 Quantities carry a unit (30mm, 2.5bar, 0.25MPa, 36psi, 28deg, 300N, 10%); a bare number is mm, MPa, N, degrees, \
 or a ratio. Ranges are low..high:step (0..2.5:0.1bar), lists are 1,2,3.";
 
-const EXIT_CODES: &str =
-    "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the computation did not converge.";
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 no answer exists; 2 the input is wrong; 3 the computation did not converge; 130 ended by a signal.";
 
 /// The command line.
 #[derive(Debug, Parser)]

@@ -1,6 +1,7 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
 use crate::output::clean;
+use crate::{shown, typed};
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_files::ReadError;
 use std::path::Path;
@@ -12,26 +13,36 @@ pub struct Failure {
     broken_pipe: bool,
 }
 
-/// Fields of requests whose flag is not their name without its unit.
-const FLAGS: &[(&str, &str)] = &[
-    ("direction", "branch"),
-    ("pressures_mpa", "pressure"),
-    ("angles_deg", "angle"),
-    ("torque_nm", "torque"),
-    ("stiffness_nm_per_rad", "stiffness"),
-    ("contractions", "contraction"),
-    ("forces_n", "force"),
-    ("rubbers", "rubber"),
-    ("points", "at"),
-    ("torques", "joint"),
-    ("supply_mpa", "supply"),
-    ("until_s", "until"),
-    ("damping_n_s_per_m", "damping"),
-    ("slip_mm_per_n", "slip"),
-    ("up_to_stretch", "up-to"),
-    ("laws", "law"),
-    ("figures", "plots"),
-    ("area_mm2", "area"),
+/// Fields of requests whose flag is not their name without its unit: the flags that set them. The one that was typed is named, and the
+/// first where none was.
+const FLAGS: &[(&str, &[&str])] = &[
+    ("direction", &["branch", "motion", "both"]),
+    ("min_burst_margin", &["safety", "min-burst-margin"]),
+    ("max_pressure_mpa", &["max-pressure", "pressure"]),
+    ("pressures_mpa", &["pressure"]),
+    ("angles_deg", &["angle"]),
+    ("outer_diameters_mm", &["outer-diameter"]),
+    ("walls_mm", &["wall"]),
+    ("torque_nm", &["torque"]),
+    ("stiffness_nm_per_rad", &["stiffness"]),
+    ("contractions", &["contraction"]),
+    ("forces_n", &["force"]),
+    ("rubbers", &["rubber"]),
+    ("braids", &["braid"]),
+    ("points", &["at"]),
+    ("torques", &["joint"]),
+    ("models", &["models", "model"]),
+    ("loss", &["loss", "robust"]),
+    ("rise_time_s", &["rise-time"]),
+    ("supply_mpa", &["supply"]),
+    ("until_s", &["until"]),
+    ("damping_n_s_per_m", &["damping"]),
+    ("slip_mm_per_n", &["slip"]),
+    ("up_to_stretch", &["up-to"]),
+    ("fit_modes", &["fit-mode"]),
+    ("laws", &["law", "laws"]),
+    ("figures", &["plots"]),
+    ("area_mm2", &["area"]),
 ];
 
 /// Fields of requests that have a flag of their name, with or without their unit.
@@ -45,6 +56,15 @@ const FIELDS: &[&str] = &[
     "strand_diameter_mm",
     "strand_modulus_mpa",
     "stiffness",
+    "of_largest",
+    "both",
+    "hoop_stretch",
+    "mode",
+    "size",
+    "thin_rule",
+    "slack_rule",
+    "latex",
+    "terms",
     "seating_mm",
     "grip_mm",
     "end_factor",
@@ -64,17 +84,15 @@ const FIELDS: &[&str] = &[
     "pressure_mpa",
     "contraction",
     "force_n",
-    "max_pressure_mpa",
     "stroke_mm",
     "max_bulged_diameter_mm",
-    "min_burst_margin",
     "max_stretch",
+    "max_strand_strain",
     "strand_length_per_turn_mm",
     "tolerance",
     "objective",
     "top",
     "verify",
-    "models",
     "data",
     "columns",
     "branch",
@@ -84,11 +102,9 @@ const FIELDS: &[&str] = &[
     "bounds",
     "weights",
     "formula",
-    "loss",
     "branches",
     "gauge_length_mm",
     "law",
-    "terms",
     "stable",
     "relative",
     "show",
@@ -111,7 +127,8 @@ const FIELDS: &[&str] = &[
 
 /// The flag of a request's field.
 fn flag(field: &str) -> Option<String> {
-    if let Some((_, flag)) = FLAGS.iter().find(|f| f.0 == field) {
+    if let Some((_, flags)) = FLAGS.iter().find(|f| f.0 == field) {
+        let flag = flags.iter().find(|flag| typed::flag(flag)).or(flags.first())?;
         return Some(format!("--{flag}"));
     }
     if !FIELDS.contains(&field) {
@@ -143,6 +160,18 @@ impl Failure {
     /// Wrong input that only the command line can meet.
     pub fn input(kind: ProblemKind, message: impl Into<String>, hint: impl Into<String>) -> Self {
         Problem::new(kind, message, hint).into()
+    }
+
+    /// The same with what the user should mind in the first place, unless what he typed means nothing.
+    pub fn with_hint(mut self, mind: Option<&str>) -> Self {
+        let asked =
+            !matches!(self.problem.kind, ProblemKind::Usage | ProblemKind::Quantity | ProblemKind::File);
+        if let Some(mind) = mind.filter(|_| asked) {
+            let before = std::mem::take(&mut self.problem.hint);
+            self.problem.hint =
+                if before.is_empty() { mind.into() } else { format!("{mind}; else {before}") };
+        }
+        self
     }
 
     /// A flag's value that means nothing.
@@ -188,14 +217,25 @@ impl Failure {
         self.broken_pipe
     }
 
+    /// What is wrong.
+    pub fn into_problem(self) -> Problem {
+        *self.problem
+    }
+
+    /// Whether the program itself is at fault.
+    pub fn is_internal(&self) -> bool {
+        self.problem.kind == ProblemKind::Internal
+    }
+
     /// The exit code.
     pub fn exit(&self) -> u8 {
         self.problem.kind.ending() as u8
     }
 
-    /// `error: …`, and the hint below it.
+    /// `error: …`, and the hint below it, in the units that the user reads.
     pub fn to_text(&self) -> String {
-        let (message, hint) = (clean::line(&self.problem.message), clean::line(&self.problem.hint));
+        let [message, hint] = [&self.problem.message, &self.problem.hint].map(|text| shown::sentence(text));
+        let (message, hint) = (clean::line(&message), clean::line(&hint));
         if hint.is_empty() {
             format!("error: {message}")
         } else {

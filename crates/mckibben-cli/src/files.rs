@@ -4,11 +4,26 @@ use crate::failure::Failure;
 use mckibben::muscle::file;
 use mckibben::table::{MAX_BYTES, read_text};
 use mckibben_app::{Model, Problem, TextFile};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// What this command has read.
+static READ: Mutex<Vec<PathBuf>> = Mutex::new(vec![]);
+
+/// Notes that a file was read, so that no result takes its place.
+pub fn note(path: &Path) {
+    READ.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
+}
+
+/// Whether this command has read a file, by whatever name.
+pub fn was_read(path: &Path) -> bool {
+    READ.lock().unwrap_or_else(PoisonError::into_inner).iter().any(|read| mckibben_files::is_same(read, path))
+}
 
 /// A file written by hand: a muscle, a plan.
 pub fn text(path: &Path) -> Result<TextFile, Failure> {
     let text = file::read_text(path).map_err(|e| Problem::from(e.of(path)))?;
+    note(path);
     Ok(TextFile { name: path.display().to_string(), text })
 }
 
@@ -16,6 +31,7 @@ pub fn text(path: &Path) -> Result<TextFile, Failure> {
 pub fn table(path: &Path) -> Result<TextFile, Failure> {
     let name = path.display().to_string();
     let bytes = mckibben_files::read(path, MAX_BYTES as u64).map_err(|e| Failure::unread(path, &e))?;
+    note(path);
     let text = read_text(bytes.as_slice()).map_err(|error| Problem::of_table(&name, &error))?;
     Ok(TextFile { name, text })
 }
@@ -26,6 +42,7 @@ pub fn formula(word: &str) -> Result<Option<TextFile>, Failure> {
     let path = Path::new(word);
     if word.to_ascii_lowercase().ends_with(".json") || (!Model::is_taken(word) && path.is_file()) {
         let text = mckibben::formula::read_text(path).map_err(|e| Problem::from(e.in_file(path)))?;
+        note(path);
         return Ok(Some(TextFile { name: word.into(), text }));
     }
     Ok(None)

@@ -276,15 +276,9 @@ fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
 pub struct UnitsFlag {
     /// Units of text and figures, such as bar or psi,lbf,in [those you typed, else MPa, N, mm]
     #[arg(long, value_name = "UNIT,…", value_parser = |text: &str| text.parse::<Units>().map(Box::new))]
+    // Read by `shown`, which looks at every flag.
+    #[allow(dead_code)]
     units: Option<Box<Units>>,
-}
-
-impl UnitsFlag {
-    /// Those that were asked for, else those of what was typed, else MPa, N and mm.
-    pub fn or_typed<'a>(&self, typed: impl IntoIterator<Item = &'a Option<String>>) -> Units {
-        let typed = || Units::typed(typed.into_iter().filter_map(|text| text.as_deref()));
-        self.units.as_deref().cloned().unwrap_or_else(typed)
-    }
 }
 
 /// What is printed, drawn and written.

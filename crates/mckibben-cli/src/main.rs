@@ -10,24 +10,37 @@ mod files;
 mod flags;
 mod names;
 mod output;
+mod overlap;
 mod plot;
 mod progress;
 mod quantities;
+mod shown;
+mod typed;
 mod word;
 
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use failure::Failure;
 use flags::Format;
 use mckibben::threads;
 use mckibben_app::{guarded, panics_are_problems};
+use quantities::to_mind;
 use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     panics_are_problems();
-    let cli = match cli::Cli::try_parse() {
-        Ok(cli) => cli,
+    let args: Vec<String> = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
+    if let Err(failure) = typed::check_quotes(&args) {
+        return report(&failure, if json_wanted() { Format::Json } else { Format::Text });
+    }
+    progress::no_signal_for_long_files();
+    let parsed = cli::Cli::command().try_get_matches().and_then(|matches| {
+        shown::take(&matches);
+        cli::Cli::from_arg_matches(&matches).map(|cli| (cli, matches))
+    });
+    let (cli, matches) = match parsed {
+        Ok(parsed) => parsed,
         Err(error) if error.use_stderr() && json_wanted() => {
             return report(&Failure::usage(&error), Format::Json);
         }
@@ -43,11 +56,15 @@ fn main() -> ExitCode {
         }
     };
     progress::limit(&cli.limit);
-    let done = guarded(|| commands::run(cli.command, cli.format, &cli.limit));
+    let done = guarded(|| {
+        let _entered = progress::budget().enter();
+        overlap::check(&matches)?;
+        commands::run(cli.command, cli.format, &cli.limit)
+    });
     threads::shortage().into_iter().for_each(output::warn);
-    match done {
+    match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
-        Err(failure) => report(&failure, cli.format),
+        Err(failure) => report(&failure.with_hint(to_mind()), cli.format),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Figures into files.
 
 use crate::failure::Failure;
+use crate::output::{Content, Target, check as check_lost, ending};
 use mckibben_app::ProblemKind;
 use mckibben_report::{Figure, FigureError};
 use std::path::Path;
@@ -8,8 +9,7 @@ use std::path::Path;
 /// Refuses a figure that could not be written, before any work is done for it.
 pub fn check(path: Option<&Path>) -> Result<(), Failure> {
     let Some(path) = path else { return Ok(()) };
-    let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
-    if ending.is_some_and(|e| ["svg", "png", "html", "htm"].contains(&e.as_str())) {
+    if ending(path).is_some_and(|e| ["svg", "png", "html", "htm"].contains(&e.as_str())) {
         return Ok(());
     }
     Err(FigureError::UnknownExtension { path: path.to_owned() }.into())
@@ -18,7 +18,10 @@ pub fn check(path: Option<&Path>) -> Result<(), Failure> {
 /// Writes a figure, where there is one and a file is named for it.
 pub fn save(figure: Option<Figure>, path: Option<&Path>) -> Result<(), Failure> {
     match (figure, path) {
-        (Some(figure), Some(path)) => Ok(figure.save(path)?),
+        (Some(figure), Some(path)) => {
+            check_lost(Target::file(path, false), &Content::Figure)?;
+            Ok(figure.save(path)?)
+        }
         _ => Ok(()),
     }
 }

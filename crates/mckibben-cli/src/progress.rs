@@ -1,9 +1,11 @@
 //! Progress on a terminal, and the wish to stop by Ctrl-C.
 
+use crate::failure::Failure;
 use crate::output::text::number;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mckibben::budget::{Budget, Limits, Resource};
 use mckibben::progress::Progress;
+use mckibben_app::Problem;
 use signal_hook::{consts, flag};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -38,6 +40,31 @@ const TICK: Duration = Duration::from_millis(50);
 pub fn limit(limits: &[(Resource, f64)]) {
     // Once, at the start of the program.
     let _ = BUDGET.set(Budget::new(with(Limits::default(), limits)));
+}
+
+/// What the answer may cost.
+pub fn budget() -> Budget {
+    BUDGET.get().cloned().unwrap_or_default()
+}
+
+/// Whether the work came to its own end: what came out of work that the budget ended is no answer, and is not written.
+pub fn ended() -> Result<(), Failure> {
+    Ok(budget().ended().map_err(Problem::from)?)
+}
+
+/// How a command ended: what it says that failed in work that the budget ended is no reason.
+pub fn last_word(done: Result<u8, Failure>) -> Result<u8, Failure> {
+    match done {
+        Err(failure) if !failure.is_internal() => ended().and(Err(failure)),
+        done => done,
+    }
+}
+
+/// A file that grows beyond a limit of the system is an error of writing, and not the end of the process: what is unfinished is removed.
+pub fn no_signal_for_long_files() {
+    // The flag is never read: that somebody listens is enough.
+    #[cfg(unix)]
+    let _ = flag::register(consts::SIGXFSZ, Arc::default());
 }
 
 /// Limits with others in their place.
@@ -111,11 +138,11 @@ impl Progress for Bar {
     }
 
     fn cancelled(&self) -> bool {
-        stopped()
+        stopped() || budget().check().is_err()
     }
 
     fn budget(&self) -> Budget {
-        BUDGET.get().cloned().unwrap_or_default()
+        budget()
     }
 }
 

@@ -1,6 +1,7 @@
 //! From the texts of flags to numbers.
 
 use crate::failure::Failure;
+use crate::typed::meant;
 use mckibben::units::{Dimension, RangeError, Values, parse_quantity, parse_values};
 use mckibben_app::ProblemKind;
 use std::sync::OnceLock;
@@ -16,7 +17,7 @@ pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
 /// What to mind about the unit of a pressure that was typed.
 static MIND: OnceLock<String> = OnceLock::new();
 
-/// What the user should mind about a pressure that was typed as a bare number; to be said beside an answer.
+/// What the user should mind about a pressure that was typed as a bare number; to be said beside an answer, and where there is none.
 pub fn to_mind() -> Option<&'static str> {
     MIND.get().map(String::as_str)
 }
@@ -24,16 +25,13 @@ pub fn to_mind() -> Option<&'static str> {
 /// A bare number is a pressure in MPa; where that is high, bar was probably meant.
 fn mind_the_unit(flag: &str, text: &str, dimension: Dimension) {
     const HIGH_MPA: f64 = 1.0;
-    if dimension != Dimension::Pressure || !flag.ends_with("pressure") {
+    if dimension != Dimension::Pressure || !(flag.ends_with("pressure") || flag == "--supply") {
         return;
     }
     let parts = text.split([',', ':']).flat_map(|part| part.split(".."));
     let numbers: Result<Vec<f64>, _> = parts.map(|part| part.trim().parse::<f64>()).collect();
     if let Some(high) = numbers.ok().and_then(|list| list.into_iter().find(|p| *p >= HIGH_MPA)) {
-        let bar = 10.0 * high;
-        MIND.get_or_init(|| {
-            format!("{flag} {text}: a bare {high} is {high} MPa = {bar} bar; for bar write {high}bar")
-        });
+        MIND.get_or_init(|| format!("{flag} {text}: {}", meant(high)));
     }
 }
 

@@ -35,6 +35,18 @@ pub enum FemError {
         /// Most.
         high: f64,
     },
+    /// Divisions that make another braid than the muscle's.
+    #[error(
+        "mesh: its strands would lie at {meshed_deg:.2}°, those of the braid lie at {angle_deg:.2}°; take {fitting}, or another number of bricks around and along"
+    )]
+    MeshAngle {
+        /// Angle of the braid in degrees.
+        angle_deg: f64,
+        /// Angle of the strands of the mesh in degrees.
+        meshed_deg: f64,
+        /// Meshes that have the angle of the braid, as they are written.
+        fitting: String,
+    },
     /// An element of the undeformed mesh that is turned inside out.
     #[error("mesh: element {element} is turned inside out at rest")]
     Element {
@@ -128,6 +140,16 @@ pub enum FemError {
     Exceeded(#[from] Exceeded),
 }
 
+impl FemError {
+    /// Why there is no equilibrium with a pull in N; a budget that is used up is no property of that pull.
+    pub(crate) fn at_force(force_n: f64, reason: Stopped) -> Self {
+        match reason {
+            Stopped::Exceeded(exceeded) => Self::Exceeded(exceeded),
+            reason => Self::Force { force_n, reason },
+        }
+    }
+}
+
 fn ended(
     status: Status,
     pressure: f64,
@@ -181,6 +203,7 @@ impl From<FemError> for ModelError {
             }
             FemError::Path { status, .. } => Self::Stopped { status, reason: error.to_string() },
             FemError::Mesh { .. }
+            | FemError::MeshAngle { .. }
             | FemError::Element { .. }
             | FemError::NotInBricks { .. }
             | FemError::Conditioning { .. }

@@ -359,9 +359,19 @@ pub(crate) fn contraction<M: Discretised>(
     model.contraction_at_force(workspace, force_n, pressure_mpa).ok()
 }
 
-/// Unknowns, bytes, and seconds of a factorisation, of one mesh of bricks that was measured (`docs/finite-elements-3d.md`). Memory grows with
-/// the 4/3rd power of the unknowns, time with the 1.6th.
-const MEASURED: (f64, f64, f64) = (309_280.0, 1.6e9, 1.9);
+/// Nodes through the wall, around and along, bytes, and seconds of a factorisation, of one mesh of bricks that was measured
+/// (`docs/finite-elements-3d.md`).
+const MEASURED: ([f64; 3], f64, f64) = ([5.0, 81.0, 258.0], 1.6e9, 1.9);
+/// Bytes of an unknown beside the factor: elements, maps and state.
+const BYTES_BESIDE: f64 = 1500.0;
+
+/// What the factor's entries and the operations of a factorisation grow with: nested dissection of a sheet of n points with w unknowns each
+/// has w² n log n entries and w³ n^1.5 operations (George 1973 \[george1973\]).
+fn dissected([through, around, along]: [f64; 3]) -> (f64, f64) {
+    let sheet = around * along;
+    (through.powi(2) * sheet * sheet.ln(), through.powi(3) * sheet.powf(1.5))
+}
+
 /// Factorisations of a point.
 const POINT: f64 = 10.0;
 
@@ -432,10 +442,12 @@ impl Elements {
             BrickMesh::count(inner, outer, 0.5 * tube.length_mm, angle, spec)?;
         let bricks = [through, around, along + bonded].map(|n| n as f64);
         budget.admit(Resource::Elements, bricks.iter().product())?;
-        let order = spec.brick.order() as f64;
-        let unknowns = 3.0 * bricks.map(|n| n * order + 1.0).iter().product::<f64>() / MEASURED.0;
-        budget.admit(Resource::Bytes, MEASURED.1 * unknowns.powf(4.0 / 3.0))?;
-        Ok(budget.admit(Resource::Seconds, POINT * MEASURED.2 * unknowns.powf(1.6))?)
+        let nodes = bricks.map(|n| n * spec.brick.order() as f64 + 1.0);
+        let (mesh, bytes, seconds) = MEASURED;
+        let ((entries, operations), measured) = (dissected(nodes), dissected(mesh));
+        let beside = BYTES_BESIDE * 3.0 * nodes.iter().product::<f64>();
+        budget.admit(Resource::Bytes, beside + bytes * entries / measured.0)?;
+        Ok(budget.admit(Resource::Seconds, POINT * seconds * operations / measured.1)?)
     }
 
     /// The model of a muscle.

@@ -9,6 +9,6 @@ mod read;
 #[cfg(feature = "write")]
 mod write;
 
-pub use read::{ReadError, open, read};
+pub use read::{ReadError, is_same, open, read};
 #[cfg(feature = "write")]
 pub use write::{Unfinished, check_writable, replace, sync};

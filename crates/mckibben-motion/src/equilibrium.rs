@@ -28,7 +28,7 @@ pub struct Equilibrium {
 pub fn equilibrium(drive: &Drive<'_>, pressures_mpa: &[f64]) -> Result<Equilibrium, MotionError> {
     drive.check()?;
     let members: Vec<Member<'_>> =
-        drive.muscles.iter().map(|m| Member::new(m.model, &Budget::default())).collect();
+        drive.muscles.iter().map(|m| Member::new(m.model, &Budget::current())).collect();
     at_pressures(drive, &members, pressures_mpa)
 }
 

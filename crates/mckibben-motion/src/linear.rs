@@ -38,7 +38,7 @@ impl Linear {
     /// # Errors
     /// As [`crate::equilibrium`]; [`MotionError::NotAtRest`] on a stop, or where nothing moves.
     pub fn new(drive: &Drive<'_>) -> Result<Self, MotionError> {
-        let system = System::new(drive, &Budget::default())?;
+        let system = System::new(drive, &Budget::current())?;
         let y = system.initial_state()?;
         if system.modes.borrow().stop.is_some() {
             return Err(MotionError::NotAtRest { why: "the load lies on a stop" });

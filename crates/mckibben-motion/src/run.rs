@@ -359,7 +359,11 @@ impl<'s, 'd> Course<'s, 'd> {
                 }
                 continue;
             }
-            let (t, y) = (method.time(), method.state().to_vec());
+            let (t, mut y) = (method.time(), method.state().to_vec());
+            if let (true, [q, v, ..], Some(&at)) = (self.lies(), &mut y[..], self.y.first()) {
+                // What lies does not move, not even by rounding.
+                (*q, *v) = (at, 0.0);
+            }
             if !y.iter().all(|v| v.is_finite()) {
                 return Err(MotionError::Diverged { time_s: t, what: "the state is not finite".into() });
             }
@@ -383,7 +387,7 @@ impl<'s, 'd> Course<'s, 'd> {
     /// parabola through it and its neighbours.
     fn fastest(&mut self, method: &mut dyn Stepper, t: f64) {
         const PIECES: usize = 8;
-        if self.system.modes.borrow().stop.is_some() {
+        if self.lies() {
             return;
         }
         let (from, width) = (self.t, t - self.t);
@@ -401,10 +405,15 @@ impl<'s, 'd> Course<'s, 'd> {
         self.motion.largest_speed = tops.fold(self.motion.largest_speed.max(of_points), f64::max);
     }
 
+    /// Whether the load lies on a stop, or its ends are held.
+    fn lies(&self) -> bool {
+        self.system.modes.borrow().stop.is_some() || self.system.drive.mechanism.is_held()
+    }
+
     /// Notes a point that was passed.
     fn pass_by(&mut self, t: f64, y: &[f64]) {
         let at = |i: usize| y.get(i).copied().unwrap_or(0.0);
-        let v = if self.system.modes.borrow().stop.is_some() { 0.0 } else { at(1) };
+        let v = if self.lies() { 0.0 } else { at(1) };
         let gauge = self.system.slots.first().map_or(0.0, |s| at(s.pressure) - ATMOSPHERE_MPA);
         self.passed.push((t, at(0), v, gauge));
     }
@@ -526,14 +535,18 @@ impl<'s, 'd> Course<'s, 'd> {
 
     fn record(&mut self, t: f64, y: &[f64]) -> Result<(), MotionError> {
         self.outputs += 1;
+        let mut y = y.to_vec();
+        if let (true, [q, v, ..], Some(&at)) = (self.lies(), &mut y[..], self.y.first()) {
+            (*q, *v) = (at, 0.0);
+        }
+        let y = &y[..];
         self.pass_by(t, y);
         let point = self.system.point(t, y, None)?;
         let at = |i: usize| y.get(i).copied().unwrap_or(0.0);
         let motion = &mut self.motion;
-        let v = if self.system.modes.borrow().stop.is_some() { 0.0 } else { at(1) };
         motion.time_s.push(t);
         motion.coordinate.push(at(0));
-        motion.velocity.push(v);
+        motion.velocity.push(at(1));
         let power: f64 = point.muscles.iter().map(|m| m.pull_n * m.speed).sum();
         motion.largest_power_w = motion.largest_power_w.max(1e-3 * power);
         for ((series, m), slot) in motion.muscles.iter_mut().zip(&point.muscles).zip(&self.system.slots) {

@@ -7,7 +7,7 @@
 use crate::error::Wrong;
 use mckibben::budget::Budget;
 use mckibben::progress::Progress;
-use mckibben_app::{Problem, ProblemKind, guarded};
+use mckibben_app::{Problem, ProblemKind, within};
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
@@ -47,7 +47,8 @@ pub fn quick<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&dyn Progress) -> Result<T, Wrong> + Send,
 ) -> Result<T, Wrong> {
-    py.detach(|| guarded(|| work(&Watched::default())))
+    let watched = Watched::default();
+    py.detach(|| within(&watched.budget, || work(&watched)))
 }
 
 /// Work that may take long. `progress(done, total)` is called now and then, and once at the end.
@@ -61,7 +62,7 @@ pub fn long<T: Send>(
     py.detach(|| {
         thread::scope(|scope| {
             let (sender, receiver) = sync_channel(1);
-            let at_work = || guarded(|| work(&watched));
+            let at_work = || within(&watched.budget, || work(&watched));
             let body = move || drop(sender.send(at_work()));
             let started = thread::Builder::new().stack_size(STACK_BYTES).spawn_scoped(scope, body);
             if let Err(error) = started {

@@ -1,11 +1,11 @@
 //! The routes below `/api/v1`.
 
-use crate::door::received;
+use crate::door::{is_json, received};
 use crate::events;
 use crate::openapi;
 use crate::refusal::Refusal;
 use crate::serve::State;
-use crate::work::{Question, answer, worked};
+use crate::work::{Asked, Question, answer, worked};
 use axum::body::{Body, Bytes};
 use axum::extract::{FromRequestParts, Path, State as Shared};
 use axum::http::header::{ACCEPT, CONTENT_TYPE, LOCATION};
@@ -16,9 +16,8 @@ use mckibben::progress::Progress;
 use mckibben_app::{COMMANDS, CommandEntry};
 use serde_json::{Value, json};
 use std::sync::{Arc, LazyLock};
-use tokio::sync::OwnedSemaphorePermit;
 
-type Ours = Shared<Arc<State>>;
+pub type Ours = Shared<Arc<State>>;
 
 /// The name in a path.
 pub struct Name(String);
@@ -81,16 +80,19 @@ pub async fn schema(Name(name): Name) -> Result<Response, Refusal> {
     Ok(as_json(command(&name)?.schema().to_string()))
 }
 
-/// A request to a command, with its share of the memory for bodies.
+/// A request to a command.
 async fn asked(
     state: &State,
-    name: &str,
+    command: &'static CommandEntry,
     headers: &HeaderMap,
     body: Body,
-) -> Result<(Question, OwnedSemaphorePermit), Refusal> {
-    let command = command(name)?;
-    let (text, held) = received(&state.config, &state.room, headers, body).await?;
-    Ok((Question { command, text }, held))
+) -> Result<Asked, Refusal> {
+    is_json(headers)?;
+    let config = &state.config;
+    let small = config.small_body_bytes.min(config.body_bytes);
+    let most = if command.takes_tables() { config.body_bytes } else { small };
+    let (text, held) = received(config, &state.room, most, headers, body).await?;
+    Ok(Asked { command, text, held })
 }
 
 /// Answers a request.
@@ -100,36 +102,33 @@ pub async fn ask(
     headers: HeaderMap,
     body: Body,
 ) -> Result<Response, Refusal> {
-    let (question, held) = asked(&state, &name, &headers, body).await?;
+    let asked = asked(&state, command(&name)?, &headers, body).await?;
     let packed = headers.get_all(ACCEPT).iter().any(|v| v.to_str().is_ok_and(|v| v.contains(PACKED)));
     let work = worked(
         state.gate.enter()?,
         state.stopping.clone(),
         state.config.limits,
         |_, _| {},
-        move |progress| {
-            let _held = held;
-            question.check()?;
-            answer(&question, packed, progress)
-        },
+        move |progress| answer(asked.read(&progress.budget())?, packed, progress),
     );
     let kind = if packed { PACKED } else { "application/json" };
-    Ok(([(CONTENT_TYPE, kind)], work.await?).into_response())
+    Ok(([(CONTENT_TYPE, kind)], state.room.keep(work.await?)?).into_response())
 }
 
 /// Starts a job.
 pub async fn start(
     Shared(state): Ours,
-    Name(name): Name,
+    command: &'static CommandEntry,
     headers: HeaderMap,
     body: Body,
 ) -> Result<Response, Refusal> {
-    let (question, held) = asked(&state, &name, &headers, body).await?;
+    let asked = asked(&state, command, &headers, body).await?;
     let place = state.jobs.enter()?;
     // What can be refused at once is, and not told as a job that failed.
-    let check = move |_: &dyn Progress| {
-        let _held = held;
-        question.check().map(|()| question)
+    let check = move |progress: &dyn Progress| -> Result<Question, Refusal> {
+        let question = asked.read(&progress.budget())?;
+        question.command.check(&question.request)?;
+        Ok(question)
     };
     let question =
         worked(state.gate.enter()?, state.stopping.clone(), state.config.limits, |_, _| {}, check).await?;
@@ -141,7 +140,7 @@ pub async fn start(
 
 /// How a job is getting on.
 pub async fn state(Shared(state): Ours, Name(id): Name) -> Result<Response, Refusal> {
-    Ok(as_json(state.jobs.find(&id)?.to_json()))
+    Ok(as_json(state.room.keep(state.jobs.find(&id)?.to_json().into_bytes())?))
 }
 
 /// The same as it happens.

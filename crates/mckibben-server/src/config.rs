@@ -19,10 +19,15 @@ pub struct Config {
     pub limits: Limits,
     /// Connections at once; more wait to be accepted.
     pub connections: usize,
-    /// Length of a request's body.
+    /// Length of a request's body to a command that takes tables.
     pub body_bytes: usize,
-    /// Length of all bodies that are held at once.
-    pub bodies_bytes: usize,
+    /// The same to any other command.
+    pub small_body_bytes: usize,
+    /// Memory for all requests and answers that are held at once, in bytes: those of bodies as they arrive, of what is made of them, and of
+    /// answers until they are sent.
+    pub memory_bytes: usize,
+    /// A body of which less than so many bytes come in a second, after the first `silence`, is left.
+    pub body_rate: usize,
     /// A connection on which nothing comes for so long, where something should, is closed.
     pub silence: Duration,
     /// A client that takes nothing of its answer for so long is left.
@@ -62,7 +67,9 @@ impl Default for Config {
             limits: Limits { points: 20e3, elements: 4e3, bytes: 2e8, factorisations: 5e5, seconds: 10.0 },
             connections: 512,
             body_bytes: 8 << 20,
-            bodies_bytes: 64 << 20,
+            small_body_bytes: 256 << 10,
+            memory_bytes: 256 << 20,
+            body_rate: 16 << 10,
             silence: Duration::from_secs(10),
             unread: Duration::from_secs(30),
             body_time: Duration::from_secs(60),

@@ -2,14 +2,15 @@
 
 use crate::config::Config;
 use crate::refusal::Refusal;
+use crate::room::{Held, Room};
 use axum::extract::Request;
 use axum::http::header::{CACHE_CONTROL, CONTENT_LENGTH, CONTENT_TYPE, HOST, HeaderName, ORIGIN};
-use axum::http::{HeaderMap, HeaderValue, Method, StatusCode};
+use axum::http::{HeaderMap, HeaderValue, StatusCode};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use http_body_util::BodyExt;
 use std::sync::Arc;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use std::time::Duration;
 use tokio::time::{Instant, timeout, timeout_at};
 
 const HEADERS: [(&str, &str); 4] = [
@@ -67,14 +68,6 @@ fn admitted(config: &Config, request: &Request) -> Result<(), Refusal> {
         let message = "this comes from a page of another origin";
         return Err(Refusal::new(StatusCode::FORBIDDEN, message, "ask from the server's own page"));
     }
-    let json = |value: &str| {
-        let essence = value.split(';').next().unwrap_or_default().trim();
-        essence.eq_ignore_ascii_case("application/json")
-    };
-    if request.method() == Method::POST && !header(CONTENT_TYPE).is_some_and(json) {
-        let message = "a request is `Content-Type: application/json`";
-        return Err(Refusal::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, message, ""));
-    }
     Ok(())
 }
 
@@ -87,35 +80,54 @@ fn known(config: &Config, host: &str) -> bool {
     port.parse::<u16>().is_ok() && LOCAL.into_iter().chain(own).any(|n| n.eq_ignore_ascii_case(name))
 }
 
-/// The text of a request's body, and the share of the memory that it takes.
+/// Whether a body is said to be JSON: forms of other pages cannot say so.
+pub fn is_json(headers: &HeaderMap) -> Result<(), Refusal> {
+    let mut kinds = headers.get_all(CONTENT_TYPE).iter();
+    let kind = kinds.next().and_then(|v| v.to_str().ok()).unwrap_or_default();
+    let essence = kind.split(';').next().unwrap_or_default().trim();
+    if essence.eq_ignore_ascii_case("application/json") && kinds.next().is_none() {
+        return Ok(());
+    }
+    let message = "a request is `Content-Type: application/json`";
+    Err(Refusal::new(StatusCode::UNSUPPORTED_MEDIA_TYPE, message, ""))
+}
+
+/// The text of a request's body of at most so many bytes, and its share of the memory, which grows with what has come.
 pub async fn received(
     config: &Config,
-    room: &Arc<Semaphore>,
+    room: &Room,
+    most: usize,
     headers: &HeaderMap,
     mut body: axum::body::Body,
-) -> Result<(String, OwnedSemaphorePermit), Refusal> {
+) -> Result<(String, Held), Refusal> {
     let too_large = || {
-        let message = format!("the request is longer than {} bytes", config.body_bytes);
+        let message = format!("the request is longer than {most} bytes");
         Refusal::new(StatusCode::PAYLOAD_TOO_LARGE, message, "ask for less at once")
     };
     let slow = |_| Refusal::new(StatusCode::REQUEST_TIMEOUT, "the request did not come to its end", "");
     let stated = headers.get(CONTENT_LENGTH).and_then(|v| v.to_str().ok()?.parse::<usize>().ok());
-    let length = stated.unwrap_or(config.body_bytes);
-    if length > config.body_bytes {
+    if stated.is_some_and(|length| length > most) {
         return Err(too_large());
     }
-    let held = Arc::clone(room).try_acquire_many_owned(u32::try_from(length).unwrap_or(u32::MAX));
-    let held = held.map_err(|_| Refusal::busy("too many long requests at once"))?;
-    let end = Instant::now() + config.body_time;
-    let mut bytes = Vec::with_capacity(stated.unwrap_or(0));
-    while let Some(frame) =
-        timeout_at(end, timeout(config.silence, body.frame())).await.map_err(slow)?.map_err(slow)?
+    let from = Instant::now();
+    let mut held = room.held();
+    let mut bytes = vec![];
+    // So much has to have come by now, or the rest is not waited for.
+    let due = |length: usize| {
+        let allowed = Duration::from_secs_f64(length as f64 / config.body_rate.max(1) as f64);
+        from + (config.silence + allowed).min(config.body_time)
+    };
+    while let Some(frame) = timeout_at(due(bytes.len()), timeout(config.silence, body.frame()))
+        .await
+        .map_err(slow)?
+        .map_err(slow)?
     {
         let broken = |_| Refusal::new(StatusCode::BAD_REQUEST, "the request broke off", "");
         let Ok(data) = frame.map_err(broken)?.into_data() else { continue };
-        if bytes.len() + data.len() > config.body_bytes {
+        if bytes.len() + data.len() > most {
             return Err(too_large());
         }
+        held.grow(data.len())?;
         bytes.extend_from_slice(&data);
     }
     let text = String::from_utf8(bytes)

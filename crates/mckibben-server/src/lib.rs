@@ -16,8 +16,9 @@ mod jobs;
 mod openapi;
 mod page;
 mod refusal;
+mod room;
 mod serve;
 mod work;
 
 pub use config::{Config, JobConfig};
-pub use serve::{GRACE, ServeError, router, run, serve};
+pub use serve::{GRACE, ServeError, Server, router, run, serve};

@@ -93,7 +93,7 @@ fn reference(name: &str) -> Value {
 }
 
 /// Statuses of problems where something is looked up, and where something is asked.
-const FOUND: [u16; 3] = [403, 404, 405];
+const FOUND: [u16; 4] = [403, 404, 405, 429];
 const ASKED: [u16; 10] = [400, 403, 405, 408, 413, 415, 422, 429, 500, 503];
 
 fn with_problems(mut responses: Value, statuses: &[u16]) -> Value {

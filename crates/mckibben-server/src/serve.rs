@@ -1,26 +1,32 @@
 //! The server: routes, connections, and its end.
 
-use crate::api;
+use crate::api::{self, Ours};
 use crate::config::Config;
 use crate::door;
 use crate::jobs::Jobs;
 use crate::page::page;
 use crate::refusal::Refusal;
+use crate::room::Room;
 use crate::work::Gate;
+use axum::body::Body;
 use axum::extract::Request;
-use axum::http::StatusCode;
+use axum::http::{HeaderMap, StatusCode};
 use axum::middleware::{Next, from_fn};
 use axum::routing::{Router, get, post};
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
+use mckibben_app::COMMANDS;
 use std::future::Future;
 use std::io;
+use std::num::NonZero;
 use std::pin::pin;
-use std::sync::Arc;
+use std::sync::mpsc::channel;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 use thiserror::Error;
 use tokio::net::{TcpListener, TcpStream};
+use tokio::runtime::Runtime;
 use tokio::sync::{Semaphore, watch};
 use tokio::task::JoinSet;
 use tokio::time::{sleep, timeout};
@@ -34,6 +40,8 @@ pub const GRACE: Duration = Duration::from_millis(1200);
 const TICK: Duration = Duration::from_millis(50);
 /// Work starts with the stack that a process starts with.
 const STACK: usize = 8 << 20;
+/// Memory that a server needs to begin.
+const LEAST_MEMORY: usize = 64 << 20;
 /// Headers of a request, in bytes.
 const HEADERS: usize = 64 << 10;
 
@@ -43,6 +51,15 @@ pub enum ServeError {
     /// The system gives no threads or no connections.
     #[error("the server cannot run: {0}")]
     System(#[from] io::Error),
+    /// The system gives no thread that could answer.
+    #[error("the server cannot run: the system gives it no thread: {0}")]
+    Threads(io::Error),
+    /// The system gives too little memory.
+    #[error("the server cannot run: the system gives it less than {} MB of memory", .bytes >> 20)]
+    Memory {
+        /// How much it needs to begin.
+        bytes: usize,
+    },
 }
 
 /// What all requests share.
@@ -50,8 +67,8 @@ pub struct State {
     pub config: Arc<Config>,
     pub gate: Gate,
     pub jobs: Jobs,
-    /// Bytes of bodies that may be held.
-    pub room: Arc<Semaphore>,
+    /// Memory for requests and answers.
+    pub room: Room,
     pub stopping: watch::Receiver<bool>,
 }
 
@@ -68,17 +85,22 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
     let state = Arc::new(State {
         gate: Gate::new(config.workers, config.waiting),
         jobs: Jobs::new(&config.jobs),
-        room: Arc::new(Semaphore::new(config.bodies_bytes.min(Semaphore::MAX_PERMITS))),
+        room: Room::new(config.memory_bytes),
         config: Arc::clone(&config),
         stopping,
     });
     let small = DefaultPredicate::new().and(NotForContentType::const_new("application/octet-stream"));
-    Router::new()
-        .route("/api/v1", get(api::list))
+    // A route a command: what is advertised of a job's address and of that of a command is then right for each.
+    let jobs = COMMANDS.iter().fold(Router::<Arc<State>>::new(), |router, command| {
+        let start =
+            move |state: Ours, headers: HeaderMap, body: Body| api::start(state, command, headers, body);
+        router.route(&format!("/api/v1/jobs/{}", command.name), post(start))
+    });
+    jobs.route("/api/v1", get(api::list))
         .route("/api/v1/health", get(api::health))
         .route("/api/v1/openapi.json", get(api::openapi))
         .route("/api/v1/schema/{command}", get(api::schema))
-        .route("/api/v1/jobs/{name}", post(api::start).get(api::state).delete(api::forget))
+        .route("/api/v1/jobs/{name}", get(api::state).delete(api::forget))
         .route("/api/v1/jobs/{name}/events", get(api::events))
         .route("/api/v1/{command}", post(api::ask))
         .method_not_allowed_fallback(|| async {
@@ -160,8 +182,82 @@ async fn connection(
     let _ = connection.await;
 }
 
-/// The same on threads of its own, for a front end without a runtime: returns within two seconds of `stopped` saying so, whatever the
-/// work; what has not ended by then ends with the process.
+/// A runtime with a thread that answers, and room for what it needs.
+fn started(mut builder: tokio::runtime::Builder, answering: usize) -> Result<Runtime, ServeError> {
+    // A thread that was given is kept: another one might be refused.
+    let kept = Duration::from_secs(365 * 86_400);
+    builder.max_blocking_threads(answering).thread_keep_alive(kept).thread_stack_size(STACK);
+    let runtime = builder.enable_io().enable_time().build()?;
+    let begun = runtime.spawn_blocking(|| ());
+    runtime.block_on(begun).map_err(|e| ServeError::Threads(io::Error::other(e)))?;
+    let room = Vec::<u8>::new().try_reserve_exact(LEAST_MEMORY);
+    room.map_err(|_| ServeError::Memory { bytes: LEAST_MEMORY })?;
+    Ok(runtime)
+}
+
+/// A server with its threads, before anybody can ask it.
+#[derive(Debug)]
+pub struct Server {
+    runtime: Runtime,
+    config: Config,
+}
+
+impl Server {
+    /// Starts the threads of a server. Where the system gives few of them, one reads and writes and one answers.
+    ///
+    /// # Errors
+    /// [`ServeError`] where the system gives not even these, or no memory.
+    pub fn new(config: Config) -> Result<Self, ServeError> {
+        // A runtime panics where it gets no thread for its work: whether there is one is asked before.
+        let spare = |count: usize| -> io::Result<()> {
+            let (stop, stopped) = channel::<()>();
+            let stopped = Arc::new(Mutex::new(stopped));
+            let threads: Vec<_> = (0..count)
+                .map(|_| {
+                    let stopped = Arc::clone(&stopped);
+                    let wait = move || drop(stopped.lock().map(|stopped| stopped.recv()));
+                    std::thread::Builder::new().stack_size(STACK).spawn(wait)
+                })
+                .collect();
+            drop(stop);
+            threads.into_iter().try_for_each(|thread| thread.map(|thread| drop(thread.join())))
+        };
+        let answering = config.workers.max(1) + config.jobs.workers.max(1);
+        let all = std::thread::available_parallelism().map_or(1, NonZero::get) + answering;
+        let many = || {
+            spare(all).map_err(ServeError::Threads)?;
+            started(tokio::runtime::Builder::new_multi_thread(), answering)
+        };
+        let few = |_| {
+            spare(1).map_err(ServeError::Threads)?;
+            started(tokio::runtime::Builder::new_current_thread(), 1)
+        };
+        let runtime = many().or_else(few)?;
+        Ok(Self { runtime, config })
+    }
+
+    /// Serves on a listener: returns within two seconds of `stopped` saying so, whatever the work; what has not ended by then ends with the
+    /// process.
+    ///
+    /// # Errors
+    /// [`ServeError`].
+    pub fn run(self, listener: std::net::TcpListener, stopped: impl Fn() -> bool) -> Result<(), ServeError> {
+        let Self { runtime, config } = self;
+        listener.set_nonblocking(true)?;
+        let done = runtime.block_on(async {
+            let stop = async {
+                while !stopped() {
+                    sleep(TICK).await;
+                }
+            };
+            serve(TcpListener::from_std(listener)?, config, stop).await
+        });
+        runtime.shutdown_timeout(Duration::from_millis(300));
+        done
+    }
+}
+
+/// Both at once, for a front end without a runtime.
 ///
 /// # Errors
 /// [`ServeError`].
@@ -170,21 +266,5 @@ pub fn run(
     config: Config,
     stopped: impl Fn() -> bool,
 ) -> Result<(), ServeError> {
-    listener.set_nonblocking(true)?;
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .max_blocking_threads(config.workers.max(1) + config.jobs.workers.max(1))
-        .thread_stack_size(STACK)
-        .enable_io()
-        .enable_time()
-        .build()?;
-    let done = runtime.block_on(async {
-        let stop = async {
-            while !stopped() {
-                sleep(TICK).await;
-            }
-        };
-        serve(TcpListener::from_std(listener)?, config, stop).await
-    });
-    runtime.shutdown_timeout(Duration::from_millis(300));
-    done
+    Server::new(config)?.run(listener, stopped)
 }

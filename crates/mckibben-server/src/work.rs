@@ -1,10 +1,11 @@
 //! Work on requests: its turn, its budget, its end.
 
 use crate::refusal::Refusal;
+use crate::room::Held;
 use axum::http::StatusCode;
 use mckibben::budget::{Budget, Exceeded, Limits, Resource};
 use mckibben::progress::Progress;
-use mckibben_app::{CommandEntry, Problem, ProblemKind, ask, ask_packed};
+use mckibben_app::{CommandEntry, JsonSize, Problem, ProblemKind, ask_value, parsed};
 use serde_json::Value;
 use std::sync::Arc;
 use std::time::Duration;
@@ -81,24 +82,43 @@ impl<R: Fn(usize, usize) + Sync> Progress for Within<R> {
     }
 }
 
-/// A request to a command.
+/// The text of a request to a command, with its share of the memory.
+#[derive(Debug)]
+pub struct Asked {
+    pub command: &'static CommandEntry,
+    pub text: String,
+    pub held: Held,
+}
+
+/// A request that was read: once, and within its share of the memory.
 #[derive(Debug)]
 pub struct Question {
     pub command: &'static CommandEntry,
-    pub text: String,
+    pub request: Value,
+    /// Given back when the answer is made.
+    _held: Held,
 }
 
-impl Question {
-    /// Whether it is one at all, and none that touches the disk.
-    pub fn check(&self) -> Result<(), Refusal> {
-        let value: Value = serde_json::from_str(&self.text)
-            .map_err(|e| Refusal::new(StatusCode::BAD_REQUEST, format!("this is no JSON: {e}"), ""))?;
-        if self.command.touches_disk(&value) {
+impl Asked {
+    /// The request, where it is one at all, and none that touches the disk.
+    pub fn read(mut self, budget: &Budget) -> Result<Question, Refusal> {
+        let no_request = |problem: Problem| {
+            let status = match problem.kind {
+                ProblemKind::Budget => StatusCode::PAYLOAD_TOO_LARGE,
+                _ => StatusCode::BAD_REQUEST,
+            };
+            Refusal { status, problem: Box::new(problem) }
+        };
+        let size = JsonSize::of(&self.text).map_err(no_request)?;
+        budget.admit(Resource::Bytes, size.bytes()).map_err(|e| no_request(e.into()))?;
+        self.held.grow(size.bytes() as usize)?;
+        let request = parsed(&self.text).map_err(no_request)?;
+        if self.command.touches_disk(&request) {
             let hint =
                 format!("on the command line it is `mckibben {}`", self.command.name.replace('-', " "));
             return Err(Refusal::new(StatusCode::FORBIDDEN, "the server touches no files", hint));
         }
-        Ok(())
+        Ok(Question { command: self.command, request, _held: self.held })
     }
 }
 
@@ -141,7 +161,7 @@ pub async fn worked<T: Send + 'static>(
 }
 
 /// The answer to a question, as JSON or packed.
-pub fn answer(question: &Question, packed: bool, progress: &dyn Progress) -> Result<Vec<u8>, Refusal> {
-    let (name, text) = (question.command.name, &question.text);
-    Ok(if packed { ask_packed(name, text, progress)? } else { ask(name, text, progress)?.into_bytes() })
+pub fn answer(question: Question, packed: bool, progress: &dyn Progress) -> Result<Vec<u8>, Refusal> {
+    let answer = ask_value(question.command.name, question.request, progress)?;
+    Ok(if packed { mckibben_app::packed(answer) } else { answer.to_string().into_bytes() })
 }

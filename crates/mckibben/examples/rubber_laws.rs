@@ -1,7 +1,7 @@
-//! Fits the laws of the named rubbers with a measured curve, and prints `crates/mckibben/data/rubber-laws.json`: `cargo xtask golds`.
+//! Fits the laws of the named rubbers with a measured curve or a table of fits, and prints `crates/mckibben/data/rubber-laws.json`: `cargo xtask golds`.
 
 use mckibben::rubber::fit::{ReadOptions, read_tension};
-use mckibben::rubber::library::{entries, windows_of};
+use mckibben::rubber::library::{TABLE_OF_FITS, curve_of_fits, entries, windows_of};
 use std::error::Error;
 use std::fs::File;
 use std::path::Path;
@@ -11,7 +11,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rubbers = vec![];
     for entry in entries()? {
         let Some(data) = &entry.data else { continue };
-        let points = read_tension(File::open(folder.join(data))?, ReadOptions::default())?;
+        let file = File::open(folder.join(data))?;
+        let points = match data.as_str() {
+            TABLE_OF_FITS => curve_of_fits(file, &entry.name)?,
+            _ => read_tension(file, ReadOptions::default())?,
+        };
         let mut windows = vec![];
         for mut window in windows_of(&points)? {
             // One line a law.

@@ -1,11 +1,14 @@
 //! What one request may cost, and the wish to end it.
 //!
 //! A request that would not fit is refused before anything is allocated, with an estimate and the limit's name; one that turns out to be
-//! longer ends inside of the solver. A front end makes a [`Budget`] for each request and hands it over with its
-//! [`Progress`](crate::progress::Progress); models find it in their [`Workspace`](crate::model::Workspace).
+//! longer ends inside of the solver. A front end makes a [`Budget`] for each request, [enters](Budget::enter) it for the time of the work,
+//! and hands it over with its [`Progress`](crate::progress::Progress). Work side by side ([`crate::threads`]) takes it along, and every
+//! [`Workspace`](crate::model::Workspace) made meanwhile has it: whatever a command does, its budget ends it.
 
 use crate::units::MAX_POINTS;
+use std::cell::RefCell;
 use std::fmt;
+use std::marker::PhantomData;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -185,14 +188,24 @@ impl Budget {
         if estimate <= limit { Ok(()) } else { Err(Exceeded::Estimate { resource, estimate, limit }) }
     }
 
+    /// The budget of the work that this thread does: the one that was entered last, else one with the usual limits.
+    pub fn current() -> Self {
+        CURRENT.with_borrow(Clone::clone).unwrap_or_default()
+    }
+
+    /// Makes this the budget of the work that this thread does, until what is returned is dropped.
+    #[must_use = "the budget is left where this is dropped"]
+    pub fn enter(&self) -> Entered {
+        let before = CURRENT.replace(Some(self.clone()));
+        Entered { before, of_this_thread: PhantomData }
+    }
+
     /// Whether the work may go on.
     ///
     /// # Errors
     /// [`Exceeded`].
     pub fn check(&self) -> Result<(), Exceeded> {
-        if self.spending.cancelled.load(Ordering::Relaxed) {
-            return Err(Exceeded::Cancelled);
-        }
+        self.ended()?;
         if self.until.is_some_and(|until| Instant::now() >= until) {
             return Err(self.spent(Resource::Seconds));
         }
@@ -238,9 +251,55 @@ impl Budget {
     }
 }
 
+thread_local! {
+    static CURRENT: RefCell<Option<Budget>> = const { RefCell::new(None) };
+}
+
+/// A budget that was entered; where it is dropped, the one before it holds again.
+#[derive(Debug)]
+pub struct Entered {
+    before: Option<Budget>,
+    of_this_thread: PhantomData<*const ()>,
+}
+
+impl Drop for Entered {
+    fn drop(&mut self) {
+        CURRENT.set(self.before.take());
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Workspace;
+    use crate::progress::{Progress, Silent};
+    use crate::threads;
+
+    #[test]
+    fn a_budget_that_was_entered_is_that_of_workspaces_threads_and_silent_work_until_it_is_left() {
+        let budget = Budget::default();
+        let ended = || {
+            let here = Workspace::new().budget().check().is_err() && Silent.cancelled();
+            here && threads::map(&[1, 2, 3], |_| Silent.cancelled()) == [true; 3]
+        };
+        assert!(!ended());
+        {
+            let _entered = budget.enter();
+            assert!(!ended());
+            budget.cancel();
+            assert!(ended());
+            let _other = Budget::default().enter();
+            assert!(!ended());
+        }
+        assert!(!ended());
+    }
+
+    #[test]
+    fn what_was_spent_stays_spent() {
+        let budget = Budget::new(Limits::default().with(Resource::Factorisations, 0.0));
+        assert!(budget.check().is_ok());
+        assert!(budget.factorise().is_err() && budget.check().is_err());
+    }
 
     #[test]
     fn what_does_not_fit_is_refused_with_an_estimate_and_the_name_of_the_limit() {

@@ -10,18 +10,18 @@ pub trait Progress: Sync {
     /// So many of so many steps are done.
     fn report(&self, _done: usize, _total: usize) {}
 
-    /// Whether the caller wants the work to end.
+    /// Whether the work is to end: its caller wants it, or its budget is used up.
     fn cancelled(&self) -> bool {
-        false
+        self.budget().check().is_err()
     }
 
-    /// What the work may cost.
+    /// What the work may cost: the budget that was [entered](Budget::enter).
     fn budget(&self) -> Budget {
-        Budget::default()
+        Budget::current()
     }
 }
 
-/// No report, no end before the end.
+/// No report, and no end before that of the budget.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Silent;
 

@@ -3,9 +3,11 @@
 //! All parallel work of the workspace goes through here. Where threads are refused (a limit of processes, WebAssembly) the
 //! calling thread does the work alone. Results stand in the order of their items: they are the same on any number of threads.
 //!
-//! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number. Inside of a pool of rayon
-//! ([`rayon::ThreadPool::install`]) the work stays in that pool.
+//! There are as many threads as cores; `RAYON_NUM_THREADS` in the environment sets another number, up to 64 or four for each core.
+//! Inside of a pool of rayon ([`rayon::ThreadPool::install`]) the work stays in that pool. The parts of some work have its
+//! [budget](Budget::current), on whichever thread.
 
+use crate::budget::Budget;
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::num::NonZero;
@@ -48,15 +50,22 @@ impl Threads {
 
     /// Does work whose parts stay on these threads: that of others does not wait behind it.
     pub fn within<R: Send>(&self, work: impl FnOnce() -> R + Send) -> R {
+        let budget = Budget::current();
+        let within = || {
+            let _entered = budget.enter();
+            work()
+        };
         match &self.0 {
-            Some(pool) if rayon::current_thread_index().is_none() => pool.install(work),
-            _ => work(),
+            Some(pool) if rayon::current_thread_index().is_none() => pool.install(within),
+            _ => within(),
         }
     }
 
     /// `f` of every item, in their order.
     pub fn map<T: Sync, R: Send>(&self, items: &[T], f: impl Fn(&T) -> R + Sync) -> Vec<R> {
-        let side_by_side = || items.par_iter().map(&f).collect();
+        let budget = Budget::current();
+        let side_by_side =
+            || items.par_iter().map_init(|| budget.enter(), |_entered, item| f(item)).collect();
         match &self.0 {
             _ if rayon::current_thread_index().is_some() => side_by_side(),
             Some(pool) => pool.install(side_by_side),
@@ -71,7 +80,11 @@ impl Threads {
         if out.len() <= places {
             return out.chunks_mut(places).enumerate().for_each(one);
         }
-        let side_by_side = |out: &mut [T]| out.par_chunks_mut(places).enumerate().for_each(one);
+        let budget = Budget::current();
+        let side_by_side = |out: &mut [T]| {
+            let parts = out.par_chunks_mut(places).enumerate();
+            parts.for_each_init(|| budget.enter(), |_entered, part| one(part));
+        };
         match &self.0 {
             _ if rayon::current_thread_index().is_some() => side_by_side(out),
             Some(pool) => pool.install(|| side_by_side(out)),
@@ -92,11 +105,15 @@ impl Threads {
             return items.iter().for_each(|item| take(Some(work(item))));
         };
         let (sender, receiver) = sync_channel(4 * pool.current_num_threads());
+        let budget = Budget::current();
         pool.in_place_scope(|scope| {
-            let work = &work;
+            let (work, budget) = (&work, &budget);
             scope.spawn(move |_| {
-                // Nobody listens any more only where `take` panicked.
-                let give = |sender: &mut SyncSender<R>, item: &T| drop(sender.send(work(item)));
+                let give = |sender: &mut SyncSender<R>, item: &T| {
+                    let _entered = budget.enter();
+                    // Nobody listens any more only where `take` panicked.
+                    drop(sender.send(work(item)));
+                };
                 items.par_iter().with_max_len(1).for_each_with(sender, give);
             });
             loop {
@@ -149,16 +166,26 @@ fn shared() -> &'static Shared {
 
 impl Shared {
     fn new() -> Self {
-        let (threads, refused) = match pool(0) {
+        let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
+        let (threads, refused) = match pool(wanted(cores)) {
             Ok(pool) => (Threads(Some(pool)), None),
             Err(error) => {
-                let cores = std::thread::available_parallelism().map_or(1, NonZero::get);
                 let fewer = std::iter::successors(Some(cores / 2), |n| Some(n / 2)).take_while(|n| *n > 1);
                 (Threads(fewer.map(pool).find_map(Result::ok)), Some(error))
             }
         };
         Self { process: process(), threads, refused, of_child: OnceLock::new() }
     }
+}
+
+/// What the environment says, up to a number that is of use; none where it says nothing.
+fn wanted(cores: usize) -> usize {
+    let stated = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.trim().parse::<usize>().ok());
+    stated.map_or(0, |count| at_most(count, cores))
+}
+
+fn at_most(count: usize, cores: usize) -> usize {
+    count.min((4 * cores).max(64))
 }
 
 /// So many threads; none: as many as the environment or the cores say.
@@ -190,6 +217,11 @@ mod tests {
             });
             assert_eq!(filled, squares, "{count}");
         }
+    }
+
+    #[test]
+    fn threads_that_are_of_no_use_are_not_started() {
+        assert_eq!([at_most(5000, 2), at_most(5000, 96), at_most(7, 2)], [64, 384, 7]);
     }
 
     #[test]

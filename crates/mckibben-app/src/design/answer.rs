@@ -28,6 +28,9 @@ pub struct DesignAnswer {
     /// The load that is lifted, as it was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
+    /// What was assumed where nothing was said, in sentences.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<String>,
     /// Muscles that were looked at.
     pub looked_at: usize,
     /// How many of them fit.
@@ -181,7 +184,7 @@ pub struct ClosestAnswer {
     pub rejected: RejectedAnswer,
     /// Limits that could give, each alone.
     pub relaxations: Vec<RelaxationAnswer>,
-    /// Contractions that no braid of the search reaches, and the angle that would.
+    /// Contractions that no braid of the search reaches, and the angle that would; a stiffer sleeve that would do.
     pub hint: Option<String>,
 }
 
@@ -294,6 +297,7 @@ impl DesignAnswer {
             searched_with: model.searches().into(),
             max_pressure_mpa: spec.max_pressure_mpa,
             load: None,
+            assumptions: vec![],
             looked_at: outcome.looked_at.0,
             fitting: outcome.looked_at.1,
             candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
@@ -448,6 +452,7 @@ impl ClosestAnswer {
 fn warnings(c: &Candidate, max_pressure_mpa: f64) -> Vec<Warning> {
     let mut all = crate::warnings::of_responses(&c.muscle, c.points.iter().map(|q| &q.response));
     let found = c.burst.unwrap_or(Burst::Unknown(NoBurst::NoAnswer { up_to_mpa: 0.0 }));
+    all.extend(super::assumed::thin_wall(&c.muscle).map(Warning::from));
     put_first(&mut all, said_of(&found, max_pressure_mpa, 0.0));
     all
 }

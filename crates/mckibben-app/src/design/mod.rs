@@ -1,6 +1,7 @@
 //! `design`: from a specification to ranked muscles.
 
 mod answer;
+mod assumed;
 mod request;
 
 pub use answer::{
@@ -14,7 +15,7 @@ use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
-use mckibben::budget::Exceeded;
+use mckibben::budget::{Exceeded, Resource};
 use mckibben::design::{
     Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, Sure, design_joint, design_with, fits,
     is_doubtful, spread, to_be_sure,
@@ -34,8 +35,9 @@ const DRAWN: usize = 3;
 /// # Errors
 /// [`Problem`] for a specification that cannot be searched; that nothing fits is an answer.
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
-    let Search { spec, model, radius_mm } = request.search()?;
     let budget = progress.budget();
+    budget.admit(Resource::Points, request.points_held())?;
+    let Search { spec, model, radius_mm } = request.search()?;
     // A mesh that one muscle has no room for is no reason against each of them.
     model.decide(&spec.base, &budget)?;
     let (look, decide) = (|m: &Muscle| model.look(m, &budget), |m: &Muscle| model.decide(m, &budget));
@@ -55,8 +57,13 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Some(unit) if winner.is_some() => Some(draw(&spec, &decide, &outcome, unit)?),
         _ => None,
     };
+    let hint = outcome.closest.as_ref().and_then(|closest| assumed::stiffer_sleeve(&spec, &decide, closest));
+    let assumptions = assumed::assumptions(request, &spec);
     let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress);
     let mut answer = DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure);
+    if let (Some(closest), Some(hint)) = (&mut answer.closest, hint) {
+        closest.hint = Some(closest.hint.take().map_or(hint.clone(), |first| format!("{first} {hint}")));
+    }
     match sure {
         Ok(sure) => answer.to_be_sure = sure.as_ref().map(Into::into),
         Err(Exceeded::Cancelled) => return Err(Problem::cancelled()),
@@ -65,7 +72,7 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
             "what to ask for to be sure of what is wanted was not computed: {spent}"
         ))),
     }
-    Ok(DesignAnswer { load: request.load.load.clone(), ..answer })
+    Ok(DesignAnswer { load: request.load.load.clone(), assumptions, ..answer })
 }
 
 /// What to ask for to be sure of what is wanted, where the winner has less to spare than its ±.

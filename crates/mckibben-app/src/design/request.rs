@@ -316,6 +316,19 @@ impl DesignRequest {
         Ok(Search { spec, model, radius_mm })
     }
 
+    /// Operating points and values of the search that are held at once.
+    pub(super) fn points_held(&self) -> f64 {
+        let wanted = self.points.len() + self.torques.len();
+        let named = self.braids.len() + self.rubbers.len() + self.strand_length_per_turn_mm.len();
+        let axes =
+            [&self.outer_diameter_mm, &self.wall_mm, &self.angle_deg, &self.length_mm, &self.radius_mm];
+        let listed = axes.into_iter().flatten().map(|choice| match choice {
+            Choice::Several(list) => list.len(),
+            Choice::One(_) | Choice::Between { .. } => 1,
+        });
+        (wanted + named + listed.sum::<usize>()) as f64
+    }
+
     /// The named sleeves, or the base muscle's.
     fn sleeves(&self, base: &Muscle) -> Result<Vec<Braid>, Problem> {
         if self.braids.is_empty() {
@@ -454,13 +467,11 @@ impl DesignRequest {
         let largest = points.iter().map(|q| q.contraction).fold(0.0, f64::max);
         if self.length_mm.is_some() {
             let have = largest * length;
-            if have + 1e-9 < stroke {
-                let message = format!(
-                    "{stroke} mm is more than the {have:.2} mm that the largest contraction makes of `length_mm`"
-                );
-                return Err(wrong(message, "leave out `length_mm` or `contraction`").in_field("stroke_mm"));
-            }
-            return Ok((base, points));
+            let message = format!(
+                "{stroke} mm and `length_mm` {length} mm and a contraction are one too many: the largest contraction makes {have:.2} mm of that length"
+            );
+            let hint = "leave out `stroke_mm`, `length_mm` or the contraction";
+            return Err(wrong(message, hint).in_field("stroke_mm"));
         }
         if largest <= 0.0 {
             return Err(wrong("a stroke needs a contraction above zero".into(), ""));

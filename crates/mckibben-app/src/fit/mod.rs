@@ -128,6 +128,13 @@ fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
         FitMethod::Paper => Method::Paper(Rules { thin: request.thin_rule, slack: request.slack_rule }),
         _ => Method::Global(request.terms.unwrap_or(MOST_TERMS).clamp(1, MOST_TERMS)),
     };
+    match method {
+        Method::Paper(_) => Problem::refuse_unused(
+            &[("terms", request.terms.is_some())],
+            "the paper's `method` has a number of terms of its own",
+        )?,
+        Method::Global(_) => request.check_rules("global")?,
+    }
     if let (Method::Global(_), true) = (method, request.tables) {
         let message = "the method global has no intermediate tables";
         return Err(Problem::new(ProblemKind::Usage, message, "take `method` paper").in_field("tables"));
@@ -229,6 +236,15 @@ impl FitRequest {
         Err(Problem::new(ProblemKind::Usage, why, "take another name").in_field("name"))
     }
 
+    /// Refuses rules of the paper's method where another one is taken.
+    fn check_rules(&self, method: &str) -> Result<(), Problem> {
+        let rules = [
+            ("thin_rule", self.thin_rule != ThinRule::default()),
+            ("slack_rule", self.slack_rule != SlackRule::default()),
+        ];
+        Problem::refuse_unused(&rules, format!("it is a rule of `method` paper, and {method} is taken"))
+    }
+
     /// Refuses what the universal methods do not know.
     fn check_foreign(&self) -> Result<(), Problem> {
         let foreign = [
@@ -239,6 +255,11 @@ impl FitRequest {
             ("stiffness", self.stiffness.is_some()),
             ("muscle", self.muscle.is_some()),
         ];
+        self.check_rules("universal")?;
+        Problem::refuse_unused(
+            &[("terms", self.terms.is_some())],
+            "`method` universal has terms of its own",
+        )?;
         let Some((field, _)) = foreign.into_iter().find(|f| f.1) else { return Ok(()) };
         let message = "the methods universal and universal-small know no such thing";
         let hint = "leave it out; a campaign says everything of its muscles";

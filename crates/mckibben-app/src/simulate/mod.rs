@@ -7,7 +7,7 @@ pub use answer::*;
 pub use request::{PictureFields, SimulateRequest};
 
 use crate::burst::{QUIET_MPA, burst_of, put_first, said_of};
-use crate::curve::{check_count, contractions, forces, list, reach, steps};
+use crate::curve::{check_count, check_test, contractions, forces, list, reach, steps};
 use crate::fields::AskFields;
 use crate::figure;
 use crate::model::Model;
@@ -151,6 +151,11 @@ pub fn simulate(
     progress: &dyn Progress,
     mut shapes: Option<&mut dyn Shapes>,
 ) -> Result<SimulateAnswer, Problem> {
+    check_test(request.test, request.contractions.is_some(), request.forces_n.is_some())?;
+    if request.test == Test::Isotonic {
+        let why = "`test` isotonic takes pulls (`forces_n`), and no contractions";
+        Problem::refuse_unused(&[("of_largest", request.of_largest)], why)?;
+    }
     let muscle = request.muscle.resolve()?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &request.mesh)?;
     let Model::Elements(elements) = &model else {

@@ -1,13 +1,26 @@
 //! What a plan will cost, before it is begun.
 
 use super::plan::Plan;
+use mckibben::budget::{Budget, Limits, Resource};
+use mckibben_fem::FemError;
 use mckibben_fem::simulation::Elements;
+use mckibben_fem::three_dimensional::BrickMesh;
 use serde::Serialize;
 
 /// Bytes of a number in a compressed table: 6 to 8 were measured.
 const BYTES_OF_A_NUMBER: f64 = 8.0;
 /// Columns that are numbers, without those of constants and sensitivities.
 const NUMBERS: usize = 16;
+
+/// Muscles of a plan whose meshes are looked at.
+const LOOKED_AT: u64 = 64;
+/// Elements along a muscle up to which a point takes the usual number of steps.
+const USUAL_ALONG: f64 = 12.0;
+
+/// A hundred points of 600 bricks.
+fn bricks_per_second(through: u64, sheet: u64) -> u64 {
+    60_000 / (through * through * sheet).max(60)
+}
 
 /// About what a plan costs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -32,30 +45,83 @@ impl Cost {
 }
 
 impl Plan {
-    /// Points that one thread solves in a good second; between curves that pull and walls that fold there is a factor of ten.
+    /// Points that one thread solves in a good second with the usual mesh; between curves that pull and walls that fold there is a factor
+    /// of ten. The size of the parts follows from it: it depends on the plan alone.
     pub(super) fn points_per_second(&self) -> u64 {
-        let testing = self.testing();
-        match testing.elements {
-            // Time grows with the elements along and with the square of those through the wall.
+        match self.testing().elements {
             Elements::Axisymmetric(mesh) => {
-                let most = if testing.sensitivities { 512 } else { 4096 };
-                let through = mesh.through.unwrap_or(1) as u64;
-                6 * most / (through * through * mesh.along.unwrap_or(6) as u64).max(6)
+                self.sections_per_second(mesh.through.unwrap_or(1) as u64, mesh.along.unwrap_or(6) as u64)
             }
-            // A hundred points of 600 bricks.
+            Elements::ThreeDimensional(spec) => bricks_per_second(
+                spec.through.unwrap_or(1) as u64,
+                (spec.around.unwrap_or(14) * spec.along.unwrap_or(45)) as u64,
+            ),
+        }
+    }
+
+    /// Time grows with the elements along and with the square of those through the wall.
+    fn sections_per_second(&self, through: u64, along: u64) -> u64 {
+        let most = if self.testing().sensitivities { 512 } else { 4096 };
+        6 * most / (through * through * along).max(6)
+    }
+
+    /// The same with the mesh that a muscle of the plan gets; none where it gets none.
+    fn points_per_second_of(&self, number: u64) -> Option<f64> {
+        let muscle = self.inputs(number).muscle(self.base()).ok()?;
+        let (tube, half) = (muscle.tube(), 0.5 * muscle.length_mm());
+        Some(match self.testing().elements {
+            Elements::Axisymmetric(mesh) => {
+                let (through, along, _) = mesh.resolve(tube.outer_radius_mm(), tube.wall_mm, half).ok()?;
+                let plain = self.sections_per_second(through as u64, along as u64) as f64;
+                // The slimmer a muscle, the more steps a point takes: some eighty times as many at a thousand elements.
+                plain / (along as f64 / USUAL_ALONG).max(1.0)
+            }
             Elements::ThreeDimensional(spec) => {
-                let through = spec.through.unwrap_or(1) as u64;
-                let sheet = spec.around.unwrap_or(14) * spec.along.unwrap_or(45);
-                60_000 / (through * through * sheet as u64).max(60)
+                let (inner, outer) = (tube.inner_radius_mm(), tube.outer_radius_mm());
+                let angle = muscle.braid().angle_rad();
+                let [through, around, along, bonded] =
+                    BrickMesh::count(inner, outer, half, angle, &spec).ok()?;
+                bricks_per_second(through as u64, (around * (along + bonded)) as u64) as f64
+            }
+        })
+    }
+
+    /// Refuses what does not fit into a budget: points where their number is limited further than that of those that are held at once, and
+    /// the meshes of some of the muscles.
+    ///
+    /// # Errors
+    /// [`FemError::Exceeded`].
+    pub fn admit(&self, budget: &Budget) -> Result<(), FemError> {
+        if budget.limits().points < Limits::default().points {
+            let points = self.muscles() as f64 * self.points_per_muscle() as f64;
+            budget.admit(Resource::Points, points)?;
+        }
+        for number in self.some() {
+            let Ok(muscle) = self.inputs(number).muscle(self.base()) else { continue };
+            match self.testing().elements.admit(&muscle, budget) {
+                Err(FemError::Exceeded(exceeded)) => return Err(exceeded.into()),
+                // What is no mesh is a row without an answer.
+                _ => {}
             }
         }
+        Ok(())
+    }
+
+    /// Numbers of some muscles, evenly over the plan.
+    fn some(&self) -> impl Iterator<Item = u64> {
+        let all = self.muscles();
+        let count = all.min(LOOKED_AT);
+        (0..count).map(move |i| i * (all / count.max(1)))
     }
 
     /// About what so many of its muscles cost on a number of threads.
     pub fn cost(&self, muscles: u64, threads: usize) -> Cost {
         let points = muscles.saturating_mul(self.points_per_muscle() as u64);
         let numbers = NUMBERS + self.constants().len() + self.sensitivities().len();
-        let rate = self.points_per_second().max(1) as f64 * threads.max(1) as f64;
+        let rates: Vec<f64> = self.some().filter_map(|number| self.points_per_second_of(number)).collect();
+        let seconds: f64 = rates.iter().map(|rate| 1.0 / rate.max(1e-3)).sum();
+        let rate = threads.max(1) as f64
+            * if rates.is_empty() { f64::INFINITY } else { rates.len() as f64 / seconds };
         Cost {
             points,
             bytes: points as f64 * BYTES_OF_A_NUMBER * numbers as f64,

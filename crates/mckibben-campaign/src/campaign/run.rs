@@ -228,7 +228,12 @@ fn compute(
         if halted() {
             return None;
         }
-        for row in solve::rows(plan, muscle) {
+        let rows = solve::rows(plan, muscle);
+        // What ended meanwhile did not come to its rows.
+        if halted() {
+            return None;
+        }
+        for row in rows {
             points += 1;
             failed += u64::from(!row.status.is_ok());
             table.push(row);

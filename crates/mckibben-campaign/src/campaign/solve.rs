@@ -22,6 +22,9 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, Campaig
             return Err(CampaignError::Stopped);
         }
         let rows = rows(plan, number);
+        if progress.cancelled() {
+            return Err(CampaignError::Stopped);
+        }
         progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, total);
         Ok(rows)
     };

@@ -15,6 +15,7 @@
 use super::data::{FULL_PRESSURE, FitPoint, distinct, same};
 use super::error::FitError;
 use super::errors::{Compared, compared};
+use mckibben::budget::Budget;
 use mckibben::formula::{GlobalTerms, Scales, Term};
 use nalgebra::{DMatrix, DVector};
 
@@ -87,6 +88,7 @@ pub fn global(points: &[FitPoint], most: usize) -> Result<GlobalFit, FitError> {
     let chosen = select(&full, most);
     let (coefficients, rms) = nested(&full, &chosen);
     let left_out = leave_out(&used, &candidates, &scales, &diameters, most);
+    Budget::current().check().map_err(|_| FitError::Stopped)?;
     let steps: Vec<Step> = (1..=chosen.len())
         .map(|terms| Step {
             terms,
@@ -141,7 +143,11 @@ fn select(problem: &Problem, most: usize) -> Vec<usize> {
     let (mut rest, all) = (problem.values.clone(), problem.values.norm_squared());
     let mut free: Vec<usize> = (0..columns.len()).collect();
     let mut chosen = vec![];
-    while chosen.len() < most.min(problem.values.len()) && rest.norm_squared() > MET * all {
+    let budget = Budget::current();
+    while chosen.len() < most.min(problem.values.len())
+        && rest.norm_squared() > MET * all
+        && budget.check().is_ok()
+    {
         let gain = |&j: &usize| {
             let square = columns[j].norm_squared();
             if square > DEPENDENT * lengths[j] { columns[j].dot(&rest).powi(2) / square } else { 0.0 }

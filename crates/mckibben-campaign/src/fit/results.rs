@@ -183,7 +183,7 @@ pub fn results(
     step(5)?;
     let random_muscles = held_out(&held_out_samples(RANDOM.0, RANDOM.1));
     let global_terms = terms(&global);
-    progress.report(STEPS, STEPS);
+    step(STEPS)?;
     Ok(Results { findings: out.0, constants, global_terms, random_muscles })
 }
 

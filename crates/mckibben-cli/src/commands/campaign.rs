@@ -6,8 +6,8 @@ use crate::failure::{Failure, NOT_CONVERGED};
 use crate::files;
 use crate::flags::{Format, OutputFlags, OverwriteOrForceFlag};
 use crate::output::text::{number, place};
-use crate::output::{Target, show as print, warn};
-use crate::progress::{Bar, INTERRUPTED};
+use crate::output::{Target, clean, emit, json, show as print, warn};
+use crate::progress::{self, Bar, INTERRUPTED, stopped};
 use clap::{Args, Subcommand};
 use mckibben::progress::Progress;
 use mckibben_app::{CampaignMergeRequest, CampaignRequest, ProblemKind, campaign_merge};
@@ -139,13 +139,22 @@ fn plan(args: &CampaignRunArgs, format: Format) -> Result<u8, Failure> {
         );
     }
     let outcome = mckibben_app::campaign(&request, &bar)?;
+    let ended = progress::ended();
     let interrupted = bar.cancelled() && !outcome.complete;
     drop(bar);
     for file in &outcome.recomputed {
         warn(format!("{} was damaged and is recomputed: {}", file.file.display(), file.cause));
     }
     if !args.quiet {
-        print(&outcome, format, "", || as_text(&outcome, from.elapsed()), Target::STDOUT)?;
+        // What is on the disk is valid, whatever ended the run.
+        let out = match format {
+            Format::Json => format!("{:#}\n", json(&outcome)?),
+            Format::Text | Format::Csv => as_text(&outcome, from.elapsed()),
+        };
+        emit(clean::lines(&out).as_bytes(), None)?;
+    }
+    if interrupted && !stopped() {
+        ended?;
     }
     let c = outcome.counts;
     Ok(if interrupted {

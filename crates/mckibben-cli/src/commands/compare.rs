@@ -9,6 +9,7 @@ use crate::output::{show, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, points};
+use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::{
@@ -57,7 +58,7 @@ pub struct CompareArgs {
 /// Runs the command.
 pub fn run(args: &CompareArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = args.output.units.or_typed([&args.pressure, &args.muscle.outer_diameter]);
+    let unit = shown::units();
     let models: Vec<String> = match &args.model {
         Some(one) => vec![one.clone()],
         None => args.models.clone(),
@@ -133,7 +134,11 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
     ]));
     out.push_str("\nmean: above zero where the model promises too much\n");
     for m in answer.models.iter().filter(|m| m.rms_n.is_none()) {
-        out.push_str(&format!("{}: not compared: {}\n", m.model, m.cause.as_deref().unwrap_or_default()));
+        out.push_str(&format!(
+            "{}: not compared: {}\n",
+            m.model,
+            u.sentence(m.cause.as_deref().unwrap_or_default())
+        ));
     }
     for m in answer.models.iter().filter(|m| m.rms_n.is_some()) {
         if !m.fitted().is_empty() {
@@ -143,7 +148,7 @@ fn as_text(args: &CompareArgs, answer: &CompareAnswer, u: &Units) -> String {
         }
         if m.unanswered > 0 {
             let share = m.unanswered as f64 / (m.unanswered + m.points) as f64;
-            let (n, cause) = (m.unanswered, m.cause.as_deref().unwrap_or_default());
+            let (n, cause) = (m.unanswered, u.sentence(m.cause.as_deref().unwrap_or_default()));
             out.push_str(&format!("{}: {n} points ({}) not answered: {cause}\n", m.model, percent(share)));
         }
     }

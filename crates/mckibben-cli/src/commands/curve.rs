@@ -8,6 +8,7 @@ use crate::output::{burst_first, is_json, show, streamed, warn};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, pressures};
+use crate::shown;
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::answer::Answer;
@@ -37,7 +38,7 @@ pub struct CurveArgs {
     #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
     pub test: Option<Test>,
     /// A study of the paper instead
-    #[arg(long, value_enum)]
+    #[arg(long, value_enum, conflicts_with_all = ["pressure", "contraction", "force", "load"])]
     pub study: Option<StudyWord>,
     #[command(flatten)]
     pub muscle: MuscleFlags,
@@ -68,8 +69,7 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     // Without a study, which is another command to the program, the test must be there.
     let test = args.test.unwrap_or(Test::Isometric);
-    let typed = [&args.pressure, &args.force, &args.muscle.outer_diameter];
-    let unit = args.output.units.or_typed(typed);
+    let unit = shown::units();
     let request = CurveRequest {
         test,
         muscle: args.muscle.fields()?,

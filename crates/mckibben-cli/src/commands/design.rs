@@ -11,6 +11,7 @@ use crate::output::{Content, Target, burst_first, check, clean, colour, emit, sa
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};
+use crate::shown;
 use crate::word::word;
 use clap::Args;
 use mckibben::muscle::file::to_toml;
@@ -194,8 +195,8 @@ pub struct DesignArgs {
 pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, Content::Muscle)?;
-    let unit = args.units.or_typed([&args.max_pressure, &args.force, &args.outer_diameter]);
+    check(target, &Content::Muscle)?;
+    let unit = shown::units();
     let chart = format == Format::Text && !args.no_chart;
     let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
@@ -204,7 +205,7 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     if let Some(winner) = winner {
         save(target, Content::Muscle, to_toml(winner).as_bytes())?;
     }
-    let text = || burst_first(&answer.warnings) + &text::of(&answer, &unit);
+    let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
     show(&answer, format, "candidates", text, Target::STDOUT)?;
     if let Some(figure) = figure.as_ref().filter(|_| chart) {
         emit(format!("\n{}\n", clean::chart(&figure.to_text(100, 24, colour()))), None)?;

@@ -6,12 +6,12 @@ mod text;
 pub use text::{error_rows, errors_table, made_text, range_text, universal as universal_text};
 
 use crate::failure::Failure;
-use crate::files;
 use crate::flags::{Format, OverwriteOrForceFlag, stiffness};
-use crate::output::{Content, Target, check, save, show};
+use crate::output::{Content, Target, check, json, save, show};
 use crate::progress::Bar;
 use crate::quantities::points;
 use crate::word::word;
+use crate::{files, plot};
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::{FitAnswer, FitMethod, FitRequest};
@@ -35,7 +35,7 @@ pub struct FitArgs {
     #[arg(value_name = "FILE", required_unless_present = "report", conflicts_with = "report")]
     pub file: Option<PathBuf>,
     /// Instead: compute the paper's campaign anew and print how everything compares
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["method", "hold_out", "terms", "thin_rule", "slack_rule", "name", "rubber", "stiffness", "muscle", "tables", "plots"])]
     pub report: bool,
     /// How the formula is made
     #[arg(long, value_parser = word::<FitMethod>(), default_value = "paper")]
@@ -43,9 +43,9 @@ pub struct FitArgs {
     /// Diameters kept out of the fit, to test it [none]
     #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
     pub hold_out: Option<String>,
-    /// Most terms of `global`
-    #[arg(long, value_name = "N", default_value_t = 48, value_parser = clap::value_parser!(u8).range(1..=48))]
-    pub terms: u8,
+    /// Most terms of `global` [48]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=48))]
+    pub terms: Option<u8>,
     /// Thick walls of thin muscles at low pressure, in the paper's method
     #[arg(long, value_parser = word::<ThinRule>(), default_value = "leave-out")]
     pub thin_rule: ThinRule,
@@ -81,15 +81,15 @@ pub struct FitArgs {
 pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     let Some(path) = &args.file else { return report::run(format, target) };
-    check(target, Content::Formula)?;
+    check(target, &Content::Formula)?;
     let mut answer = mckibben_app::fit(&request(args, path)?, &Bar::new("steps"))?;
     if let Some(folder) = &args.tables {
-        write_tables(folder, &mut answer)?;
+        write_tables(folder, &mut answer, target.overwrite)?;
     }
     if let Some(folder) = &args.plots {
         make(folder)?;
         for named in std::mem::take(&mut answer.figures) {
-            named.figure.save(&folder.join(format!("{}.svg", named.name)))?;
+            plot::save(Some(named.figure), Some(&folder.join(format!("{}.svg", named.name))))?;
         }
     }
     save(target, Content::Formula, answer.formula_file().as_bytes())?;
@@ -106,7 +106,7 @@ fn request(args: &FitArgs, path: &Path) -> Result<FitRequest, Failure> {
         method: args.method,
         hold_out_mm: points("--hold-out", args.hold_out.as_deref(), Dimension::Length, 1)?
             .unwrap_or_default(),
-        terms: Some(usize::from(args.terms)),
+        terms: args.terms.map(usize::from),
         thin_rule: args.thin_rule,
         slack_rule: args.slack_rule,
         name: args.name.clone(),
@@ -129,15 +129,17 @@ struct Tables<'a> {
     tables: Map<String, Value>,
 }
 
-fn write_tables(folder: &Path, answer: &mut FitAnswer) -> Result<(), Failure> {
+fn write_tables(folder: &Path, answer: &mut FitAnswer, overwrite: bool) -> Result<(), Failure> {
     make(folder)?;
     let mut tables = Map::new();
     for table in std::mem::take(&mut answer.tables) {
         let file = folder.join(format!("{}.csv", table.name));
-        save(Target::file(&file, true), Content::Other, table.to_csv().as_bytes())?;
+        let content = Content::Table { head: table.header.join(",") };
+        save(Target::file(&file, overwrite), content, table.to_csv().as_bytes())?;
         tables.insert(table.name.into(), table.to_value());
     }
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
     let file = folder.join("tables.json");
-    show(&Tables { method, tables }, Format::Json, "", String::new, Target::file(&file, true))
+    let text = format!("{:#}\n", json(&Tables { method, tables })?);
+    save(Target::file(&file, overwrite), Content::Json, text.as_bytes())
 }

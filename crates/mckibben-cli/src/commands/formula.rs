@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{Format, OutputFlags};
 use crate::output::text::{number, pairs, table};
-use crate::output::{emit, show as print, warn};
+use crate::output::{Content, check, emit, show as print, warn};
 use clap::Args;
 use mckibben::formula::{Body, Document, Formula, paper_terms};
 use mckibben_app::{FormulaShowRequest, Model, ProblemKind, formula_show};
@@ -41,8 +41,11 @@ pub fn show(args: &FormulaShowArgs, format: Format) -> Result<u8, Failure> {
     let request = FormulaShowRequest { file, name: built_in.then(|| word.into_owned()), latex: args.latex };
     let answer = formula_show(&request)?;
     answer.warnings.iter().for_each(warn);
-    match &answer.latex {
-        Some(latex) => emit(latex, args.output.output.as_deref())?,
+    match answer.latex.as_ref().filter(|_| format == Format::Text) {
+        Some(latex) => {
+            check(args.output.target(), &Content::Latex)?;
+            emit(latex, args.output.output.as_deref())?;
+        }
         None => print(&answer, format, "terms", || text(&answer.formula), args.output.target())?,
     }
     Ok(0)

@@ -6,11 +6,12 @@ use crate::failure::Failure;
 use crate::files;
 use crate::flags::{ColumnsFlag, Format, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
 use crate::names::MODELS;
-use crate::output::text::{Units, place};
+use crate::output::text::place;
 use crate::output::{Content, Target, check, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, pressures, ratio, values};
+use crate::shown;
 use crate::word::word;
 use clap::Args;
 use mckibben::units::Dimension;
@@ -131,12 +132,12 @@ pub struct IdentifyArgs {
 pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, Content::Muscle)?;
+    check(target, &Content::Muscle)?;
     let mut answer = mckibben_app::identify(&request(args)?, &Bar::new("points"))?;
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     save(target, Content::Muscle, answer.muscle_file.as_bytes())?;
     let text = || {
-        let mut text = text::of(&answer, &units(args));
+        let mut text = text::of(&answer, &shown::units());
         if let Some(path) = &args.output {
             text.push_str(&format!("\nThe muscle is in {}.\n", place(path)));
         }
@@ -144,10 +145,6 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
     };
     show(&answer, format, "points", text, Target::STDOUT)?;
     Ok(0)
-}
-
-fn units(args: &IdentifyArgs) -> Units {
-    args.units.or_typed([&args.pressure, &args.muscle.outer_diameter])
 }
 
 fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
@@ -189,6 +186,6 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
         bounds: args.bounds.clone(),
         laws: args.laws,
         loss: if args.robust { LossWord::Huber } else { args.loss },
-        figure: args.plot.plot.as_ref().map(|_| units(args)),
+        figure: args.plot.plot.as_ref().map(|_| shown::units()),
     })
 }

@@ -8,6 +8,7 @@ use crate::output::{burst_first, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{points, quantity, values};
+use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::{JointAnswer, JointFields, JointRequest, JointRow, ProblemKind, TextFile, joint};
@@ -69,13 +70,15 @@ pub fn fields(path: &Path) -> Result<JointFields, Failure> {
 /// Runs the command.
 pub fn run(args: &JointArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let texts: Vec<Option<String>> = args.pressure.iter().cloned().map(Some).collect();
-    let typed = [texts.first().unwrap_or(&None), &args.max_pressure, &None];
-    let unit = args.output.units.or_typed(typed);
+    let unit = shown::units();
     let asking = args.model.asking.fields();
     if asking.two_sided {
         let message = "--two-sided: muscles of a joint pull on ropes and do not push";
         return Err(Failure::input(ProblemKind::Usage, message, ""));
+    }
+    if !asking.direction.is_mean() {
+        let message = "--branch: a joint answers with both branches where its muscles state their friction";
+        return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
     }
     let pressures = args.pressure.iter().map(|text| {
         let list = values("--pressure", Some(text), Dimension::Pressure)?;
@@ -173,8 +176,18 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     }
     let torque = |v: f64| number(if v.abs() < 1e-9 { 0.0 } else { v }, 4);
     let some = |v: Option<f64>| v.map_or_else(|| "–".to_owned(), torque);
-    let pull = |n: f64, slack: bool| if slack { "slack".to_owned() } else { u.force.to(n, 4) };
-    let row = |q: &JointRow| {
+    // Beside the largest pull of the table: a muscle without pressure pulls by rounding alone.
+    let all = points.iter().flat_map(|q| [Some(q.force_1_n), q.force_2_n]).flatten();
+    let nothing = 1e-6 * all.fold(0.0, |most: f64, f| most.max(f.abs()));
+    let pulls = |of: &dyn Fn(&JointRow) -> (Option<f64>, bool)| -> Vec<String> {
+        let pull = |q: &JointRow| of(q).0.map(|f| if f.abs() < nothing { 0.0 } else { f });
+        let cells = u.force.column(points.iter().map(pull), 4);
+        let slack = points.iter().map(|q| of(q).1);
+        cells.into_iter().zip(slack).map(|(cell, slack)| if slack { "slack".into() } else { cell }).collect()
+    };
+    let first = pulls(&|q| (Some(q.force_1_n), q.slack_1));
+    let second = pulls(&|q| (q.force_2_n, q.slack_2 == Some(true)));
+    let row = |(i, q): (usize, &JointRow)| {
         let mut row = vec![
             number(if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg }, 5),
             u.pressure.bare(q.pressure_1_mpa),
@@ -184,13 +197,13 @@ fn rows(points: &[JointRow], u: &Units) -> String {
         if branches {
             row.extend([some(q.torque_turning_plus_nm), some(q.torque_turning_minus_nm)]);
         }
-        row.extend([torque(q.stiffness_nm_per_rad), pull(q.force_1_n, q.slack_1)]);
-        row.extend(q.force_2_n.map(|f| pull(f, q.slack_2 == Some(true))));
+        row.extend([torque(q.stiffness_nm_per_rad), first[i].clone()]);
+        row.extend(q.force_2_n.map(|_| second[i].clone()));
         if resting {
             row.push(q.rest.map_or("", mckibben_app::RestWord::name).into());
         }
         row
     };
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    table(&header, points.iter().map(row).collect())
+    table(&header, points.iter().enumerate().map(row).collect())
 }

@@ -9,6 +9,7 @@ use crate::output::{burst_first, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::quantity;
+use crate::shown;
 use clap::Args;
 use mckibben::load::Load;
 use mckibben::units::Dimension;
@@ -124,7 +125,21 @@ fn files_of(args: &MotionArgs) -> Result<MotionRequest, Failure> {
 /// Runs the command.
 pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = args.output.units.or_typed([]);
+    let asking = args.model.asking.fields();
+    let ignored = [
+        ("--extrapolate", asking.extrapolate),
+        ("--two-sided", asking.two_sided),
+        ("--branch", !asking.direction.is_mean()),
+    ];
+    if let Some((flag, _)) = ignored.into_iter().find(|f| f.1) {
+        let message = format!(
+            "{flag} would change nothing: a motion follows the model, its friction and what goes slack by itself"
+        );
+        return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
+    }
+    let files = files_of(args)?;
+    files.drive.iter().for_each(|drive| shown::take_file(&drive.text));
+    let unit = shown::units();
     let sweep = args.sweep.as_deref().map(|text| -> Result<MotionSweep, Failure> {
         let (key, values) = text.split_once('=').ok_or_else(|| {
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
@@ -144,7 +159,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
         sweep: sweep.transpose()?,
         rise_time_s: quantity("--rise-time", args.rise_time.as_deref(), Dimension::Time)?,
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
-        ..files_of(args)?
+        ..files
     };
     let bar = Bar::new("motion");
     let mut answer = motion(&request, &bar)?;

@@ -3,14 +3,14 @@
 use crate::failure::Failure;
 use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
 use crate::output::text::{Units, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
-use crate::output::{burst_first, json, show as print};
+use crate::output::{FLAT, burst_first, show as print};
 use crate::quantities::quantity;
+use crate::shown;
 use clap::Args;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::RubberLaw;
 use mckibben::units::Dimension;
 use mckibben_app::{Characteristics, MuscleShowRequest, muscle_show};
-use serde_json::{Map, Value};
 
 /// `muscle show`.
 #[derive(Debug, Args)]
@@ -36,17 +36,13 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
         muscle_file: false,
     })?;
     let path = args.output.target();
-    if format == Format::Csv {
-        print(&flat(&json(&answer)?), format, "", String::new, path)?;
-        return Ok(0);
-    }
     let text = || {
         let burst = burst_first(&answer.warnings);
-        let u = args.output.units.or_typed([&args.pressure, &args.muscle.outer_diameter]);
+        let u = shown::units();
         let does = answer.characteristics.as_ref().map(|c| characteristics(c, &u));
         burst + &as_text(&answer.muscle, &u) + &does.unwrap_or_default()
     };
-    print(&answer, format, "", text, path)?;
+    print(&answer, format, FLAT, text, path)?;
     Ok(0)
 }
 
@@ -60,18 +56,6 @@ fn characteristics(c: &Characteristics, u: &Units) -> String {
         ("burst pressure", c.burst_pressure_mpa.map_or_else(|| "not stated".into(), |v| u.pressure.show(v))),
     ];
     format!("\nAt {}, model {}\n{}", u.pressure.show(c.pressure_mpa), c.model, pairs(&list))
-}
-
-/// Nested objects laid flat, for one CSV row.
-fn flat(value: &Value) -> Value {
-    let mut out = Map::new();
-    for (key, value) in value.as_object().into_iter().flatten() {
-        match value.as_object() {
-            Some(inner) => out.extend(inner.clone()),
-            None => drop(out.insert(key.clone(), value.clone())),
-        }
-    }
-    Value::Object(out)
 }
 
 /// How far the muscle stretches its rubber, and how far the rubber is known.

@@ -7,6 +7,7 @@ use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{burst_first, show};
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity};
+use crate::shown;
 use clap::Args;
 use mckibben::answer::Answer;
 use mckibben::units::Dimension;
@@ -87,7 +88,7 @@ pub fn force(args: &ForceArgs, format: Format) -> Result<u8, Failure> {
         },
         &Bar::hidden(),
     )?;
-    print(&answer, Asked::Force, format, &args.output, [&args.pressure, &None, &args.muscle.outer_diameter])
+    print(&answer, Asked::Force, format, &args.output)
 }
 
 /// P(F, ε).
@@ -103,7 +104,7 @@ pub fn pressure(args: &PressureArgs, format: Format) -> Result<u8, Failure> {
         },
         &Bar::hidden(),
     )?;
-    print(&answer, Asked::Pressure, format, &args.output, [&None, &args.force, &args.muscle.outer_diameter])
+    print(&answer, Asked::Pressure, format, &args.output)
 }
 
 /// ε(F, P).
@@ -120,23 +121,11 @@ pub fn contraction(args: &ContractionArgs, format: Format) -> Result<u8, Failure
         },
         &Bar::hidden(),
     )?;
-    print(
-        &answer,
-        Asked::Contraction,
-        format,
-        &args.output,
-        [&args.pressure, &args.force, &args.muscle.outer_diameter],
-    )
+    print(&answer, Asked::Contraction, format, &args.output)
 }
 
-fn print(
-    answer: &PointAnswer,
-    asked: Asked,
-    format: Format,
-    output: &OutputFlags,
-    typed: [&Option<String>; 3],
-) -> Result<u8, Failure> {
-    let text = || burst_first(&answer.point.warnings) + &text(answer, asked, &output.units.or_typed(typed));
+fn print(answer: &PointAnswer, asked: Asked, format: Format, output: &OutputFlags) -> Result<u8, Failure> {
+    let text = || burst_first(&answer.point.warnings) + &text(answer, asked, &shown::units());
     show(answer, format, "", text, output.target())?;
     Ok(0)
 }

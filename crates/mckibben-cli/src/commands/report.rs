@@ -2,13 +2,14 @@
 
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OverwriteFlag, UnitsFlag};
-use crate::output::{Content, Target, check, emit, json, save, warn};
+use crate::output::{Content, Target, check, emit, ending, json, save, warn};
 use crate::progress::Bar;
 use crate::quantities::{contraction, quantity};
+use crate::shown;
 use clap::Args;
 use mckibben::units::Dimension;
 use mckibben_app::{ProblemKind, ReportRequest, report};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 pub const EXAMPLES: &str = "Examples:
@@ -28,7 +29,7 @@ pub struct ReportArgs {
     pub muscle: MuscleFlags,
     #[command(flatten)]
     pub units: UnitsFlag,
-    /// Write the page to a file instead of standard output
+    /// Write the page to a file instead of standard output; FILE.pdf as --pdf
     #[arg(short, long, value_name = "FILE.html", help_heading = "Output")]
     pub output: Option<PathBuf>,
     /// Also write it as PDF, by Chromium where it is installed
@@ -41,27 +42,41 @@ pub struct ReportArgs {
 /// Runs the command.
 pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
     let target = |path| Target { path, overwrite: args.replace.overwrite };
-    check(target(args.output.as_deref()), Content::Other)?;
-    check(target(args.pdf.as_deref()), Content::Other)?;
-    let browser = args.pdf.as_ref().map(|_| browser()).transpose()?;
+    let printed_too = args.output.as_deref().filter(|path| ending(path).as_deref() == Some("pdf"));
+    let page = args.output.as_deref().filter(|_| printed_too.is_none());
+    let content = match format {
+        Format::Text => Content::Page,
+        Format::Json => Content::Json,
+        Format::Csv => {
+            let message = "--format csv: a report is a page, and has no table";
+            return Err(Failure::input(ProblemKind::Usage, message, "leave it out, or take json"));
+        }
+    };
+    check(target(page), &content)?;
+    let pdfs: Vec<&Path> = args.pdf.as_deref().into_iter().chain(printed_too).collect();
+    pdfs.iter().try_for_each(|path| check(target(Some(path)), &Content::Pdf))?;
+    let browser = pdfs.first().map(|_| browser()).transpose()?;
     let request = ReportRequest {
         muscle: args.muscle.fields()?,
         pressure_mpa: quantity("--pressure", args.pressure.as_deref(), Dimension::Pressure)?,
         contraction: contraction("--contraction", args.contraction.as_deref())?,
-        units: args.units.or_typed([&args.pressure, &args.muscle.outer_diameter]),
+        units: shown::units(),
     };
     let answer = report(&request, &Bar::new("parts"))?;
     answer.warnings.iter().filter(|w| w.starts_with("BURST")).for_each(warn);
-    let bytes = match format {
-        Format::Json => format!("{:#}\n", json(&answer)?).into_bytes(),
+    if let Some(browser) = browser {
+        let bytes = printed(browser, &answer.document.to_html("")?)?;
+        pdfs.iter().try_for_each(|path| save(target(Some(path)), Content::Pdf, &bytes))?;
+    }
+    if page.is_none() && !pdfs.is_empty() {
+        return Ok(0);
+    }
+    let bytes = match content {
+        Content::Json => format!("{:#}\n", json(&answer)?).into_bytes(),
         _ => answer.document.to_html(&mckibben_web::viewer())?.into_bytes(),
     };
-    if let Some(browser) = browser {
-        save(target(args.pdf.as_deref()), Content::Other, &printed(browser, &answer.document.to_html("")?)?)?;
-    }
-    match &args.output {
-        Some(_) => save(target(args.output.as_deref()), Content::Other, &bytes)?,
-        None if args.pdf.is_some() => {}
+    match page {
+        Some(_) => save(target(page), content, &bytes)?,
         None => emit(&bytes, None)?,
     }
     Ok(0)
@@ -75,11 +90,11 @@ fn browser() -> Result<&'static str, Failure> {
         quiet.is_ok_and(|status| status.success())
     };
     names.iter().find(runs).copied().ok_or_else(|| {
-        let message = "--pdf prints the page by Chromium or Chrome, and none is installed";
+        let message = "a PDF is printed by Chromium or Chrome, and none is installed";
         Failure::input(
             ProblemKind::Output,
             message,
-            "install chromium, or print the HTML page from any browser",
+            "install chromium, or write FILE.html and print that from any browser",
         )
     })
 }

@@ -6,6 +6,7 @@ use crate::names::RUBBERS;
 use crate::output::text::{law_text, number, or_dash, pairs, percent, table};
 use crate::output::{show as print, warn};
 use clap::Args;
+use mckibben::rubber::library::TABLE_OF_FITS;
 use mckibben_app::{
     LibraryFit, RubberListAnswer, RubberListRequest, RubberShowAnswer, RubberShowRequest, rubber_list,
     rubber_show,
@@ -74,7 +75,8 @@ fn show_text(answer: &RubberShowAnswer) -> String {
         head.push(("breaks at", format!("{} strain{stress}", percent(strain))));
     }
     if let Some(data) = &answer.data {
-        head.push(("curve", format!("data/{data}")));
+        let from = if data == TABLE_OF_FITS { "as the published fits have it: " } else { "" };
+        head.push(("curve", format!("{from}data/{data}")));
     }
     head.extend([("source", answer.source.clone()), ("terms", answer.terms.clone())]);
     if let Some(note) = &answer.note {

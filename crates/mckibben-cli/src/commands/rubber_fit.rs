@@ -13,7 +13,9 @@ use crate::word::word_or;
 use clap::Args;
 use mckibben::rubber::fit::{Form, Mode};
 use mckibben::units::Dimension;
-use mckibben_app::{ProblemKind, RubberFitRequest, rubber_fit};
+use mckibben_app::{ConstantRow, ProblemKind, RubberFitRequest, rubber_fit};
+use schemars::JsonSchema;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -98,18 +100,24 @@ pub struct RubberFitArgs {
     pub replace: OverwriteOrForceFlag,
 }
 
+/// The constants of all laws, as a table.
+#[derive(Serialize, JsonSchema)]
+struct Constants {
+    constants: Vec<ConstantRow>,
+}
+
 /// Runs the command.
 pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
-    check(target, Content::Muscle)?;
+    check(target, &Content::Muscle)?;
     let mut answer = rubber_fit(&request(args)?, &Bar::hidden())?;
     if target.path.is_some() {
         save(target, Content::Muscle, answer.muscle_file()?.as_bytes())?;
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if format == Format::Csv {
-        let table = BTreeMap::from([("constants", answer.constants())]);
+        let table = Constants { constants: answer.constants() };
         show(&table, format, "constants", String::new, Target::STDOUT)?;
         return Ok(0);
     }

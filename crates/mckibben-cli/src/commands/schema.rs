@@ -1,7 +1,7 @@
 //! `schema`: the JSON Schema of requests and answers.
 
 use crate::failure::Failure;
-use crate::output::emit;
+use crate::output::{Content, Target, check, emit};
 use clap::Args;
 use mckibben_app::{COMMANDS, schema};
 use std::path::PathBuf;
@@ -20,6 +20,7 @@ pub struct SchemaArgs {
 /// Prints a schema.
 pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
     if let Some(command) = &args.command {
+        check(Target { path: args.output.as_deref(), overwrite: true }, &Content::Json)?;
         return emit(&text(command)?, args.output.as_deref()).map(|()| 0);
     }
     let Some(folder) = &args.output else {

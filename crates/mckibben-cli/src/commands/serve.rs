@@ -7,7 +7,7 @@ use crate::progress;
 use clap::Args;
 use mckibben::budget::Resource;
 use mckibben_app::ProblemKind;
-use mckibben_server::Config;
+use mckibben_server::{Config, ServeError, Server};
 use std::io::ErrorKind;
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpListener};
 
@@ -46,6 +46,12 @@ pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Resul
     let listener = TcpListener::bind(at).map_err(|e| unbound(at, &e))?;
     let address = listener.local_addr().map_err(|e| unbound(at, &e))?;
     let address = format!("http://{address}");
+    let mut config = Config { host_names: args.host_name, ..Config::default() };
+    config.limits = progress::with(config.limits, limits);
+    config.jobs.limits = progress::with(config.jobs.limits, limits);
+    let cannot = |e: ServeError| Failure::input(ProblemKind::Output, e.to_string(), "");
+    // Nobody learns of a server that cannot answer.
+    let server = Server::new(config).map_err(cannot)?;
     let line = match format {
         Format::Json => serde_json::json!({ "address": address }).to_string(),
         Format::Text | Format::Csv => address.clone(),
@@ -56,11 +62,7 @@ pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Resul
     {
         warn(format!("no browser can be opened ({error}): open {address} yourself"));
     }
-    let mut config = Config { host_names: args.host_name, ..Config::default() };
-    config.limits = progress::with(config.limits, limits);
-    config.jobs.limits = progress::with(config.jobs.limits, limits);
-    mckibben_server::run(listener, config, progress::stopped)
-        .map_err(|e| Failure::input(ProblemKind::Output, e.to_string(), ""))?;
+    server.run(listener, progress::stopped).map_err(cannot)?;
     Ok(0)
 }
 

@@ -3,10 +3,11 @@
 use crate::failure::Failure;
 use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use crate::output::{Content, Target, burst_first, save, show};
+use crate::output::{Content, Target, burst_first, check, ending, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contractions, forces, points};
+use crate::shown;
 use crate::word::word;
 use clap::Args;
 use mckibben::curve::Test;
@@ -101,7 +102,9 @@ pub struct SimulateArgs {
 pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     check_picture(args.picture.as_deref())?;
-    let unit = args.output.units.or_typed([&args.pressure, &args.force, &args.muscle.outer_diameter]);
+    let deck = args.export_inp.as_deref();
+    check(Target { path: deck, overwrite: args.output.replace.overwrite }, &Content::Deck)?;
+    let unit = shown::units();
     let request = SimulateRequest {
         test: args.test,
         muscle: args.muscle.fields()?,
@@ -121,15 +124,21 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
         figure: args.plot.plot.as_ref().map(|_| unit.clone()),
     };
     let extent = if args.whole { Extent::Whole } else { Extent::Eighth };
-    let mut folder = args.vtu.clone().map(|path| Folder { path, series: VtuSeries::new(""), extent });
+    let mut folder = args.vtu.clone().map(|path| Folder {
+        path,
+        series: VtuSeries::new(""),
+        extent,
+        overwrite: args.output.replace.overwrite,
+    });
     let shapes = folder.as_mut().map(|f| f as &mut dyn Shapes);
     let mut answer = mckibben_app::simulate(&request, &Bar::new("points"), shapes)?;
     let opened = folder.map(|f| f.write(&f.series.list())).transpose()?;
     if let (Some(path), Some(deck)) = (&args.export_inp, answer.deck.take()) {
-        save(Target::file(path, args.output.replace.overwrite), Content::Other, deck.as_bytes())?;
+        save(Target::file(path, args.output.replace.overwrite), Content::Deck, deck.as_bytes())?;
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
+        check(Target::file(path, false), &Content::Figure)?;
         scene.save(path)?;
     }
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {
@@ -147,16 +156,17 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
 /// Refuses a picture that could not be written, before any work is done for it.
 fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     let Some(path) = path else { return Ok(()) };
-    let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
-    if ending.is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
+    if ending(path).is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
         return Ok(());
     }
     let message = format!("cannot tell the format of {}: a picture ends in .svg or .png", path.display());
     Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
-/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them.
+/// A folder of files for ParaView. Files of an older series in it are replaced one by one; the list names none of them. What is no such
+/// file stays.
 struct Folder {
+    overwrite: bool,
     path: PathBuf,
     series: VtuSeries,
     extent: Extent,
@@ -165,6 +175,7 @@ struct Folder {
 impl Folder {
     fn write(&self, file: &VtuFile) -> Result<PathBuf, Problem> {
         let path = self.path.join(&file.name);
+        check(Target::file(&path, self.overwrite), &Content::Vtk).map_err(Failure::into_problem)?;
         mckibben_files::replace(&path, file.text.as_bytes()).map_err(|e| {
             Problem::new(ProblemKind::Output, format!("{} cannot be written: {e}", path.display()), "")
         })?;
@@ -226,7 +237,7 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
         (String::new(), notes.collect()),
     ];
     let mut out = format!("{} test, model {}\n{}\n", answer.test.name(), answer.model, answer.muscle.line(u));
-    answer.notes.iter().for_each(|note| out.push_str(&format!("note: {note}\n")));
+    answer.notes.iter().for_each(|note| out.push_str(&format!("note: {}\n", u.sentence(note))));
     out.push('\n');
     out.push_str(&columns(list));
     let what =

@@ -7,6 +7,7 @@ use crate::output::text::{Units, columns, percents};
 use crate::output::{show, warn};
 use crate::plot;
 use crate::progress::Bar;
+use crate::shown;
 use mckibben::curve::Test;
 use mckibben::study::{Study, StudyPanel};
 use mckibben_app::{StudyRequest, study};
@@ -14,7 +15,7 @@ use mckibben_app::{StudyRequest, study};
 /// Runs the study.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let unit = args.output.units.or_typed([]);
+    let unit = shown::units();
     let request = StudyRequest {
         muscle: args.muscle.fields()?,
         model: args.model.fields()?,

@@ -1,20 +1,19 @@
 //! Rows as CSV.
 
-use super::rows::{columns, text};
+use super::rows::{Table, text};
 use crate::failure::Failure;
 use mckibben_app::ProblemKind;
 use serde_json::Value;
 
-/// The objects of a JSON list as CSV.
-pub fn rows(list: &[Value]) -> Result<Vec<u8>, Failure> {
+/// A table as CSV.
+pub fn rows(table: &Table) -> Result<Vec<u8>, Failure> {
     let broken =
         |e: &dyn std::fmt::Display| Failure::input(ProblemKind::Output, format!("cannot make CSV: {e}"), "");
-    let columns = columns(list);
     let mut writer = ::csv::Writer::from_writer(vec![]);
-    writer.write_record(&columns).map_err(|e| broken(&e))?;
-    for object in list.iter().filter_map(Value::as_object) {
-        let field = |key: &&str| text(object.get(*key)).unwrap_or_default();
-        writer.write_record(columns.iter().map(field)).map_err(|e| broken(&e))?;
+    writer.write_record(table.columns.iter().map(|c| &c.0)).map_err(|e| broken(&e))?;
+    for object in table.rows.iter().filter_map(Value::as_object) {
+        let cells = table.columns.iter().map(|c| text(object.get(&c.0)).unwrap_or_default());
+        writer.write_record(cells).map_err(|e| broken(&e))?;
     }
     writer.into_inner().map_err(|e| broken(&e))
 }

@@ -1,6 +1,7 @@
 //! Results as text, JSON and CSV, and where they go.
 
 pub mod clean;
+mod columns;
 mod csv;
 mod guard;
 pub mod loaded;
@@ -10,14 +11,15 @@ mod stream;
 pub mod text;
 mod write;
 
-pub use guard::{Content, check};
+pub use guard::{Content, check, ending, of_input};
 pub use stream::streamed;
-pub use write::{Target, burst_first, colour, complain, emit, save, warn};
+pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_behind};
 
 use crate::failure::Failure;
 use crate::flags::Format;
 use crate::quantities::to_mind;
 use mckibben_app::ProblemKind;
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 use std::path::Path;
@@ -37,28 +39,33 @@ enum Form {
     Parquet,
 }
 
+/// The name of rows for an answer that is one row, with the values of its objects among its own.
+pub const FLAT: &str = "*";
+
 /// Prints an answer in the form that was asked for: as text for people, as JSON, or as a table with a row for each element of
-/// the list named `rows` (for the answer itself where the name is empty).
-pub fn show<T: Serialize>(
+/// the list named `rows` (for the answer itself where the name is empty or [`FLAT`]).
+pub fn show<T: Serialize + JsonSchema>(
     answer: &T,
     format: Format,
     rows: &str,
     text: impl FnOnce() -> String,
     target: Target<'_>,
 ) -> Result<(), Failure> {
-    let list = || -> Result<Vec<Value>, Failure> {
+    let table = || -> Result<rows::Table, Failure> {
         let mut value = json(answer)?;
-        Ok(match value.get_mut(rows).map(Value::take) {
+        let list = match value.get_mut(rows).map(Value::take) {
             Some(Value::Array(list)) => list,
             Some(Value::Object(columns)) => rows::of_columns(&columns),
+            _ if rows == FLAT => vec![rows::flat(value)],
             _ if rows.is_empty() => vec![value],
             _ => vec![],
-        })
+        };
+        Ok(rows::Table { columns: columns::with_others(columns::of::<T>(rows), &list), rows: list })
     };
     let form = form(target.path, format)?;
     check(
         target,
-        match form {
+        &match form {
             Form::Json => Content::Json,
             Form::Parquet => Content::Parquet,
             Form::Text | Form::Csv => Content::Other,
@@ -70,8 +77,8 @@ pub fn show<T: Serialize>(
             clean::lines(&text()).into_owned().into_bytes()
         }
         Form::Json => format!("{:#}\n", json(answer)?).into_bytes(),
-        Form::Csv => csv::rows(&list()?)?,
-        Form::Parquet => parquet::rows(&list()?)?,
+        Form::Csv => csv::rows(&table()?)?,
+        Form::Parquet => parquet::rows(&table()?)?,
     };
     if matches!(form, Form::Csv | Form::Parquet) {
         // A table has no place for it.
@@ -79,7 +86,9 @@ pub fn show<T: Serialize>(
         let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
         all.filter_map(Value::as_str).filter(|w| w.starts_with("BURST")).for_each(warn);
     }
-    emit(&out, target.path)
+    emit(&out, target.path)?;
+    warn_behind();
+    Ok(())
 }
 
 /// Whether an answer is wanted as JSON.
@@ -94,8 +103,8 @@ fn form(path: Option<&Path>, format: Format) -> Result<Form, Failure> {
         Format::Json => Form::Json,
         Format::Csv => Form::Csv,
     };
-    let Some(ending) = path.and_then(Path::extension) else { return Ok(asked) };
-    let by_ending = match ending.to_string_lossy().to_ascii_lowercase().as_str() {
+    let Some(ending) = path.and_then(ending) else { return Ok(asked) };
+    let by_ending = match ending.as_str() {
         "txt" | "md" => Form::Text,
         "json" => Form::Json,
         "csv" => Form::Csv,

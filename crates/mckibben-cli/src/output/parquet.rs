@@ -1,6 +1,7 @@
 //! Rows as Parquet.
 
-use super::rows::{columns, text};
+use super::columns::Kind;
+use super::rows::{Table, text};
 use crate::failure::Failure;
 use mckibben_app::ProblemKind;
 use parquet::basic::Compression;
@@ -23,14 +24,12 @@ enum Column {
 }
 
 impl Column {
-    fn of(list: &[Value], key: &str) -> Self {
-        let cells = || list.iter().map(|row| row.get(key).filter(|v| !v.is_null()));
-        if cells().flatten().all(Value::is_number) {
-            Self::Number(cells().map(|v| v.and_then(Value::as_f64)).collect())
-        } else if cells().flatten().all(Value::is_boolean) {
-            Self::Flag(cells().map(|v| v.and_then(Value::as_bool)).collect())
-        } else {
-            Self::Text(cells().map(text).collect())
+    fn of(list: &[Value], key: &str, kind: Kind) -> Self {
+        let cells = list.iter().map(|row| row.get(key).filter(|v| !v.is_null()));
+        match kind {
+            Kind::Number => Self::Number(cells.map(|v| v.and_then(Value::as_f64)).collect()),
+            Kind::Flag => Self::Flag(cells.map(|v| v.and_then(Value::as_bool)).collect()),
+            Kind::Text => Self::Text(cells.map(text).collect()),
         }
     }
 
@@ -69,9 +68,9 @@ fn there<T>(values: &[Option<T>]) -> Vec<i16> {
     values.iter().map(|v| i16::from(v.is_some())).collect()
 }
 
-/// The objects of a JSON list as the bytes of a Parquet file.
-pub fn rows(list: &[Value]) -> std::result::Result<Vec<u8>, Failure> {
-    encoded(list).map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make Parquet: {e}"), ""))
+/// A table as the bytes of a Parquet file.
+pub fn rows(table: &Table) -> std::result::Result<Vec<u8>, Failure> {
+    encoded(table).map_err(|e| Failure::input(ProblemKind::Output, format!("cannot make Parquet: {e}"), ""))
 }
 
 /// Whether a file is one of those that [`rows`] gives: its last bytes name the program that made it, and no campaign.
@@ -91,10 +90,11 @@ pub fn is_ours(path: &Path) -> bool {
         .is_ok_and(|tail| tail.ends_with(b"PAR1") && has(&tail, "mckibben ") && !has(&tail, "mckibben.plan"))
 }
 
-fn encoded(list: &[Value]) -> Result<Vec<u8>> {
-    let names = columns(list);
-    let columns: Vec<Column> = names.iter().map(|name| Column::of(list, name)).collect();
-    let lines: Vec<String> = columns.iter().zip(&names).map(|(c, name)| c.schema(name)).collect();
+fn encoded(table: &Table) -> Result<Vec<u8>> {
+    let of = |(name, kind): &(String, Kind)| Column::of(&table.rows, name, *kind);
+    let columns: Vec<Column> = table.columns.iter().map(of).collect();
+    let lines: Vec<String> =
+        columns.iter().zip(&table.columns).map(|(c, named)| c.schema(&named.0)).collect();
     let schema = parse_message_type(&format!("message table {{\n{}\n}}", lines.join("\n")))?;
     let properties = WriterProperties::builder()
         .set_created_by(format!("mckibben {}", env!("CARGO_PKG_VERSION")))
@@ -112,6 +112,7 @@ fn encoded(list: &[Value]) -> Result<Vec<u8>> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::columns::with_others;
     use super::*;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field;
@@ -119,8 +120,9 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_again() {
-        let list = [json!({"force_n": 1.5, "slack": false, "status": "ok"}), json!({"status": "failed"})];
-        let reader = SerializedFileReader::new(bytes::Bytes::from(rows(&list).unwrap())).unwrap();
+        let list = vec![json!({"force_n": 1.5, "slack": false, "status": "ok"}), json!({"status": "failed"})];
+        let table = Table { columns: with_others(vec![], &list), rows: list };
+        let reader = SerializedFileReader::new(bytes::Bytes::from(rows(&table).unwrap())).unwrap();
         let rows: Vec<_> = reader.get_row_iter(None).unwrap().map(Result::unwrap).collect();
         let cells = |i: usize| rows[i].get_column_iter().map(|c| c.1.clone()).collect::<Vec<_>>();
         assert_eq!(cells(0), [Field::Double(1.5), Field::Bool(false), Field::Str("ok".into())]);

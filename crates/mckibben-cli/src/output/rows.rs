@@ -1,18 +1,28 @@
 //! Rows of a JSON list: columns carry their unit and are the same words as the JSON keys.
 
+use super::columns::Column;
 use serde_json::{Map, Value};
 
-/// The union of the scalar keys of the objects, in the order of their first appearance.
-pub fn columns(list: &[Value]) -> Vec<&str> {
-    let mut columns: Vec<&str> = vec![];
-    for object in list.iter().filter_map(Value::as_object) {
-        for (key, value) in object {
-            if !value.is_array() && !value.is_object() && !columns.contains(&key.as_str()) {
-                columns.push(key);
-            }
+/// A table.
+#[derive(Debug)]
+pub struct Table {
+    /// Its columns.
+    pub columns: Vec<Column>,
+    /// Its rows, as objects; a key that is not there is an empty cell.
+    pub rows: Vec<Value>,
+}
+
+/// An object with the values of its objects among its own.
+pub fn flat(value: Value) -> Value {
+    let mut out = Map::new();
+    let Value::Object(object) = value else { return value };
+    for (key, value) in object {
+        match value {
+            Value::Object(inner) => out.extend(inner),
+            value => drop(out.insert(key, value)),
         }
     }
-    columns
+    Value::Object(out)
 }
 
 /// The rows of an object of lists.

@@ -2,6 +2,7 @@
 
 use super::{Content, Target, check, emit, json};
 use crate::failure::Failure;
+use crate::progress;
 use mckibben_app::{Problem, ProblemKind};
 use serde::Serialize;
 use serde_json::Value;
@@ -17,7 +18,7 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
     target: Target<'_>,
     make: impl FnOnce(Row<'_, R>) -> Result<(A, T), Problem>,
 ) -> Result<T, Failure> {
-    check(target, Content::Json)?;
+    check(target, &Content::Json)?;
     // A file appears whole: its text is collected.
     let mut file = vec![];
     let mut out: Box<dyn Write> = match target.path {
@@ -41,6 +42,7 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
         return Err(Failure::stdout(&error));
     }
     let (answer, more) = made?;
+    progress::ended()?;
     let mut rest = || -> Result<(), Error> {
         if count == 0 {
             write!(out, "{{\n\"{rows}\": [")?;

@@ -3,9 +3,12 @@
 use super::clean;
 use super::guard::{Content, check};
 use crate::failure::Failure;
+use crate::shown;
 use anstyle::{AnsiColor, Style};
+use mckibben::units::short_numbers;
 use std::io::Write;
 use std::path::Path;
+use std::sync::Mutex;
 
 /// Where a result goes.
 #[derive(Debug, Clone, Copy)]
@@ -42,19 +45,34 @@ const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 const HINT: Style = AnsiColor::Cyan.on_default();
 
-/// A line for the user beside the result; nothing better can be done if nobody can read it.
+/// A line for the user beside the result, in the units that he reads; nothing better can be done if nobody can read it.
 pub fn warn(message: impl std::fmt::Display) {
-    let _ =
-        writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&message.to_string()));
+    let message = message.to_string();
+    let text = shown::sentence(&message);
+    let text = short_numbers(&text);
+    let _ = writeln!(anstream::stderr(), "{WARNING}warning:{WARNING:#} {}", clean::line(&text));
 }
 
-/// Warnings in the place where they are read: those of the burst pressure as the first lines of the text, which come back; the others
-/// beside it.
+/// Warnings that are printed behind the text.
+static BEHIND: Mutex<Vec<String>> = Mutex::new(vec![]);
+
+/// Prints what was left for behind the text.
+pub fn warn_behind() {
+    let mut list = BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+    list.drain(..).for_each(warn);
+}
+
+/// Warnings in the place where they are read: those of the burst pressure as the first lines of the text, which come back, with the others
+/// behind it; without them the others before it.
 pub fn burst_first(warnings: &[impl std::fmt::Display]) -> String {
     let all = warnings.iter().map(ToString::to_string);
     let (first, others): (Vec<String>, Vec<String>) = all.partition(|w| w.starts_with("BURST"));
-    others.into_iter().for_each(warn);
-    if first.is_empty() { String::new() } else { first.join("\n") + "\n\n" }
+    if first.is_empty() {
+        others.into_iter().for_each(warn);
+        return String::new();
+    }
+    BEHIND.lock().unwrap_or_else(std::sync::PoisonError::into_inner).extend(others);
+    shown::sentence(&first.join("\n")).into_owned() + "\n\n"
 }
 
 /// What went wrong, in colour where the terminal shows it and nobody asked for none (`NO_COLOR`).
@@ -72,7 +90,7 @@ pub fn colour() -> bool {
 
 /// Writes a file of some content in the place of one that may be lost.
 pub fn save(target: Target<'_>, content: Content, bytes: &[u8]) -> Result<(), Failure> {
-    check(target, content)?;
+    check(target, &content)?;
     target.path.map_or(Ok(()), |path| put(path, bytes))
 }
 

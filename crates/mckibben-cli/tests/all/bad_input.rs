@@ -23,7 +23,7 @@ const FLAGS: &[Case] = &[
         "\"mPa\" in \"2.5mPa\" is not a known unit",
     ),
     ("a word", "force -p much", 2, "quantity", "does not start with a number"),
-    ("a decimal comma", "force -p 0,25", 2, "quantity", "expected a pressure"),
+    ("a decimal comma", "force -p 0,25", 2, "quantity", "write 0.25"),
     ("NaN", "force -p NaN", 2, "quantity", "not a finite number"),
     ("minus NaN", "force -p 0.2 -e -nan", 2, "quantity", "not a finite number"),
     ("infinite", "force -p inf", 2, "quantity", "not a finite number"),

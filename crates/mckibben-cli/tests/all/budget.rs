@@ -1,6 +1,6 @@
 //! What would take too much is refused at once, with an estimate and the limit's name; what is to end ends.
 
-use crate::common::{Ran, folder, ran, root};
+use crate::common::{Ran, folder, mckibben, ran, root};
 use std::path::Path;
 use std::process::Command;
 
@@ -60,24 +60,109 @@ fn a_curve_in_json_is_printed_as_it_is_computed() {
     assert_eq!(answer["model"], "ideal");
 }
 
+/// Lines that take long, one of every command that may.
+const LONG: [&str; 12] = [
+    "simulate --model fe3d --mesh 2x24x60 -p 0..2.5:0.01bar",
+    "curve isobaric --mesh 2x512 -p 0..2.5:0.1bar -e 0..0.15:0.001",
+    "curve --study thickness --mesh 4x512",
+    "validate --sweep 100000",
+    "validate --all",
+    "validate --measured",
+    "fit --report",
+    "joint examples/elbow.toml --map 60 --max-pressure 3bar",
+    "motion examples/forearm-drive.toml --model fe",
+    "compare --models fe,thick-wall -p 0..2.5:0.02bar -e 0..0.15:0.001",
+    "identify --muscle examples/bench.toml --data examples/bench.csv --mesh 4x512",
+    "design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --model fe",
+];
+
 #[cfg(unix)]
 #[test]
-fn a_signal_ends_long_work_within_a_second() {
+fn a_signal_ends_every_command_within_a_second_with_130() {
     use std::time::{Duration, Instant};
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mckibben"))
-        .args(["simulate", "--model", "fe3d", "--mesh", "2x24x60", "-p", "0..2.5:0.01bar"])
-        .current_dir(root())
-        .stdout(std::process::Stdio::null())
-        .stderr(std::process::Stdio::null())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(Duration::from_millis(1500));
-    assert!(child.try_wait().unwrap().is_none(), "it was to be long");
-    // SAFETY: a signal to a child of one's own.
-    unsafe { libc::kill(child.id() as i32, libc::SIGTERM) };
-    let since = Instant::now();
-    let code = child.wait().unwrap().code();
-    assert!(code.is_some_and(|code| code == 130 || code == 3), "{code:?}");
-    // Twice the time, for machines that do something else as well.
-    assert!(since.elapsed() < Duration::from_secs(2), "{:?}", since.elapsed());
+    for line in LONG {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_mckibben"))
+            .args(line.split_whitespace())
+            .current_dir(root())
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(400));
+        assert!(child.try_wait().unwrap().is_none(), "{line}: it was to be long");
+        // SAFETY: a signal to a child of one's own.
+        unsafe { libc::kill(child.id() as i32, libc::SIGINT) };
+        let since = Instant::now();
+        let code = child.wait().unwrap().code();
+        assert_eq!(code, Some(130), "{line}");
+        // Twice the time, for machines that do something else as well.
+        assert!(since.elapsed() < Duration::from_secs(2), "{line}: {:?}", since.elapsed());
+    }
+}
+
+#[test]
+fn a_limit_of_time_is_kept_by_every_command_and_is_its_answer() {
+    use std::time::{Duration, Instant};
+    let dir = folder();
+    std::fs::write(dir.path().join("plan.toml"), LARGE.replace("65536", "64")).unwrap();
+    let plan = format!("campaign {0}/plan.toml -o {0}/out.parquet", dir.path().display());
+    for line in LONG.into_iter().chain([plan.as_str()]) {
+        let from = Instant::now();
+        let run = mckibben(&format!("{line} --limit seconds=0.4"));
+        assert!(from.elapsed() < Duration::from_millis(2600), "{line}: {:?}", from.elapsed());
+        let says = ["the limit of 0.4 seconds is used up", " seconds, and the limit is 0.4"];
+        assert!(run.code == 2 && says.iter().any(|says| run.err.contains(says)), "{line}: {run:?}");
+        assert!(!run.text().contains("FAILS") && (line == plan || run.out.is_empty()), "{line}: {run:?}");
+    }
+    // The campaign's store is valid, and the same command goes on.
+    let shown = mckibben(&format!("campaign show {}/out.parquet.parts", dir.path().display()));
+    assert!(shown.code == 0 || shown.err.contains("no campaign"), "{shown:?}");
+}
+
+#[test]
+fn a_campaign_keeps_the_other_limits_as_well() {
+    let dir = folder();
+    let solid = LARGE.replace("[test]", "[test]\nmodel = \"fe3d\"").replace("65536", "4");
+    std::fs::write(dir.path().join("solid.toml"), solid).unwrap();
+    std::fs::write(dir.path().join("plan.toml"), LARGE.replace("65536", "4")).unwrap();
+    for (line, says) in [
+        ("campaign plan.toml -o a.parquet --limit points=1000", " points, and the limit is 1 000"),
+        (
+            "campaign plan.toml -o a.parquet --limit factorisations=20",
+            "the limit of 20 factorisations is used up",
+        ),
+        ("campaign solid.toml -o a.parquet --limit elements=10", " elements, and the limit is 10"),
+        ("campaign solid.toml -o a.parquet --limit bytes=1000", " bytes, and the limit is 1 000"),
+    ] {
+        let run = bounded(dir.path(), line);
+        assert!(run.code == 2 && run.err.contains(says), "{line}: {run:?}");
+        assert!(!dir.path().join("a.parquet").exists(), "{line}");
+    }
+}
+
+/// A file may not grow beyond some kilobytes: that is said, and nothing is left of it.
+#[cfg(unix)]
+#[test]
+fn a_limit_of_file_sizes_is_an_error_and_leaves_nothing() {
+    let dir = folder();
+    let program = env!("CARGO_BIN_EXE_mckibben");
+    for line in [
+        "curve isobaric --model ideal -p 0..0.25:0.001 -e 0..0.1:0.01 -o long.csv",
+        "curve isobaric --model ideal -p 0..0.25:0.001 -e 0..0.1:0.01 --plot long.svg",
+    ] {
+        let script = format!("ulimit -f 8 && exec {program} {line}");
+        let run = ran(Command::new("sh").args(["-c", &script]).current_dir(dir.path()).output().unwrap());
+        assert!(run.code == 2 && run.err.contains("File too large"), "{line}: {run:?}");
+        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0, "{line}");
+    }
+}
+
+/// Five thousand threads would take seconds to start, and help nobody.
+#[test]
+fn an_absurd_number_of_threads_costs_no_time() {
+    let from = std::time::Instant::now();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mckibben"));
+    let line = ["validate", "--sweep", "3"];
+    ran(command.args(line).env("RAYON_NUM_THREADS", "5000").output().unwrap()).ok();
+    assert!(from.elapsed().as_secs() < 3, "{:?}", from.elapsed());
 }

@@ -318,3 +318,70 @@ fn a_formula_of_a_name_that_steers_the_terminal_is_refused() {
     let result = run_in(dir.path(), &["formula", "show", "f.json"]);
     assert!(result.code == 2 && result.err.contains("control characters") && !steers(&result), "{result:?}");
 }
+
+/// Whatever the command, and by whatever name.
+#[test]
+fn an_input_is_no_output() {
+    let dir = folder();
+    let at = |name: &str| dir.path().join(name);
+    for name in ["bench.toml", "bench.csv"] {
+        fs::copy(root().join("examples").join(name), at(name)).unwrap();
+    }
+    fs::copy(root().join("data/campaign/paper.csv"), at("paper.csv")).unwrap();
+    fs::write(at("load.csv"), "shortening_mm,force_n\n0,100\n50,100\n100,100\n").unwrap();
+    symlink("bench.csv", at("link.csv")).unwrap();
+    fs::hard_link(at("bench.csv"), at("other.csv")).unwrap();
+    let before = |name: &str| fs::read(at(name)).unwrap();
+    let (bench, muscle, paper, load) =
+        (before("bench.csv"), before("bench.toml"), before("paper.csv"), before("load.csv"));
+    for line in [
+        "compare bench.toml --data bench.csv -o bench.csv",
+        "compare bench.toml --data bench.csv -o ./link.csv",
+        "compare bench.toml --data other.csv -o bench.csv",
+        "identify bench.toml --data bench.csv -o bench.toml",
+        "rubber fit bench.csv --muscle bench.toml -o bench.toml",
+        "fit paper.csv -o paper.csv",
+        "simulate bench.toml -p 0.1 --export-inp bench.toml",
+        "design -F 300 -e 10% -p 2.5bar --muscle bench.toml -o bench.toml",
+        "curve isobaric bench.toml -p 0.1 --model ideal --load table:load.csv -o load.csv",
+        "curve isobaric bench.toml -p 0.1 --model ideal --load table:load.csv -o ./load.csv",
+    ] {
+        let words: Vec<&str> = line.split(' ').collect();
+        let run = run_in(dir.path(), &words);
+        assert!(run.code == 2 && run.err.contains("is an input of this command"), "{line}: {run:?}");
+    }
+    assert!(before("bench.csv") == bench && before("bench.toml") == muscle);
+    assert!(before("paper.csv") == paper && before("load.csv") == load);
+    // Where that is wanted it can be said.
+    let line = "compare bench.toml --data bench.csv --models ideal -o bench.csv --overwrite";
+    run_in(dir.path(), &line.split(' ').collect::<Vec<_>>()).ok();
+    assert!(before("bench.csv") != bench);
+}
+
+#[test]
+fn folders_of_results_keep_what_others_put_there() {
+    let dir = folder();
+    fs::copy(root().join("data/campaign/paper.csv"), dir.path().join("paper.csv")).unwrap();
+    for (line, name) in [
+        ("fit paper.csv --tables out -o f.json", "tables.json"),
+        ("simulate -p 0.1 --vtu out -e 0.1", "tube_0000.vtu"),
+    ] {
+        let words: Vec<&str> = line.split(' ').collect();
+        // What the program wrote is replaced.
+        run_in(dir.path(), &words).ok();
+        run_in(dir.path(), &words).ok();
+        let out = dir.path().join("out");
+        let csv = fs::read_dir(&out)
+            .unwrap()
+            .map(|e| e.unwrap().path())
+            .find(|p| p.extension().is_some_and(|e| e == "csv" || e == "vtu"));
+        let csv = csv.unwrap();
+        fs::write(&csv, "mine").unwrap();
+        let refused = run_in(dir.path(), &words);
+        assert!(refused.code == 2 && refused.err.contains("would be lost"), "{line}: {refused:?}");
+        assert_eq!(fs::read(&csv).unwrap(), b"mine");
+        run_in(dir.path(), &[&words[..], &["--overwrite"]].concat()).ok();
+        assert!(fs::read(&csv).unwrap() != b"mine" && out.join(name).exists());
+        fs::remove_dir_all(out).unwrap();
+    }
+}

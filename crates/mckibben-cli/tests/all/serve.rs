@@ -61,7 +61,7 @@ fn it_prints_an_address_that_answers_and_a_signal_ends_it() {
     let (_, body) = force.split_once("\r\n\r\n").unwrap();
     let line: serde_json::Value = crate::common::json("force -p 0.2 -e 0.1");
     assert_eq!(serde_json::from_str::<serde_json::Value>(body).unwrap(), line);
-    let job = r#"{"test": "isobaric", "model": "fe3d", "mesh": "2x24x60"}"#;
+    let job = r#"{"test": "isobaric", "model": "fe3d", "mesh": "2x24x78"}"#;
     assert!(answer(&address, &format!("POST /api/v1/jobs/simulate\n\n{job}")).starts_with("HTTP/1.1 202"));
     std::thread::sleep(Duration::from_millis(500));
     let (code, took) = ended(child);
@@ -104,6 +104,33 @@ fn the_limits_of_the_command_line_are_those_of_its_requests() {
     let refused = answer(line["address"].as_str().unwrap(), "POST /api/v1/force\n\n{\"pressure_mpa\": 0.2}");
     assert!(refused.starts_with("HTTP/1.1 422") && refused.contains("2 factorisations"), "{refused}");
     ended(child);
+}
+
+/// Nobody gets the address of a server that cannot answer: it says why, or it answers.
+#[cfg(target_os = "linux")]
+#[test]
+fn with_little_memory_it_answers_or_says_that_it_cannot() {
+    let program = env!("CARGO_BIN_EXE_mckibben");
+    for kilobytes in [50_000, 60_000, 80_000, 120_000, 200_000, 400_000, 1_000_000] {
+        let script = format!("ulimit -v {kilobytes} && exec {program} serve --port 0");
+        let mut child = std::process::Command::new("sh")
+            .args(["-c", &script])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut line = String::new();
+        BufReader::new(child.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        if line.is_empty() {
+            let run = ran(child.wait_with_output().unwrap());
+            assert!(!run.err.is_empty() && kilobytes < 1_000_000, "{kilobytes}: {run:?}");
+        } else {
+            let force =
+                answer(line.trim(), "POST /api/v1/force\n\n{\"pressure_mpa\": 0.2, \"contraction\": 0.1}");
+            assert!(force.starts_with("HTTP/1.1 200"), "{kilobytes}: {force}");
+            ended(child);
+        }
+    }
 }
 
 #[test]

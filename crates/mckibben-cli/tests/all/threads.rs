@@ -74,3 +74,14 @@ fn without_threads_the_answers_are_the_same_bytes() {
     assert!(refused.err.contains("error: cannot start threads: "), "{}", refused.err);
     assert!(refused.err.contains("hint: take fewer threads"), "{}", refused.err);
 }
+
+/// One thread more would be needed to answer: that is said, and no address is printed.
+#[test]
+fn without_threads_a_server_says_that_it_cannot_answer() {
+    let dir = folder();
+    fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o777)).unwrap();
+    fs::copy(env!("CARGO_BIN_EXE_mckibben"), dir.path().join("mckibben")).unwrap();
+    let run = runs(dir.path(), "serve --port 0", Some(300_000 + std::process::id()));
+    assert!(run.code == 2 && run.out.is_empty(), "{run:?}");
+    assert!(run.err.contains("the system gives it no thread"), "{}", run.err);
+}

@@ -7,6 +7,12 @@
 //!
 //! with the bulge b that brings the terminal to its place; the wall behind it keeps its volume. Where the strands of the
 //! infinitely long muscle are slack there is no tension, and the bulge is the infinitely long muscle's.
+//!
+//! Strands at a small angle let the tube become several times as wide, and its end zone as long as that makes it ([`Outline::Net`]): there
+//! the line is that of strands alone. With their angle α to the meridian, sinα = sinθ0 λθ/λf, and rm the radius of the middle, equilibrium along
+//! the axis is
+//!
+//!   cosφ = [rm² (2 cot²αm − 1) + r²] sin²αm/(2 rm² cosαm cosα),   dr/dZ = −λm sinφ.
 
 use super::discretisation::{BraidSpec, Discretisation};
 use crate::element::strand::STRAND_POINTS;
@@ -17,6 +23,17 @@ use mckibben::muscle::StrandLay;
 const LAYER: f64 = 1.4;
 /// Steps of integration per station.
 const STEPS: usize = 4;
+/// Steps of the line of strands alone.
+const NET: usize = 24;
+
+/// How the outer line runs from the middle to the terminal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Outline {
+    /// In a layer of the same length whatever the bulge.
+    Layer,
+    /// As strands alone would.
+    Net,
+}
 
 /// Tensions and pressures of the ideal muscle.
 pub(super) fn loads(d: &Discretisation, state: &mut State, stretch: f64) {
@@ -49,11 +66,65 @@ struct Line {
     half: f64,
     layer: f64,
     bulge: f64,
+    /// Distance from the terminal, r and r' of strands alone; empty for [`Outline::Layer`].
+    net: Vec<[f64; 3]>,
 }
 
 impl Line {
+    /// Sets b, and for strands alone what follows from it.
+    fn set(&mut self, bulge: f64, outline: Outline) {
+        self.bulge = bulge;
+        self.net.clear();
+        // A neck has no end zone of this kind.
+        if outline == Outline::Layer || bulge <= 0.0 {
+            return;
+        }
+        let middle = self.radius * (1.0 + bulge);
+        let square = |r: f64| {
+            let hoop = self.lay.hoop_stretch(r);
+            (self.sin2 * hoop * hoop / self.strand2).min(1.0)
+        };
+        let sin2 = square(middle);
+        let lowest = (2.0 * (1.0 - sin2) / sin2 - 1.0) * middle * middle;
+        let (mut place, mut before) = (0.0, 0.0);
+        for i in 0..=NET {
+            // Finer towards the middle, where dZ/dr is infinite.
+            let t = 1.0 - i as f64 / NET as f64;
+            let r = middle - (middle - self.radius) * t * t;
+            let cos_alpha = (1.0 - square(r)).max(1e-6).sqrt();
+            let cos_middle = (1.0 - sin2).max(1e-6).sqrt();
+            let cos = (lowest + r * r) * sin2 / (2.0 * middle * middle * cos_middle * cos_alpha);
+            let slope =
+                (self.strand2 / self.cos2).sqrt() * cos_alpha * (1.0 - cos.clamp(0.0, 1.0).powi(2)).sqrt();
+            // dr = 2 (rm − Ro) t dt: at the middle both dr and r' vanish, and their ratio does not.
+            let rate = if slope > 0.0 && t > 0.0 { 2.0 * (middle - self.radius) * t / slope } else { before };
+            if i > 0 {
+                place += 0.5 * (before + rate) / NET as f64;
+            }
+            before = rate;
+            self.net.push([place, r, -slope]);
+        }
+        // A muscle that is shorter than its end zones has them in part.
+        if place > self.half {
+            let share = self.half / place;
+            self.net.iter_mut().for_each(|p| *p = [share * p[0], p[1], p[2] / share]);
+        }
+    }
+
     /// r and r' at Z.
     fn radius(&self, z: f64) -> (f64, f64) {
+        if !self.net.is_empty() {
+            let place = self.half - z;
+            let after = self.net.partition_point(|p| p[0] <= place);
+            return match (after.checked_sub(1).and_then(|i| self.net.get(i)), self.net.get(after)) {
+                (Some(a), Some(b)) => {
+                    let t = (place - a[0]) / (b[0] - a[0]);
+                    (a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]))
+                }
+                (Some(end), None) => (end[1], 0.0),
+                (None, _) => (self.radius, 0.0),
+            };
+        }
         let fall = (-(self.half - z) / self.layer).exp();
         (self.radius * (1.0 + self.bulge * (1.0 - fall)), -self.radius * self.bulge * fall / self.layer)
     }
@@ -80,7 +151,13 @@ impl Line {
 
 /// Fills the displacements of `state`, whose pressure is set, for a displacement of the terminal and, where the strands
 /// are slack, the outer radius in the middle; `false` where no bulge brings the terminal there.
-pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, slack: Option<f64>) -> bool {
+pub(super) fn shape(
+    d: &Discretisation,
+    state: &mut State,
+    terminal: f64,
+    outline: Outline,
+    slack: Option<f64>,
+) -> bool {
     let Some(BraidSpec { lay, stiffness, .. }) = d.problem.braid else { return false };
     let angle_rad = lay.angle_rad;
     let (sin2, half, l) = (angle_rad.sin().powi(2), d.half_length(), d.layout);
@@ -97,12 +174,13 @@ pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, slack:
         half,
         layer: LAYER * d.radius,
         bulge: 0.0,
+        net: vec![],
     };
     let length =
         |line: &Line| (0..2 * l.along).map(|j| line.advance(station(j), station(j + 1))).sum::<f64>();
     let wanted = half + terminal;
     if let Some(radius) = slack {
-        line.bulge = radius / d.radius - 1.0;
+        line.set(radius / d.radius - 1.0, Outline::Layer);
         state.q.fill(0.0);
         if l.multipliers {
             (0..l.along).for_each(|slab| state.u[l.tension(slab)..][..STRAND_POINTS].fill(0.0));
@@ -111,7 +189,7 @@ pub(super) fn shape(d: &Discretisation, state: &mut State, terminal: f64, slack:
         let highest = lay.outer_radius_mm((strand2 / sin2).sqrt()) / d.radius;
         let (mut low, mut high) = (-0.3, 0.995 * highest - 1.0);
         for _ in 0..14 {
-            line.bulge = 0.5 * (low + high);
+            line.set(0.5 * (low + high), outline);
             if length(&line) > wanted { low = line.bulge } else { high = line.bulge }
         }
         if low == -0.3 {

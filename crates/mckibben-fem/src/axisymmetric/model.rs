@@ -101,7 +101,7 @@ impl Axisymmetric {
         let c = self.continuation(workspace)?;
         c.reach(pressure_mpa, contraction)?;
         let force_n = c.pull();
-        c.body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+        c.body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
         Ok(c)
     }
 }
@@ -151,7 +151,7 @@ impl ForceModel for Axisymmetric {
     }
 
     fn range(&self) -> ModelRange {
-        ModelRange::open().stretched()
+        ModelRange::open().stretched(self.muscle().braid().angle_deg)
     }
 
     fn notes(&self, _: &Workspace) -> Vec<String> {

@@ -2,7 +2,7 @@
 //! rubber and braid.
 
 use super::body::Body;
-use super::guess;
+use super::guess::{self, Outline};
 use crate::FemError;
 use crate::element::strand::STRAND_POINTS;
 use crate::solver::body::{self, Control, Settings, State, Totals};
@@ -73,13 +73,14 @@ impl body::Body for Body {
                 self.guess_ideal(pressure, terminal);
                 Some(true)
             }
+            3 => Some(self.guess_net(pressure, terminal)),
             _ => None,
         }
     }
 
     fn guess_taut(&mut self, pressure: f64, terminal: f64) -> bool {
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, None)
+        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Layer, None)
     }
 
     fn guess_loads(&mut self) {
@@ -175,6 +176,17 @@ impl Body {
         });
         let Some(radius) = radius else { return false };
         self.guess_ideal(pressure, terminal);
-        guess::shape(&self.discretisation, &mut self.state, terminal, Some(radius))
+        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Layer, Some(radius))
+    }
+
+    /// The shape of strands alone, where the infinitely long muscle pulls.
+    fn guess_net(&mut self, pressure: f64, terminal: f64) -> bool {
+        let contraction = -terminal / self.discretisation.half_length();
+        let pulls = body::Body::expected_pull(self, pressure, contraction).is_some_and(|force| force > 0.0);
+        if !pulls {
+            return false;
+        }
+        self.guess_ideal(pressure, terminal);
+        guess::shape(&self.discretisation, &mut self.state, terminal, Outline::Net, None)
     }
 }

@@ -7,7 +7,8 @@
 //! ([`Body::certain`]). Where strands are slack a tube has several, folded ones among them. The answer then is the one that continues the
 //! taut muscle: at the contraction of the question, from the pressure that tightens all strands, the pressure is let down to that of the
 //! question; where no pressure tightens them, the muscle is shortened from rest length at the pressure of the question. On the way every
-//! step ends close to where the steps before predict it, and the last in a stable equilibrium. So an answer depends on its question alone,
+//! step ends close to where the steps before predict it, and the last in a stable equilibrium. A certain one needs no such way: where no guess leads to
+//! it and the muscle is expected to pull, it is sought from rest length at the pressure of the question. So an answer depends on its question alone,
 //! and where that branch ends there is none. A tube that lies loose in its sleeve is, where the taut muscle does not lead to it, inflated from
 //! rest in the same way.
 
@@ -50,11 +51,17 @@ pub struct Interrupted {
 
 /// What first guesses led to.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Guessed {
+pub(super) enum Guessed {
     Answer,
     /// An equilibrium with slack strands, and its pull in N: which branch it is on must be found out.
     Uncertain(f64),
     Nothing,
+}
+
+impl Guessed {
+    pub(super) fn is_answer(self) -> bool {
+        self == Self::Answer
+    }
 }
 
 /// A body that is led from equilibrium to equilibrium, and the equilibria it passed.
@@ -91,7 +98,7 @@ impl<B: Body> Continuation<B> {
             body,
             newton: B::SETTINGS.newton,
             effort: Effort::default(),
-            budget: Budget::default(),
+            budget: Budget::current(),
             allowed: None,
             kept: Vec::with_capacity(B::SETTINGS.kept),
             oldest: 0,
@@ -170,7 +177,9 @@ impl<B: Body> Continuation<B> {
 
     /// The same, and under a held pull also that a longer muscle pulls harder.
     pub fn stable_under(&mut self, control: Control) -> bool {
-        self.stable() && (!matches!(control, Control::Force(_)) || self.body.terminal_stiffness() > 0.0)
+        // A stiffness that the budget did not leave time for is none.
+        let stiff = |c: &mut Self| c.body.terminal_stiffness() > 0.0 && c.budget.check().is_ok();
+        self.stable() && (!matches!(control, Control::Force(_)) || stiff(self))
     }
 
     /// Sets how many factorisations may be spent from here on; `None` lifts the bound.
@@ -188,6 +197,8 @@ impl<B: Body> Continuation<B> {
 
     /// The same, where no more than this share of the radius may lie between the iterate and the equilibrium.
     pub(super) fn solve_within(&mut self, control: Control, reach: f64) -> Result<(), Stopped> {
+        // Of what is to end, not even the first tangent is assembled: a search tries many ways before it gives up.
+        self.budget.check()?;
         let mut options = NewtonOptions { reach, ..self.newton };
         if let Some((start, budget)) = self.allowed {
             let factorisations = self.effort.factorisations - start;
@@ -226,6 +237,12 @@ impl<B: Body> Continuation<B> {
                 Guessed::Uncertain(pull) => Some(pull),
                 Guessed::Nothing => None,
             };
+            // A muscle that pulls is the one at rest length, shortened: there the guess is better than at a large bulge.
+            let pulls = c.body.expected_pull(pressure, contraction).is_some_and(|force| force > 0.0);
+            let shortened = pulls && !B::SETTINGS.take_unstable && c.shorten(pressure, terminal).is_ok();
+            if shortened && c.body.certain() {
+                return Ok(());
+            }
             let found = match led {
                 Some(led) => led,
                 None if B::SETTINGS.take_unstable => {
@@ -313,7 +330,7 @@ impl<B: Body> Continuation<B> {
     }
 
     /// One step from the first guesses to the answer.
-    fn guessed(&mut self, pressure: f64, terminal: f64) -> Guessed {
+    pub(super) fn guessed(&mut self, pressure: f64, terminal: f64) -> Guessed {
         let mut attempt = 0;
         while let Some(applies) = self.body.guess(attempt, pressure, terminal) {
             attempt += 1;

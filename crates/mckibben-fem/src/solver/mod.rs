@@ -10,6 +10,7 @@ pub mod dissection;
 pub mod newton;
 mod search;
 pub mod sparse;
+mod supernodal;
 pub mod trail;
 mod walk;
 

@@ -31,6 +31,7 @@ impl<B: Body> Continuation<B> {
         let mut refused = FemError::Force { force_n: force, reason: NOT_FOUND };
         for _ in 0..SEARCH_STEPS {
             if let Err(error) = self.reach(pressure, contraction) {
+                self.budget.ended()?;
                 // Too far: where a muscle would push there may be no equilibrium. Its pulling ones lie nearer to rest.
                 refused = error;
                 contraction *= NEARER;
@@ -43,7 +44,7 @@ impl<B: Body> Continuation<B> {
                     return Ok(());
                 }
                 Ok(_) => {}
-                Err(reason) => refused = FemError::Force { force_n: force, reason },
+                Err(reason) => refused = FemError::at_force(force, reason),
             }
             // Back to where the length is held, for its tangent.
             self.reach(pressure, contraction)?;
@@ -69,6 +70,7 @@ impl<B: Body> Continuation<B> {
         let mut with = None;
         for _ in 0..SEARCH_STEPS {
             if let Err(error) = self.reach(pressure, contraction) {
+                self.budget.ended()?;
                 refused = error;
                 without = without.max(pressure);
                 pressure = with.map_or(pressure.abs() / NEARER + scale, |p: f64| 0.5 * (p + pressure));
@@ -82,7 +84,7 @@ impl<B: Body> Continuation<B> {
                     return Ok(());
                 }
                 Ok(_) => {}
-                Err(reason) => refused = FemError::Force { force_n: force, reason },
+                Err(reason) => refused = FemError::at_force(force, reason),
             }
             self.reach(pressure, contraction)?;
             let slope = self.body.force_per_pressure();

@@ -1,20 +1,22 @@
 //! Sparse symmetric systems: Cholesky's factorisation, LDLᵀ where the matrix is not positive definite.
 //!
-//! The pattern is analysed once; values are filled in and factorised again and again. The supernodal factorisation is
-//! that of the library `faer`, on one thread: simulations run side by side. Unknowns are eliminated in the order in
+//! The pattern is analysed once; values are filled in and factorised again and again ([`super::supernodal`]). The analysis and the solution
+//! are those of the library `faer`, on one thread: simulations run side by side. Unknowns are eliminated in the order in
 //! which they are numbered.
 
 use super::Singular;
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::cholesky::ldlt::factor::LdltRegularization;
-use faer::linalg::cholesky::llt::factor::LltRegularization;
+use super::newton::Stopped;
+use super::supernodal::{Ended, Form, Lower, Numeric, Updates};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::SupernodalThreshold;
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LdltRef, LltRef, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering,
     factorize_symbolic_cholesky,
 };
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use faer::{Conj, MatMut, Par, Side};
+use mckibben::budget::Budget;
 use std::sync::Arc;
 use thiserror::Error;
 
@@ -24,14 +26,6 @@ use thiserror::Error;
 pub struct TooLarge {
     /// Number of unknowns.
     pub dimension: usize,
-}
-
-/// What the last factorisation was.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    None,
-    Positive,
-    Indefinite,
 }
 
 /// The lower half of a symmetric matrix by columns: where entries stand.
@@ -88,6 +82,7 @@ pub struct Analysis {
     /// Where entries stand.
     pub pattern: Pattern,
     symbolic: SymbolicCholesky<u32>,
+    updates: Updates,
 }
 
 impl std::fmt::Debug for Analysis {
@@ -100,8 +95,10 @@ impl std::fmt::Debug for Analysis {
 pub struct SparseCholesky {
     analysis: Arc<Analysis>,
     factor: Vec<f64>,
+    numeric: Numeric,
     memory: MemBuffer,
-    kind: Kind,
+    /// What the last factorisation was; `None` where it failed.
+    form: Option<Form>,
     negative: usize,
 }
 
@@ -129,7 +126,18 @@ impl Analysis {
         };
         let symbolic = factorize_symbolic_cholesky(upper, Side::Upper, SymmetricOrdering::Identity, params)
             .map_err(|_| TooLarge { dimension: n })?;
-        Ok(Self { pattern, symbolic })
+        let SymbolicCholeskyRaw::Supernodal(supernodes) = symbolic.raw() else {
+            return Err(TooLarge { dimension: n });
+        };
+        Ok(Self { updates: Updates::of(supernodes), pattern, symbolic })
+    }
+
+    /// The supernodes, which [`Analysis::new`] asks for.
+    fn supernodes(&self) -> Option<&SymbolicSupernodalCholesky<u32>> {
+        match self.symbolic.raw() {
+            SymbolicCholeskyRaw::Supernodal(supernodes) => Some(supernodes),
+            SymbolicCholeskyRaw::Simplicial(_) => None,
+        }
     }
 }
 
@@ -141,16 +149,13 @@ impl SparseCholesky {
     pub fn new(analysis: Arc<Analysis>) -> Result<Self, TooLarge> {
         let too_large = TooLarge { dimension: analysis.pattern.dimension() };
         let symbolic = &analysis.symbolic;
-        let request = StackReq::any_of(&[
-            symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()),
-            symbolic.factorize_numeric_ldlt_scratch::<f64>(Par::Seq, Default::default()),
-            symbolic.solve_in_place_scratch::<f64>(2, Par::Seq),
-        ]);
-        let memory = MemBuffer::try_new(request).map_err(|_| too_large)?;
+        let numeric = Numeric::new(analysis.pattern.dimension()).ok_or(too_large)?;
+        let memory = MemBuffer::try_new(symbolic.solve_in_place_scratch::<f64>(2, Par::Seq));
+        let memory = memory.map_err(|_| too_large)?;
         let mut factor = Vec::new();
         factor.try_reserve_exact(symbolic.len_val()).map_err(|_| too_large)?;
         factor.resize(symbolic.len_val(), 0.0);
-        Ok(Self { analysis, factor, memory, kind: Kind::None, negative: 0 })
+        Ok(Self { analysis, factor, numeric, memory, form: None, negative: 0 })
     }
 
     /// Numbers in the factor, zeros that pad it included.
@@ -160,7 +165,7 @@ impl SparseCholesky {
 
     /// Floating-point operations of one factorisation: Σ over the columns of (entries of the column)².
     pub fn operations(&self) -> f64 {
-        let SymbolicCholeskyRaw::Supernodal(s) = self.analysis.symbolic.raw() else { return 0.0 };
+        let Some(s) = self.analysis.supernodes() else { return 0.0 };
         (0..s.n_supernodes())
             .map(|i| {
                 let width = (s.supernode_end()[i] - s.supernode_begin()[i]) as usize;
@@ -170,55 +175,35 @@ impl SparseCholesky {
             .sum()
     }
 
-    /// Factorises the lower half of a matrix with the pattern.
+    /// Factorises the lower half of a matrix with the pattern, as long as the budget allows it.
     ///
     /// # Errors
-    /// [`Singular`] where a pivot is zero or no number.
-    pub fn factorise(&mut self, values: &[f64]) -> Result<(), Singular> {
-        let n = self.analysis.pattern.dimension();
-        let lower = SymbolicSparseColMatRef::new_checked(
-            n,
-            n,
-            &self.analysis.pattern.columns,
-            None,
-            &self.analysis.pattern.rows,
-        );
-        let matrix = SparseColMatRef::new(lower, &values[..self.analysis.pattern.entries()]);
-        self.negative = 0;
-        self.kind = Kind::None;
-        let stack = MemStack::new(&mut self.memory);
-        let positive = self.analysis.symbolic.factorize_numeric_llt(
-            &mut self.factor,
-            matrix,
-            Side::Lower,
-            LltRegularization::default(),
-            Par::Seq,
-            stack,
-            Default::default(),
-        );
-        if positive.is_ok() {
-            self.kind = Kind::Positive;
-            return Ok(());
+    /// [`Stopped::Singular`] where a pivot is zero or no number, [`Stopped::Exceeded`].
+    pub fn factorise(&mut self, values: &[f64], budget: &Budget) -> Result<(), Stopped> {
+        let Some(supernodes) = self.analysis.supernodes() else { return Ok(()) };
+        let pattern = &self.analysis.pattern;
+        let lower = Lower { columns: &pattern.columns, rows: &pattern.rows, values };
+        (self.negative, self.form) = (0, None);
+        for form in [Form::Positive, Form::Indefinite] {
+            let analysis = (supernodes, &self.analysis.updates);
+            let go_on = || budget.check();
+            match self.numeric.factorise(form, analysis, lower, &mut self.factor, &go_on) {
+                Ok(()) => {
+                    self.form = Some(form);
+                    return if form == Form::Positive { Ok(()) } else { Ok(self.count_pivots()?) };
+                }
+                Err(Ended::Exceeded(exceeded)) => return Err(exceeded.into()),
+                Err(Ended::Pivot { supernode: block, pivot }) if form == Form::Indefinite => {
+                    return Err(Singular { block, pivot }.into());
+                }
+                Err(Ended::Pivot { .. }) => {}
+            }
         }
-        let stack = MemStack::new(&mut self.memory);
-        self.analysis
-            .symbolic
-            .factorize_numeric_ldlt(
-                &mut self.factor,
-                matrix,
-                Side::Lower,
-                LdltRegularization::default(),
-                Par::Seq,
-                stack,
-                Default::default(),
-            )
-            .map_err(|_| Singular { block: 0, pivot: 0 })?;
-        self.kind = Kind::Indefinite;
-        self.count_pivots()
+        Ok(())
     }
 
     fn count_pivots(&mut self) -> Result<(), Singular> {
-        let SymbolicCholeskyRaw::Supernodal(s) = self.analysis.symbolic.raw() else { return Ok(()) };
+        let Some(s) = self.analysis.supernodes() else { return Ok(()) };
         for i in 0..s.n_supernodes() {
             let (begin, end) = (s.supernode_begin()[i] as usize, s.supernode_end()[i] as usize);
             let width = end - begin;
@@ -244,20 +229,12 @@ impl SparseCholesky {
         }
         let columns = MatMut::from_column_major_slice_mut(rhs, n, count);
         let stack = MemStack::new(&mut self.memory);
-        match self.kind {
-            Kind::None => {}
-            Kind::Positive => LltRef::new(&self.analysis.symbolic, &self.factor).solve_in_place_with_conj(
-                Conj::No,
-                columns,
-                Par::Seq,
-                stack,
-            ),
-            Kind::Indefinite => LdltRef::new(&self.analysis.symbolic, &self.factor).solve_in_place_with_conj(
-                Conj::No,
-                columns,
-                Par::Seq,
-                stack,
-            ),
+        match self.form {
+            None => {}
+            Some(Form::Positive) => LltRef::new(&self.analysis.symbolic, &self.factor)
+                .solve_in_place_with_conj(Conj::No, columns, Par::Seq, stack),
+            Some(Form::Indefinite) => LdltRef::new(&self.analysis.symbolic, &self.factor)
+                .solve_in_place_with_conj(Conj::No, columns, Par::Seq, stack),
         }
     }
 

@@ -2,12 +2,19 @@
 
 use super::body::{Body, Control};
 use super::continuation::{Continuation, Interrupted, TAUT};
+use super::newton::Stopped;
+use super::trail::{Along, Trail};
 use crate::error::LastConverged;
 
 /// Of what a step may miss of its prediction, the share that the next one aims at.
 const AIM: f64 = 0.5;
 /// By what factor a step may be larger than the one before.
 const GROWTH: f64 = 4.0;
+/// Of a shortening at one pressure: the share of it that is tried first, the smallest one, and the share of the radius by which a step aims to
+/// miss its prediction.
+const FIRST: f64 = 0.125;
+const SMALLEST: f64 = 1.0 / 1024.0;
+const AIMED: f64 = 0.1;
 
 /// By what factor the next step is larger where the last one `missed` its prediction: that grows with the square of a step.
 pub(super) fn growth_of_step(missed: f64, reach: f64) -> f64 {
@@ -38,6 +45,42 @@ impl<B: Body> Continuation<B> {
         }
         // Strands go slack one after the other: small steps.
         if taut > pressure { self.walk(pressure, terminal, B::SETTINGS.first_step_down) } else { Ok(()) }
+    }
+
+    /// From rest length at the pressure of the question, with all strands in tension all the way: each length from what the last four predict.
+    ///
+    /// # Errors
+    /// [`Stopped`]; the body then holds no equilibrium.
+    pub(super) fn shorten(&mut self, pressure: f64, terminal: f64) -> Result<(), Stopped> {
+        let mut trail = Trail::default();
+        let (mut at, mut step) = (0.0, FIRST * terminal);
+        if !self.guessed(pressure, at).is_answer() {
+            self.reset();
+            self.walk(pressure, at, B::SETTINGS.first_step).map_err(|end| end.reason)?;
+            if !(self.stable() && self.body.taut()) {
+                return Err(Stopped::Branch);
+            }
+        }
+        while at != terminal {
+            trail.push(self.body.state());
+            loop {
+                let next = if (terminal - at).abs() <= 1.01 * step.abs() { terminal } else { at + step };
+                trail.predict(Along::Length, next, self.body.state_mut());
+                let solved = self.solve(Control::Length(next));
+                if solved.is_ok() && self.stable() && self.body.taut() {
+                    // The difference from a cubic grows with the fourth power of a step.
+                    let growth = (AIMED / self.effort.moved).powf(0.25);
+                    (step, at) = (growth.clamp(0.5, 2.0) * (next - at), next);
+                    break;
+                }
+                step = 0.5 * (next - at);
+                let end = solved.err().unwrap_or(Stopped::Branch);
+                if end.is_final() || step.abs() < SMALLEST * terminal.abs() {
+                    return Err(end);
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Walks from the present equilibrium to a pressure in MPa and a displacement of the terminal in mm; `first` is the

@@ -16,6 +16,11 @@ use crate::element::truss::Truss;
 use crate::load::cavity_faces::{FacePoint, points4, points9, skew, volume};
 use crate::solver::body::{State, Totals};
 use crate::solver::newton::Stopped;
+use mckibben::budget::Budget;
+use std::ops::Range;
+
+/// Bricks between two looks at the budget: some tenths of a second at the most. A multiple of all widths of lanes.
+const PIECE: usize = 1024;
 
 /// What an assembly fills.
 #[derive(Debug, Clone)]
@@ -60,11 +65,12 @@ impl Assembled {
 /// Adds up the elements; the tangent only where `TANGENT`.
 ///
 /// # Errors
-/// [`Stopped::Inverted`], [`Stopped::NotFinite`].
+/// [`Stopped::Inverted`], [`Stopped::NotFinite`], [`Stopped::Exceeded`].
 pub fn assemble<const TANGENT: bool>(
     d: &Discretisation,
     s: &State,
     work: &mut Assembled,
+    budget: &Budget,
 ) -> Result<Totals, Stopped> {
     work.force.fill(0.0);
     work.cavity.fill(0.0);
@@ -73,9 +79,14 @@ pub fn assemble<const TANGENT: bool>(
     }
     let mut totals = Totals { smallest_j: f64::INFINITY, ..Totals::default() };
     for m in &d.materials {
-        let inverted = with(&m.law, |law| bricks::<TANGENT>((d, m), s, law, work, &mut totals));
-        if let Some((element, smallest_j)) = inverted {
-            return Err(Stopped::Inverted { element, smallest_j });
+        let (start, end) = (m.bricks.start, m.bricks.end);
+        for first in (start..end).step_by(PIECE) {
+            budget.check()?;
+            let of = (d, m, first..(first + PIECE).min(end));
+            let inverted = with(&m.law, |law| bricks::<TANGENT>(of, s, law, work, &mut totals));
+            if let Some((element, smallest_j)) = inverted {
+                return Err(Stopped::Inverted { element, smallest_j });
+            }
         }
     }
     trusses::<TANGENT>(d, s, work, &mut totals);
@@ -108,9 +119,12 @@ pub fn assemble<const TANGENT: bool>(
     Ok(totals)
 }
 
-/// Adds up the bricks of one material; the first that is turned inside out, with its volume ratio.
+/// Some bricks of one material.
+type Piece<'a> = (&'a Discretisation, &'a Material, Range<usize>);
+
+/// Adds up bricks of one material; the first that is turned inside out, with its volume ratio.
 fn bricks<const TANGENT: bool>(
-    of: (&Discretisation, &Material),
+    of: Piece<'_>,
     s: &State,
     law: SpatialLaw<'_>,
     work: &mut Assembled,
@@ -134,7 +148,7 @@ fn bricks<const TANGENT: bool>(
 
 fn wide<const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discretisation, &Material),
+    of: Piece<'_>,
     s: &State,
     law: SpatialLaw<'_>,
     work: &mut Assembled,
@@ -154,7 +168,7 @@ fn wide<const NN: usize, const NM: usize, const TANGENT: bool>(
 #[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
 fn eight<const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discretisation, &Material),
+    of: Piece<'_>,
     s: &State,
     law: SpatialLaw<'_>,
     work: &mut Assembled,
@@ -167,7 +181,7 @@ fn eight<const NN: usize, const NM: usize, const TANGENT: bool>(
 #[target_feature(enable = "avx2,fma")]
 fn four<const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discretisation, &Material),
+    of: Piece<'_>,
     s: &State,
     law: SpatialLaw<'_>,
     work: &mut Assembled,
@@ -179,7 +193,7 @@ fn four<const NN: usize, const NM: usize, const TANGENT: bool>(
 #[inline(always)]
 fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
     points: &[ShapePoint<NN>],
-    of: (&Discretisation, &Material),
+    of: Piece<'_>,
     s: &State,
     law: SpatialLaw<'_>,
     work: &mut Assembled,
@@ -187,9 +201,9 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
 ) -> Option<(usize, f64)> {
     let mut input = Input::<R, NN, NM>::zero();
     let mut out = Output::<R, NN, NM>::zero();
-    let (d, m) = of;
+    let (d, m, Range { start, end: count }) = of;
     (input.compliance, input.augment) = (m.compliance, m.augment);
-    let (start, count, per_map) = (m.bricks.start, m.bricks.end, d.per_map());
+    let per_map = d.per_map();
     let mut twice = d.twice[d.twice.partition_point(|t| (t.0 as usize) < start)..].iter().peekable();
     for first in (start..count).step_by(R::LANES) {
         for lane in 0..R::LANES {

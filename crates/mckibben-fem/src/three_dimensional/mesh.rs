@@ -113,15 +113,20 @@ impl BrickSpec {
         (chord, chord / angle.tan())
     }
 
+    /// Rows of bricks along half a length that put the strands at `angle`, as a number that is not whole.
+    pub(super) fn rows(&self, outer: f64, half: f64, angle: f64, around: usize) -> f64 {
+        let order = self.brick.order();
+        half / (self.cell(outer, angle, around * order).1 * order as f64)
+    }
+
     /// Bricks around: that number of a few which leaves the smallest part of a row over.
     fn choose_around(&self, outer: f64, half: f64, angle: f64) -> usize {
-        let order = self.brick.order();
         let candidates = match self.brick {
             Brick::Linear => 10..=16,
             Brick::Quadratic => 6..=8,
         };
         let over = |around: &usize| {
-            let rows = half / (self.cell(outer, angle, around * order).1 * order as f64);
+            let rows = self.rows(outer, half, angle, *around);
             (rows - rows.round()).abs()
         };
         candidates.min_by(|a, b| over(a).total_cmp(&over(b))).unwrap_or(12)
@@ -158,6 +163,9 @@ pub struct BrickMesh {
 const MOST: [f64; 3] = [16.0, 256.0, 2048.0];
 
 impl BrickMesh {
+    /// Most bricks around the quarter.
+    pub(super) const MOST_AROUND: usize = MOST[1] as usize;
+
     /// Whether numbers that are said make a mesh.
     ///
     /// # Errors
@@ -193,7 +201,7 @@ impl BrickMesh {
         let through = spec.through.unwrap_or(if insertion > 0.0 { 2 } else { 1 });
         let around = spec.around.unwrap_or_else(|| spec.choose_around(outer, half, angle));
         let (_, height) = spec.cell(outer, angle, around * order);
-        let natural = (half / (height * order as f64)).round();
+        let natural = spec.rows(outer, half, angle, around).round();
         let along = spec.along.unwrap_or(natural.clamp(1.0, 2.0 * MOST[2]) as usize);
         Self::check(&BrickSpec { along: Some(along), ..*spec })?;
         // Rows over the insertion are as high as the others.

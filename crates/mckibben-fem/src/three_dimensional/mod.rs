@@ -13,6 +13,7 @@
 mod assembly;
 pub mod body;
 pub mod discretisation;
+mod divisions;
 mod field;
 mod guess;
 pub mod mesh;

@@ -6,6 +6,7 @@ use super::muscle::{MuscleInBricks, MuscleMesh};
 use crate::FemError;
 use crate::axisymmetric::Axisymmetric;
 use crate::simulation::{self, Discretised};
+use crate::solver::body::Body;
 use crate::solver::continuation::Continuation;
 use mckibben::model::{
     Accuracy, ForceModel, ModelError, ModelId, ModelRange, Reference, Response, Workspace,
@@ -38,8 +39,9 @@ impl ThreeDimensional {
     /// The model of a muscle with a mesh that is said.
     ///
     /// # Errors
-    /// [`FemError`] where the numbers give no valid mesh.
+    /// [`FemError`] where the numbers give no valid mesh, or one of another braid.
     pub fn with_mesh(muscle: &Muscle, spec: &BrickSpec) -> Result<Self, FemError> {
+        BrickMesh::check_angle(muscle, spec)?;
         Ok(Self {
             id: ModelId::new(),
             muscle: muscle.clone(),
@@ -68,6 +70,7 @@ impl Discretised for ThreeDimensional {
     ) -> Result<&'w mut Continuation<MuscleInBricks>, FemError> {
         let budget = workspace.budget().clone();
         let c = workspace.try_of(&self.id, || self.divided.at_rest().map(Continuation::new))?;
+        c.body.spend_from(&budget);
         c.budget = budget;
         Ok(c)
     }
@@ -91,7 +94,7 @@ impl ForceModel for ThreeDimensional {
     }
 
     fn range(&self) -> ModelRange {
-        ModelRange::open().stretched()
+        ModelRange::open().stretched(self.muscle().braid().angle_deg)
     }
 
     fn accuracy(&self) -> Accuracy {

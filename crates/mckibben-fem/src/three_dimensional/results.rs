@@ -62,10 +62,11 @@ fn rest_volume(mesh: &BrickMesh) -> f64 {
 /// [`FemError::Force`] where the tangent is singular.
 pub fn response(body: &mut Body, mesh: &BrickMesh, muscle: &Muscle) -> Result<Response, FemError> {
     let force_n = body.totals.pull;
-    let totals = body.factorise().map_err(|reason| FemError::Force { force_n, reason })?;
+    let totals = body.factorise().map_err(|reason| FemError::at_force(force_n, reason))?;
     // By Maxwell's relation ∂F/∂P = −∂V/∂L.
     let (stiffness, force_per_pressure) = body.terminal_response();
     let volume_per_pressure = body.volume_per_pressure();
+    body.budget.check()?;
     let largest = strands(body, mesh, muscle).iter().map(|s| s.tension_n_per_mm).fold(0.0, f64::max);
     let (cos, count) = (muscle.braid().angle_rad().cos(), muscle.braid().strands.map(|s| s.count));
     let all = 2.0 * PI * muscle.outer_diameter_mm() * cos * largest;

@@ -14,6 +14,7 @@ use super::assembly::Assembled;
 use super::discretisation::Discretisation;
 use crate::solver::body::State;
 use crate::solver::sparse::SparseCholesky;
+use mckibben::budget::Budget;
 
 /// Most iterations.
 const ITERATIONS: usize = 60;
@@ -93,10 +94,11 @@ impl Constraints<'_> {
     }
 
     /// Solves; `b` holds b + Σ (γ/V) G d of the unknowns, `du` the displacements that are given (the terminal's), and
-    /// takes the solution; `dm` holds d and takes the multipliers. Gives the number of back-substitutions.
+    /// takes the solution; `dm` holds d and takes the multipliers. Gives the number of back-substitutions. Where the budget is used up
+    /// what is there is no solution.
     pub fn solve(
         &self,
-        cholesky: &mut SparseCholesky,
+        (cholesky, budget): (&mut SparseCholesky, &Budget),
         b: &mut [f64],
         du: &mut [f64],
         dm: &mut [f64],
@@ -118,7 +120,7 @@ impl Constraints<'_> {
         dm.fill(0.0);
         if self.iterated() {
             let mut r = left(du);
-            count += self.conjugate_gradients(cholesky, &shares, du, &mut r, dm, tolerance);
+            count += self.conjugate_gradients((cholesky, budget), &shares, du, &mut r, dm, tolerance);
         }
         // Those that were condensed follow.
         let r = left(du);
@@ -134,7 +136,7 @@ impl Constraints<'_> {
     /// constraints with β = 0 have no part.
     fn conjugate_gradients(
         &self,
-        cholesky: &mut SparseCholesky,
+        (cholesky, budget): (&mut SparseCholesky, &Budget),
         shares: &[f64],
         du: &mut [f64],
         r: &mut [f64],
@@ -156,7 +158,8 @@ impl Constraints<'_> {
         let mut rz = inner(r, &z);
         let first = rz;
         for iteration in 0..ITERATIONS {
-            if rz.is_nan() || rz <= tolerance * tolerance * first || first == 0.0 {
+            let close = rz <= tolerance * tolerance * first || first == 0.0;
+            if rz.is_nan() || close || budget.check().is_err() {
                 return iteration;
             }
             // w = K⁻¹ β Gᵀ p, s = V/k p + G w

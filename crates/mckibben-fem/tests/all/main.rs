@@ -11,6 +11,8 @@ mod identify;
 mod lay;
 mod measured;
 mod shared;
+mod small_angles;
 mod three_dimensional;
+mod universal_small;
 mod verification;
 mod vtu;

@@ -73,6 +73,27 @@ async fn forms_of_other_pages_cannot_ask() {
         assert_eq!(status(&client, &[host, ("content-type", kind)]).await, 415, "{kind}");
     }
     assert_eq!(status(&client, &[host]).await, 415);
+    assert_eq!(
+        status(&client, &[host, ("content-type", "application/json"), ("content-type", "text/plain")]).await,
+        415
+    );
+}
+
+/// What nobody may post to says so, whatever was posted.
+#[tokio::test]
+async fn an_address_without_the_method_is_405_also_without_a_content_type() {
+    let client = Client::usual();
+    for path in [
+        "/api/v1",
+        "/api/v1/health",
+        "/api/v1/openapi.json",
+        "/api/v1/schema/force",
+        "/api/v1/jobs/x/events",
+        "/api/v1/jobs/0",
+    ] {
+        let request = Request::post(path).header("host", "localhost").body(Body::from("x")).unwrap();
+        client.send(request).await.problem(405);
+    }
 }
 
 #[tokio::test]

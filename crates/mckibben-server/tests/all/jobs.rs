@@ -165,3 +165,22 @@ async fn ids_cannot_be_guessed() {
     ids.dedup();
     assert!(ids.len() == 8 && ids.iter().all(|id| id.len() == "/api/v1/jobs/".len() + 32), "{ids:?}");
 }
+
+/// A job is no way around the schema: what no request is is refused at once, and so it is where an answer is waited for.
+#[tokio::test]
+async fn what_is_no_request_of_a_command_begins_no_job() {
+    let client = Client::usual();
+    for (command, request) in [
+        ("braid-list", "[]"),
+        ("validate", "[null, null]"),
+        ("compare", r#"{"models": 3}"#),
+        ("sweep", r#"{"muscles": 0, "seed": -1}"#),
+        ("force", r#"{"presure_mpa": 1}"#),
+        ("units", "null"),
+    ] {
+        for path in ["/api/v1", "/api/v1/jobs"] {
+            let problem = client.post(&format!("{path}/{command}"), request).await.problem(422);
+            assert_eq!(problem["kind"], "usage", "{path}/{command}: {problem}");
+        }
+    }
+}

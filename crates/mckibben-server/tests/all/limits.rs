@@ -62,7 +62,7 @@ async fn long_bodies_are_refused_stated_or_not() {
         posted("/api/v1/force").header("content-length", "1001").body(Body::from(long.clone())).unwrap();
     assert_eq!(client.send(stated).await.problem(413)["kind"], "budget");
     client.post("/api/v1/force", long).await.problem(413);
-    let little = Client::new(Config { bodies_bytes: 10, ..Config::default() });
+    let little = Client::new(Config { memory_bytes: 10, ..Config::default() });
     little.post("/api/v1/units", "{}").await.problem(429);
 }
 
@@ -141,4 +141,44 @@ fn the_work_of_a_client_that_leaves_ends() {
         drop(leaving);
         until(200);
     }
+}
+
+/// One that is asked for half a megabyte of numbers by a few bytes, and JSON that is much larger in memory than as text.
+#[tokio::test]
+async fn what_expands_is_refused_before_memory_is_taken() {
+    let client = Client::usual();
+    let typed = json!({ "kind": "pressure", "text": "0..0.999999:1e-6", "list": true });
+    let problem = client.post("/api/v1/quantities", json!({ "texts": vec![typed; 100] }).to_string()).await;
+    let problem = problem.problem(422);
+    assert_eq!(problem["kind"], "budget", "{problem}");
+    let deep = "[".repeat(100) + &"]".repeat(100);
+    let nested = format!("[{}]", vec![deep.as_str(); 41_000].join(","));
+    assert!(nested.len() < 8 << 20);
+    client.post("/api/v1/force", nested.clone()).await.problem(413);
+    client.post("/api/v1/compare", nested).await.problem(400);
+    let many = |what: &str| format!("[{}]", vec![what; (8 << 20) / (what.len() + 1) - 1].join(","));
+    for what in [r#"{"":0}"#, "[]", "0", "[[[[0]]]]"] {
+        let problem = client.post("/api/v1/compare", many(what)).await.problem(413);
+        assert_eq!(problem["kind"], "budget", "{what}: {problem}");
+    }
+    client.post("/api/v1/force", format!("{{\"model\": \"{}\"}}", "x".repeat(300_000))).await.problem(413);
+    assert!(peak_mb().is_none_or(|mb| mb < 1000), "{:?}", peak_mb());
+}
+
+/// What is held for requests and answers is held in sum.
+#[tokio::test]
+async fn memory_is_given_back() {
+    let client = Client::new(Config { memory_bytes: 100_000, ..Config::default() });
+    for _ in 0..50 {
+        assert_eq!(client.post("/api/v1/units", "{}").await.status, 200);
+        assert_eq!(client.post("/api/v1/units", "{").await.status, 400);
+    }
+    // An answer that there is no room for.
+    client
+        .post(
+            "/api/v1/quantities",
+            r#"{"texts": [{"kind": "pressure", "text": "0..1:0.00006", "list": true}]}"#,
+        )
+        .await
+        .problem(429);
 }

@@ -5,8 +5,10 @@
 mod answers;
 mod common;
 mod door;
+mod ended;
 mod jobs;
 mod limits;
+mod mutated;
 mod openapi;
 mod page;
 mod socket;

@@ -69,6 +69,7 @@ pub fn response_on<M: ForceModel + ?Sized>(
     contraction: f64,
     direction: Direction,
 ) -> Result<Response, ModelError> {
+    workspace.budget().check().map_err(ModelError::Exceeded)?;
     let mut response = model.response(workspace, pressure_mpa, contraction)?;
     if let Some(friction) = friction(model, direction) {
         /// Of the pressure (relative) and the contraction, for differences of G.
@@ -105,6 +106,7 @@ pub fn force_on<M: ForceModel + ?Sized>(
     contraction: f64,
     direction: Direction,
 ) -> Result<f64, ModelError> {
+    workspace.budget().check().map_err(ModelError::Exceeded)?;
     let force_n = model.force_n(workspace, pressure_mpa, contraction)?;
     Ok(force_n + friction_n(model, workspace, (pressure_mpa, contraction), direction)?)
 }

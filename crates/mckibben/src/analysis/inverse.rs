@@ -100,10 +100,13 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         if p >= lowest - bits && p <= highest + bits {
             return Ok(p.clamp(lowest, highest.max(lowest)));
         }
-        let mut end =
-            |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| (p, f - force_n));
-        let (low, high) = (end(lowest)?, end(highest)?);
-        return Err(none(if apart(high.1) < apart(low.1) { high } else { low }));
+        // Of a formula the nearest is sought below: its pull may rise and fall.
+        if model.is_costly() {
+            let mut end =
+                |p: f64| force_on(model, workspace, p, contraction, direction).map(|f| (p, f - force_n));
+            let (low, high) = (end(lowest)?, end(highest)?);
+            return Err(none(if apart(high.1) < apart(low.1) { high } else { low }));
+        }
     }
     let sought = Sought { along: Along::Pressure { contraction }, force_n, direction };
     // A shortened muscle may have no equilibrium before its strands are taut; it does not pull there either.
@@ -121,6 +124,8 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
     }
     let fineness = Fineness::of(model);
     let mut sweep = Sweep::new(fineness.closing);
+    // Why the model had no answer where the pull passes what is wanted.
+    let mut lost = None;
     sweep.keep(lowest, first);
     // Upwards in growing steps to the first pressure beyond which the pull is on the other side of what is wanted.
     let mut low = (lowest, first);
@@ -130,7 +135,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         let high = (low.0 + step).min(highest);
         match (sought.value(model, workspace, high)?, low.1) {
             (Some(f), Some(value)) if (f >= 0.0) != (value > 0.0) || f == 0.0 => {
-                if let Some(p) = sought.between(model, workspace, (low.0, value), (high, f))? {
+                if let Some(p) = sought.between(model, workspace, (low.0, value), (high, f), &mut lost)? {
                     return Ok(p);
                 }
                 sweep.keep(high, Some(f));
@@ -141,7 +146,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
                 // Where its equilibria begin it may pull less.
                 let less = taut_below(low.0, (high, f), &mut |p| sought.value(model, workspace, p))?;
                 if let Some(less) = less
-                    && let Some(p) = sought.between(model, workspace, less, (high, f))?
+                    && let Some(p) = sought.between(model, workspace, less, (high, f), &mut lost)?
                 {
                     return Ok(p);
                 }
@@ -160,7 +165,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
                     })?;
                     if (top.1 > 0.0) != (middle > 0.0) {
                         let from = if top.0 > low.0 { (low.0, middle) } else { before };
-                        if let Some(p) = sought.between(model, workspace, from, top)? {
+                        if let Some(p) = sought.between(model, workspace, from, top, &mut lost)? {
                             return Ok(p);
                         }
                     }
@@ -185,16 +190,17 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
         if options.extrapolate && lowest > 0.0 {
             sweep.fill((0.0, lowest), fineness.beyond, &mut at)?;
         }
-        sweep.fill((lowest, low.0), fineness.beyond, &mut at)?;
+        sweep.finer(4, &mut at)?;
         sweep.refine(&mut at)?;
         if let Some(zero) = sweep.zeros(&mut at)?.first() {
             return Ok(zero.at);
         }
     }
+    let refused = if sweep.least(apart).is_none() { lost.or(refused) } else { lost };
     Err(match (sweep.least(apart), refused) {
         (Some((p, v)), _) if v.abs() <= SAME * force_n.abs().max(1.0) => return Ok(p),
-        (Some(nearest), _) => none(nearest),
-        (None, Some(error)) => error.into(),
+        (_, Some(error)) => error.into(),
+        (Some(nearest), None) => none(nearest),
         (None, None) => none((lowest, -force_n)),
     })
 }
@@ -261,7 +267,7 @@ pub(crate) fn pressure_up_to<M: ForceModel + ?Sized>(
     }
     let sought = Sought { along: Along::Pressure { contraction }, force_n, direction: options.direction };
     let p = sought
-        .between(model, workspace, (lowest, f64::NEG_INFINITY), (end, available_n - force_n))
+        .between(model, workspace, (lowest, f64::NEG_INFINITY), (end, available_n - force_n), &mut None)
         .ok()??;
     // The lower end may pull more already.
     (p > lowest).then_some(p)
@@ -371,6 +377,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     }
     let fineness = Fineness::of(model);
     let mut sweep = Sweep::new(fineness.closing);
+    let mut lost = None;
     sweep.keep(start, at_start);
     // The quick way: along the branch that falls through the start.
     let end = match at_start {
@@ -399,7 +406,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
             let Some(f) = sought.value(model, workspace, far)? else { break };
             if (f <= 0.0) == (first > 0.0) || f == 0.0 {
                 let (low, high) = if near.0 < far { (near, (far, f)) } else { ((far, f), near) };
-                if let Some(e) = sought.between(model, workspace, low, high)? {
+                if let Some(e) = sought.between(model, workspace, low, high, &mut lost)? {
                     return Ok(e);
                 }
                 break;
@@ -436,7 +443,7 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     if let Some(e) = shortened.or_else(stretched).or_else(any) {
         return Ok(e);
     }
-    Err(match (sweep.least(apart), refused) {
+    Err(match (sweep.least(apart), lost.or(refused)) {
         (Some((e, v)), _) if v.abs() <= SAME * force_n.abs().max(1.0) => return Ok(e),
         (_, Some(error)) => error.into(),
         (Some(nearest), None) => none(nearest, at_start),

@@ -58,16 +58,17 @@ impl Sought {
     }
 
     /// The place between `low` and `high`, (place, F − wanted) of which are on both sides of zero; `None` where the pull jumps over what is
-    /// wanted.
+    /// wanted, or where the model has no answer on the way, which is kept in `lost`.
     ///
     /// # Errors
-    /// The model's.
+    /// The budget's.
     pub fn between<M: ForceModel + ?Sized>(
         &self,
         model: &M,
         workspace: &mut Workspace,
         low: (f64, f64),
         high: (f64, f64),
+        lost: &mut Option<ModelError>,
     ) -> Result<Option<f64>, AnalysisError> {
         let length = model.muscle().length_mm();
         // So that it rises.
@@ -100,9 +101,9 @@ impl Sought {
         let found = rising_root(low.0, high.0, guess, TOLERANCE, rising);
         match (found, failed) {
             (Some(x), None) if !blind => Ok((last.abs() <= left).then_some(x)),
-            (_, Some(error)) => Err(error.into()),
+            (_, Some(error)) => keep(error, lost),
             // Without the model's slopes: interpolation.
-            _ => self.interpolated(model, workspace, (low.0, high.0), left),
+            _ => self.interpolated(model, workspace, (low.0, high.0), left, lost),
         }
     }
 
@@ -112,6 +113,7 @@ impl Sought {
         workspace: &mut Workspace,
         (low, high): (f64, f64),
         left: f64,
+        lost: &mut Option<ModelError>,
     ) -> Result<Option<f64>, AnalysisError> {
         let mut least = f64::INFINITY;
         let at = |x: f64| {
@@ -122,8 +124,17 @@ impl Sought {
         };
         match find_root(at, low, high, TOLERANCE) {
             Ok(x) => Ok((least <= left).then_some(x)),
-            Err(RootError::Function(error)) => Err(error.into()),
+            Err(RootError::Function(error)) => keep(error, lost),
             Err(RootError::NotBracketed { .. }) => Ok(None),
         }
     }
+}
+
+/// Keeps why a model had no answer; work that is to end does so.
+fn keep(error: ModelError, lost: &mut Option<ModelError>) -> Result<Option<f64>, AnalysisError> {
+    if let ModelError::Exceeded(_) = error {
+        return Err(error.into());
+    }
+    *lost = Some(error);
+    Ok(None)
 }

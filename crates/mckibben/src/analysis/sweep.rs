@@ -9,8 +9,8 @@ use super::root::{RootError, find_root};
 
 /// Halvings towards the edge of the places that have a value.
 const HALVINGS: usize = 40;
-/// Share of the way to its neighbour at which a second sample is taken beside an end.
-const BESIDE: f64 = 0.02;
+/// Shares of the way to its neighbour at which more samples are taken beside an end.
+const BESIDE: [f64; 4] = [0.01, 0.1, 0.3, 0.6];
 /// A zero is known to this.
 const TOLERANCE: f64 = 1e-13;
 /// What is left at a zero, as a share of the values around it; more is left where the function jumps.
@@ -66,6 +66,18 @@ impl Sweep {
         Ok(())
     }
 
+    /// Cuts the way from each sample to the next into `parts`.
+    pub fn finer<E>(
+        &mut self,
+        parts: usize,
+        at: &mut impl FnMut(f64) -> Result<Option<f64>, E>,
+    ) -> Result<(), E> {
+        for pair in self.samples.clone().windows(2) {
+            self.fill((pair[0].0, pair[1].0), parts, at)?;
+        }
+        Ok(())
+    }
+
     /// More samples where the function may reach zero between those there are: at the edges of what has a value, beside the ends of
     /// each run of values, and at extrema towards zero.
     pub fn refine<E>(&mut self, at: &mut impl FnMut(f64) -> Result<Option<f64>, E>) -> Result<(), E> {
@@ -92,8 +104,10 @@ impl Sweep {
         }
         for (end, next) in self.ends() {
             if (end.1 > 0.0) == (next.1 > 0.0) && end.1.abs() <= next.1.abs() {
-                let beside = end.0 + BESIDE * (next.0 - end.0);
-                self.keep(beside, at(beside)?);
+                for share in BESIDE {
+                    let beside = end.0 + share * (next.0 - end.0);
+                    self.keep(beside, at(beside)?);
+                }
             }
         }
         for three in self.samples.clone().windows(3) {

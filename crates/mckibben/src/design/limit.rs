@@ -98,9 +98,11 @@ pub(super) fn probe_with(
     muscle: &Muscle,
     scored: bool,
 ) -> Result<Probe, ModelError> {
+    let workspace = &mut Workspace::new();
+    // Of what is to end, not even the model is made.
+    workspace.budget().check()?;
     let model = build(muscle)?;
     let model = model.as_ref();
-    let workspace = &mut Workspace::new();
     let (max, direction) = (spec.max_pressure_mpa, spec.options().direction);
     let thick_wall = ThickWall::new(muscle);
     let mut checks = vec![];
@@ -242,6 +244,7 @@ pub(super) fn full_response(
     p: f64,
     contraction: f64,
 ) -> Result<(Response, Vec<&'static str>), ModelError> {
+    workspace.budget().check()?;
     let mut r = model.response(workspace, p, contraction)?;
     let mut filled = vec![];
     if r.bulged_diameter_mm.is_some() && r.volume_mm3.is_some() && r.max_stretch.is_some() {

@@ -159,8 +159,11 @@ impl<'a> Search<'a> {
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
     fn sample(&self, pick: Pick, build: &Build<'_>, harvest: &mut Harvest, scored: bool) -> Sample {
-        harvest.looked_at += 1;
         let none = Sample { x: pick.d0, excess: vec![], score: f64::INFINITY };
+        if self.progress.cancelled() {
+            return none;
+        }
+        harvest.looked_at += 1;
         let muscle = match self.muscle(pick) {
             Ok(muscle) => muscle,
             Err(error) => {

@@ -73,6 +73,31 @@ fn friction_lies_on_both_sides_of_the_mean() {
     assert!((plus - (mean - half)).abs() < 1e-9 && (minus - (mean + half)).abs() < 1e-9);
 }
 
+/// −dτ/dφ against differences of the torque, while the joint turns either way: the contact of the strands has its part, ∂G/∂ε.
+#[test]
+fn the_stiffness_is_the_slope_of_the_torque_on_every_branch() {
+    let friction = crate::muscle::Friction { coefficient: 20.0, exponent: 0.7, lever_mm: 0.5 };
+    let path = |x: f64| Path::Points { origin_mm: [0.0, 320.0], insertion_mm: [x, 0.0] };
+    let muscles = [30.0, -30.0].map(|x| JointMuscle {
+        muscle: Muscle::prototype().with_friction(Some(friction)).unwrap(),
+        path: path(x),
+        contraction_at_neutral: 0.12,
+    });
+    let link = Link { mass_kg: 2.0, centre_mm: 150.0, ..Link::default() };
+    let joint = Joint::new(muscles.to_vec(), None, link, (-40.0, 40.0)).unwrap();
+    let models = models(&joint, ModelKind::ThickWall);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    for turning in [Turning::Mean, Turning::Plus, Turning::Minus] {
+        for deg in [-15.0, 0.0, 10.0] {
+            let mut torque = |deg: f64| model.at(w, &[0.2, 0.15], deg, turning).unwrap().torque_nm;
+            let h = 0.01;
+            let slope = (torque(deg - h) - torque(deg + h)) / (2.0 * f64::to_radians(h));
+            let there = model.at(w, &[0.2, 0.15], deg, turning).unwrap().stiffness_nm_per_rad;
+            assert!((there / slope - 1.0).abs() < 1e-5, "{turning:?} {deg} {there} {slope}");
+        }
+    }
+}
+
 #[test]
 fn what_the_joint_cannot_do_is_said_with_what_it_can() {
     let joint = antagonists();

@@ -9,6 +9,7 @@
 
 use super::bounds::Unknown;
 use super::student::t95;
+use crate::budget::Budget;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
 use thiserror::Error;
@@ -79,7 +80,10 @@ pub enum EstimateError {
         unknowns: usize,
     },
     /// Bounds or a scale that are not valid for an unknown.
-    #[error("unknown {index} has no sound start, bounds and scale: {} from {} to {}, scale {}", .unknown.start, .unknown.low, .unknown.high, .unknown.scale)]
+    #[error(
+        "unknown {index} cannot be sought: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+        .unknown.start, .unknown.low, .unknown.high, .unknown.scale
+    )]
     Unknown {
         /// Counted from zero.
         index: usize,
@@ -151,6 +155,8 @@ impl<R: Residuals> LeastSquaresProblem<f64, Dyn, Dyn> for Inner<'_, R> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
+        // Not even a wall: the iteration ends.
+        Budget::current().check().ok()?;
         match self.residuals.at(&self.x(&self.u)) {
             Some(r) => Some(DVector::from_vec(r).component_mul(&self.roots)),
             // A step to where the model has no answer is a bad step: the next one is shorter.
@@ -211,12 +217,9 @@ pub fn estimate(
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         if !(settled || report.termination.was_successful()) {
             let reason = match report.termination {
-                TerminationReason::User(_) => {
-                    "the model has no answer next to where the search stands".into()
-                }
-                TerminationReason::LostPatience => "the search goes on and on".into(),
-                TerminationReason::Numerical(what) => format!("{what} is not a finite number"),
-                _ => "the search ended without one".into(),
+                TerminationReason::User(_) => "the model has no answer beside the best values so far".into(),
+                TerminationReason::LostPatience => "the search did not end; free fewer unknowns".into(),
+                _ => "the data leave the unknowns open, or the model's answers are not smooth".into(),
             };
             return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }

@@ -210,6 +210,47 @@ mod tests {
         assert!(found[0].answer.response.contraction < 0.0);
     }
 
+    /// What holds the load is the slope of (load − pull) in x = ε L0, on the branch that is asked for: on one of shortening or lengthening the
+    /// friction of the strands' contact, μw G(P, ε), has its part, ∂G/∂ε. Against differences of both lines.
+    #[test]
+    fn the_stiffness_is_the_slope_of_load_less_pull_on_every_branch() {
+        use crate::model::ThickWall;
+        use crate::muscle::{Direction, Friction};
+        let friction = Friction { coefficient: 10.0, exponent: 0.7, lever_mm: 0.5 };
+        let m = Muscle::prototype().with_friction(Some(friction)).unwrap();
+        let (model, w) = (ThickWall::new(&m), &mut Workspace::new());
+        let lever = |from| Load::Lever(Lever::new(5.0, 300.0, 40.0, from).unwrap());
+        let loads = [
+            Load::Force { force_n: 300.0 },
+            Load::Mass { mass_kg: 25.0, level: false },
+            Load::Spring { rate_n_per_mm: 8.0, preload_n: 60.0 },
+            lever(-40.0),
+            lever(30.0),
+            Load::Sum(vec![lever(-60.0), Load::Spring { rate_n_per_mm: 3.0, preload_n: 0.0 }]),
+        ];
+        let (p, h, length) = (0.25, 1e-3, m.length_mm());
+        let mut branches = vec![];
+        for load in &loads {
+            for direction in Direction::ALL {
+                let options = Options { direction, ..Options::default() };
+                let found = balances(&model, w, load, p, options).unwrap();
+                for b in found {
+                    let mut left =
+                        |x: f64| load.force_n(x) - force_on(&model, w, p, x / length, direction).unwrap();
+                    let x = b.shortening_mm;
+                    let slope = (left(x + h) - left(x - h)) / (2.0 * h);
+                    assert!(
+                        (b.stiffness_n_per_mm / slope - 1.0).abs() < 1e-5,
+                        "{load:?} {direction:?} {b:?} {slope}"
+                    );
+                    assert_eq!(b.stable, slope > 0.0);
+                    branches.push(b.stiffness_n_per_mm);
+                }
+            }
+        }
+        assert!(branches.len() >= 18, "{}", branches.len());
+    }
+
     #[test]
     fn without_a_load_the_muscle_ends_at_its_free_contraction() {
         let (model, w) = (ideal(), &mut Workspace::new());

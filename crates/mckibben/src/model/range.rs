@@ -106,7 +106,10 @@ impl fmt::Display for RangeViolation {
         let Interval { quantity, low, high } = self.interval;
         let (name, unit) = (quantity.name(), quantity.unit());
         let space = if unit.is_empty() { "" } else { " " };
-        let value = (self.value * 1e6).round() / 1e6;
+        let rounded = (self.value * 1e6).round() / 1e6;
+        // A hair beyond the bound is shown as it is.
+        let hidden = rounded >= low && rounded <= high;
+        let value = if hidden { format!("{:.1e}", self.value) } else { rounded.to_string() };
         if low == high {
             write!(f, "{name} {value}{space}{unit}, which must be {low}{space}{unit}")
         } else if high.is_infinite() {
@@ -158,9 +161,13 @@ impl ModelRange {
         }
     }
 
-    /// The same, also for muscles that a load stretches: contractions from −1.
-    pub fn stretched(self) -> Self {
-        Self { contraction: (-1.0, self.contraction.1), ..self }
+    /// The same, also for muscles that a load stretches: until strands at this angle at rest, in degrees, are straight and as long as no
+    /// strand becomes.
+    pub fn stretched(self, angle_deg: f64) -> Self {
+        /// Fibres of sleeves break at strains of 0.03 (aramid) to about 0.2 (polyamide).
+        const LONGEST: f64 = 1.2;
+        let lowest = 1.0 - LONGEST / angle_deg.to_radians().cos();
+        Self { contraction: ((1e4 * lowest).floor() / 1e4, self.contraction.1), ..self }
     }
 
     /// The same with bounds on measures of the muscle, of which each is given with its value.

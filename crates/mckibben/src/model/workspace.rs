@@ -42,16 +42,21 @@ impl PartialEq for ModelId {
 /// });
 /// # Ok::<(), mckibben::model::ModelError>(())
 /// ```
-#[derive(Default)]
 pub struct Workspace {
     content: Option<(ModelId, Box<dyn Any + Send>)>,
     budget: Budget,
 }
 
+impl Default for Workspace {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Workspace {
-    /// An empty one.
+    /// An empty one, within the [budget](Budget::current) of the work that this thread does.
     pub fn new() -> Self {
-        Self::default()
+        Self::within(Budget::current())
     }
 
     /// An empty one for work that may cost so much.

@@ -75,8 +75,9 @@ impl Sheet {
         let skip = usize::from(said.is_some());
         let rows = match separator {
             Separator::Spaces => {
+                let count = columns(text);
                 let rows = (1..).zip(text.lines()).skip(skip).filter(|(_, l)| !is_comment(l));
-                rows.map(|(line, l)| Row { line, fields: l.split_whitespace().collect() }).collect()
+                rows.map(|(line, l)| Row { line, fields: spaced(l, count).into_iter().collect() }).collect()
             }
             Separator::Mark(mark) => marked(text, mark, skip)?,
         };
@@ -95,6 +96,30 @@ impl Sheet {
 fn is_comment(text: &str) -> bool {
     let text = text.trim_start();
     text.starts_with('#') || text.starts_with("//")
+}
+
+/// Fields of the last line with any, which is data.
+fn columns(text: &str) -> usize {
+    let last = text.lines().rev().find(|l| !l.trim().is_empty() && !is_comment(l));
+    last.map_or(0, |l| l.split_whitespace().count())
+}
+
+/// The fields of a line in which spaces separate. Headings of several words are told apart by wider gaps, or by the units in brackets
+/// behind them: they are as many as the columns of the data.
+fn spaced(line: &str, count: usize) -> Vec<&str> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    if words.len() <= count {
+        return words;
+    }
+    fn trimmed<'a>(parts: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+        parts.map(str::trim).filter(|part| !part.is_empty()).collect()
+    }
+    let by_gaps = trimmed(line.split("  ").flat_map(|part| part.split('\t')));
+    if by_gaps.len() == count {
+        return by_gaps;
+    }
+    let by_units = trimmed(line.split_inclusive([')', ']', '}']));
+    if by_units.len() == count { by_units } else { words }
 }
 
 /// Excel's first line.
@@ -233,6 +258,18 @@ mod tests {
             assert_eq!(Sheet::split(text).unwrap().separator, found, "{text}");
         }
         assert_eq!(rows("sep=;\n\na;b\n"), [row(3, &["a", "b"])]);
+    }
+
+    #[test]
+    fn headings_of_several_words_are_separated_by_wider_gaps_or_units() {
+        let data = "0.0   0.000\n5.0   4.148\n";
+        let wanted = row(1, &["Elongation (%)", "Engineering Stress (psi)"]);
+        for heading in ["Elongation (%)  Engineering Stress (psi)", "Elongation (%) Engineering Stress (psi)"]
+        {
+            assert_eq!(rows(&format!("{heading}\n{data}"))[0], wanted);
+        }
+        assert_eq!(rows("Load cell   Way\n1 2\n3 4\n")[0], row(1, &["Load cell", "Way"]));
+        assert_eq!(rows("a b c\n1 2\n3 4\n")[0], row(1, &["a", "b", "c"]));
     }
 
     #[test]

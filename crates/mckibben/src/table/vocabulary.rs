@@ -143,7 +143,10 @@ const FORCE: &[&str] = &[
     "zug",
     "last",
     "muskelkraft",
-    "blockierkraft", // German
+    "blockierkraft",
+    "standardkraft",
+    "prufkraft",
+    "pruefkraft", // German
     "effort",
     "traction",
     "force_de_traction",
@@ -404,6 +407,7 @@ pub(crate) const POINTS: Vocabulary = Vocabulary {
                 "verkuerzung",
                 "hub",
                 "verfahrweg",
+                "standardweg",
                 "verschiebung",
                 WAY[4],
                 "raccourcissement",
@@ -584,6 +588,7 @@ pub(crate) const TESTS: Vocabulary = Vocabulary {
                 "verlaengerung",
                 "langenanderung",
                 "traversenweg",
+                "standardweg",
                 WAY[4],
                 "allongement",
                 WAY[5],

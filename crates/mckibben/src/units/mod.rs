@@ -10,6 +10,6 @@ mod unit;
 
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub(crate) use quantity::{plausible, tidy};
-pub use range::{MAX_POINTS, RangeError, Values, parse_values};
+pub use range::{MAX_POINTS, RangeError, Values, parse_at_most, parse_values};
 pub use short::short_numbers;
 pub use unit::Unit;

@@ -314,6 +314,16 @@ pub enum QuantityError {
         /// What was asked for.
         expected: Dimension,
     },
+    /// A comma within the number: decimals, thousands, or a list where one value is wanted.
+    #[error(
+        "\"{text}\" is not one number: a point begins the decimals and a comma separates the values of a list; write {meant}"
+    )]
+    Comma {
+        /// The text as written.
+        text: String,
+        /// What may be meant.
+        meant: String,
+    },
     /// A unit of another kind of quantity, such as `30bar` for a length.
     #[error("\"{text}\" is {}; expected {}", .found.noun(), .expected.expectation())]
     WrongDimension {
@@ -395,6 +405,21 @@ pub(super) fn factor(unit: &str, text: &str, expected: Dimension) -> Result<(f64
     }
 }
 
+/// Refuses `2,5bar` where one value is wanted. Behind three digits a comma may also have separated thousands.
+fn comma(text: &str, behind: &str) -> Result<(), QuantityError> {
+    let Some(rest) = behind.strip_prefix(',').filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()))
+    else {
+        return Ok(());
+    };
+    let text = text.trim();
+    let digits = rest.chars().take_while(char::is_ascii_digit).count();
+    let meant = match digits {
+        3 => format!("{} or {}", text.replacen(',', ".", 1), text.replacen(',', "", 1)),
+        _ => text.replacen(',', ".", 1),
+    };
+    Err(QuantityError::Comma { text: text.into(), meant })
+}
+
 /// `value` in the unit used inside. Decimal prefixes shift the decimal point and nothing else: 0.7 bar is the double
 /// nearest to 0.07 MPa, not the one below it.
 pub(super) fn convert(value: f64, (num, den): (f64, f64)) -> f64 {
@@ -427,6 +452,7 @@ pub(crate) fn tidy(v: f64, digits: i32) -> f64 {
 /// ```
 pub fn parse_quantity(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
     let (value, unit) = split(text, expected)?;
+    comma(text, unit)?;
     let (num, den) = factor(unit, text, expected)?;
     let out = convert(value, (num, den));
     if !out.is_finite() {
@@ -475,6 +501,17 @@ mod tests {
             error.to_string(),
             "\"30bar\" is a pressure; expected a length such as 30mm, 3cm or 1.2in (a bare number is mm)"
         );
+    }
+
+    #[test]
+    fn a_comma_in_a_number_is_named_with_what_may_be_meant() {
+        for (text, meant) in [("2,5bar", "2.5bar"), ("1,250 kPa", "1.250 kPa or 1250 kPa"), ("0,05", "0.05")]
+        {
+            let error = parse_quantity(text, Dimension::Pressure).unwrap_err();
+            assert!(error.to_string().ends_with(&format!("write {meant}")), "{error}");
+        }
+        let list = parse_quantity("2,bar", Dimension::Pressure).unwrap_err();
+        assert!(matches!(list, QuantityError::UnknownUnit { .. }));
     }
 
     #[test]

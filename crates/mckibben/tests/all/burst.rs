@@ -44,7 +44,8 @@ fn there_the_most_loaded_strand_carries_its_strength() {
         let Ok(found) = burst(&*model, &Workspace::new()) else { continue };
         let Burst::At { pressure_mpa, from_thick_wall } = found else { panic!("{kind}: {found:?}") };
         let w = &mut Workspace::new();
-        let own = model.response(w, pressure_mpa, 0.0).unwrap().strand_tension_n;
+        // A formula for one muscle has no answer so far beyond its data, and no tension either.
+        let own = model.response(w, pressure_mpa, 0.0).ok().and_then(|r| r.strand_tension_n);
         assert_eq!(own.is_none(), from_thick_wall, "{kind}");
         let tension = own.unwrap_or_else(|| {
             let thick = ThickWall::new(&m).response(&mut Workspace::new(), pressure_mpa, 0.0).unwrap();

@@ -131,7 +131,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
 #[test]
 fn rows_of_a_plan_with_fe3d_are_what_that_model_says() {
     let text = "[vary]\ntube.outer_diameter = \"30,45\"\n\
-        [test]\nmodel = \"fe3d\"\nmesh = \"1x4x8\"\ncontractions = \"0,0.1\"\npressures = \"0.1,0.2\"\n";
+        [test]\nmodel = \"fe3d\"\nmesh = \"1x4x13\"\ncontractions = \"0,0.1\"\npressures = \"0.1,0.2\"\n";
     let (rows, plan) = (run_plan(text), Plan::parse(text).unwrap());
     assert_eq!(rows.len(), 8);
     for row in rows {

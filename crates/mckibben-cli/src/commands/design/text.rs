@@ -1,14 +1,18 @@
 //! A design for people.
 
-use crate::output::text::{Units, aligned, braid_name, columns, number, percent, percents, rubber_name};
+use crate::failure::in_flags;
+use crate::output::text::{
+    Units, aligned, braid_name, columns, number, percent, percents, place, rubber_name,
+};
 use mckibben::design::{
     BraidChoice, Candidate, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Way,
 };
 use mckibben::muscle::BraidStiffness;
 use mckibben_app::{DesignAnswer, SpreadAnswer, TorqueWanted, Wanted};
+use std::path::Path;
 
 /// The design for people.
-pub fn of(answer: &DesignAnswer, u: &Units) -> String {
+pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let (spec, outcome) = (&answer.spec, &answer.outcome);
     let wanted = wanted(answer, u);
     let mut out = format!("Wanted: {wanted} with at most {}\n", u.pressure.show(spec.max_pressure_mpa));
@@ -23,19 +27,24 @@ pub fn of(answer: &DesignAnswer, u: &Units) -> String {
     };
     let (looked_at, fit) = (answer.looked_at, answer.fitting);
     out.push_str(&format!(
-        "Model {}{with}; {looked_at} muscles looked at, {fit} fit; {length}{}\n\n",
+        "Model {}{with}; {looked_at} muscles looked at, {fit} fit; {length}{}, {}\n{}",
         answer.model,
-        braid_of(spec)
+        rubber_of(spec),
+        braid_of(spec),
+        safety(spec)
     ));
+    let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
+    out.extend(assumed);
+    out.push('\n');
     if let Some(closest) = &outcome.closest {
         out.push_str(&nothing_fits(closest, u));
         if let Some(hint) = answer.closest.as_ref().and_then(|c| c.hint.as_ref()) {
-            out.push_str(&format!("{hint}\n"));
+            out.push_str(&format!("{}\n", in_flags(hint)));
         }
     } else {
         out.push_str(&candidates(outcome, spec.length_mm.is_some(), u));
         out.push_str(&doubt(answer, u));
-        out.push_str(&joint(answer, u));
+        out.push_str(&joint(answer, file, u));
         out.push_str(&verified(answer, u));
         out.push_str(&spread_text(&answer.tolerance, u));
     }
@@ -51,7 +60,7 @@ pub fn of(answer: &DesignAnswer, u: &Units) -> String {
         out.push_str(&format!(
             "  {}: {}{by}\n",
             measures(r, u),
-            r.reason.describe(|kind, v| u.show(kind, v))
+            u.sentence(&r.reason.describe(|kind, v| u.show(kind, v)))
         ));
     }
     out
@@ -83,20 +92,56 @@ fn wanted(answer: &DesignAnswer, u: &Units) -> String {
 }
 
 /// The pulley between the muscles, and the joint file that goes with them.
-fn joint(answer: &DesignAnswer, u: &Units) -> String {
+fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     let Some(j) = answer.candidates.first().and_then(|c| c.joint) else { return String::new() };
     let angle = number(j.largest_angle_deg, 4);
     let neutral = number(100.0 * j.contraction_at_neutral, 5);
+    // A joint file names its muscles relative to itself: it goes beside them.
+    let name = file.and_then(Path::file_name).map(Path::new);
+    let (name, where_to) = match name {
+        Some(name) => (place(name), "beside the muscle file"),
+        None => ("winner.toml".into(), "with the muscle in winner.toml (-o winner.toml)"),
+    };
+    let written = name.replace('\\', "\\\\").replace('"', "\\\"");
     let muscle =
-        |i: u8| format!("[muscle_{i}]\nfile = \"winner.toml\"\ncontraction_at_neutral = \"{neutral}%\"\n");
+        |i: u8| format!("[muscle_{i}]\nfile = \"{written}\"\ncontraction_at_neutral = \"{neutral}%\"\n");
     format!(
-        "\nThe first on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file, with the muscle in \
-         winner.toml (-o winner.toml):\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
+        "\nThe first on a pulley of radius {}, both muscles contracted by {neutral} % at the neutral angle. As a joint file, {where_to}:\n\n[joint]\nradius = \"{} mm\"\nrange = \"-{angle}..{angle} deg\"\n\n{}\n{}",
         u.length.show(j.radius_mm),
         number(j.radius_mm, 5),
         muscle(1),
         muscle(2)
     )
+}
+
+/// The rubber that is searched with.
+fn rubber_of(spec: &Spec) -> String {
+    let names: Vec<&str> = spec.rubbers.iter().filter_map(|rubber| rubber.name.as_deref()).collect();
+    match names[..] {
+        [] => format!("rubber {}", rubber_name(&spec.base)),
+        [one] => format!("rubber {one}"),
+        _ => format!("{} rubbers", names.len()),
+    }
+}
+
+/// What keeps the muscles from breaking.
+fn safety(spec: &Spec) -> String {
+    let strain = spec.limits.strand_strain.map(|v| format!("strands stretched by at most {}", percent(v)));
+    let known = match &spec.braid {
+        BraidChoice::Sleeves(list) => list.iter().all(|b| b.strands.is_some_and(|s| s.strength_n.is_some())),
+        _ => spec.base.braid().strands.is_some_and(|s| s.strength_n.is_some()),
+    };
+    let burst = match spec.limits.burst_margin.filter(|m| *m > 0.0) {
+        Some(margin) if known => {
+            format!("burst at {} times the maximum pressure or above", number(margin, 4))
+        }
+        Some(margin) => format!(
+            "burst at {} times the maximum pressure or above only where the strength of the strands is stated, and here it is not",
+            number(margin, 4)
+        ),
+        None => "burst not bounded".into(),
+    };
+    format!("Safety: {}\n", strain.into_iter().chain([burst]).collect::<Vec<_>>().join("; "))
 }
 
 /// The braid that is searched with; its stiffness may differ from muscle to muscle.
@@ -252,7 +297,9 @@ fn verified(answer: &DesignAnswer, u: &Units) -> String {
                     u.force.name
                 )
             }
-            (None, cause) => format!("no answer at {at}: {}", cause.as_deref().unwrap_or("unknown")),
+            (None, cause) => {
+                format!("no answer at {at}: {}", u.sentence(cause.as_deref().unwrap_or("unknown")))
+            }
         };
         out.push_str(&format!("  {line}\n"));
     }
@@ -282,7 +329,7 @@ fn nothing_fits(closest: &Closest, u: &Units) -> String {
     let mut out = format!(
         "Nothing fits. Closest: {}: {}\n",
         measures(&closest.rejected, u),
-        closest.rejected.reason.describe(|kind, v| u.show(kind, v))
+        u.sentence(&closest.rejected.reason.describe(|kind, v| u.show(kind, v)))
     );
     if closest.relaxations.is_empty() {
         out.push_str("No single limit makes it fit.\n");

@@ -6,7 +6,7 @@ use crate::flags::Format;
 use crate::output::show;
 use crate::output::text::{number, or_dash, pairs, table};
 use crate::progress::Bar;
-use crate::{files, plot};
+use crate::{files, plot, shown};
 use mckibben_app::{
     MeasuredAnswer, MeasuredBranch, MeasuredCase, MeasuredFacts, MeasuredFit, MeasuredFolder,
     MeasuredRequest, MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind,
@@ -18,7 +18,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(args: &ValidateArgs, folder: Option<&Path>, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
-    let figure = args.plot.plot.as_ref().map(|_| args.output.units.or_typed([&None, &None]));
+    let figure = args.plot.plot.as_ref().map(|_| shown::units());
     let cases = chosen(cases(folder)?, &args.only)?;
     let request = MeasuredRequest { cases, model: args.model.clone(), figure };
     let mut answer = mckibben_app::measured(&request, &Bar::new("fits"))?;

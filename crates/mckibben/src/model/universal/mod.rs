@@ -25,7 +25,7 @@ use super::{
     Accuracy, BlockedAt, ForceModel, ForcesError, ModelError, ModelId, ModelRange, Reference, Response,
     ThickWall, Workspace,
 };
-use crate::formula::UniversalFormula;
+use crate::formula::{Form, UniversalFormula};
 use crate::muscle::{Bulk, Muscle};
 use crate::rubber::RubberLaw;
 use dual::Dual;
@@ -38,6 +38,11 @@ use std::sync::Arc;
 
 /// Where the muscle ceases to pull, at the pressure (its bits) asked last: what a [`Universal`] keeps in its workspace.
 type Kept = Option<(u64, Zero)>;
+
+/// cot²θ0 D0/L0 of a muscle whose error is as often below what 95 % of the fit's points stay within. Of `universal-small` these are 0.61 % of the
+/// blocked force, and 95 % of 5119 errors on 3000 random muscles of its box are below 1.25 % cot²θ0 D0/L0; below 1.53 % it is 95 % in every
+/// range of L0/D0, θ0 and s/D0 as well.
+const ENDS: f64 = 0.4;
 
 /// A universal formula with a muscle put in.
 #[derive(Debug, Clone)]
@@ -127,6 +132,19 @@ impl Universal {
         None
     }
 
+    /// How far this muscle's error is above what 95 % of the fit's points stay within. What is wrong with a polynomial for the ends is a
+    /// length of the order of D0: in the pull it is a share of D0/L0, and of the slope of the pull over the contraction, which goes with
+    /// cot²θ0.
+    fn ends_share(&self) -> f64 {
+        match self.formula.deficit.form {
+            Form::Membrane => 1.0,
+            Form::Bulge => {
+                let cot2 = (4.0 - self.angle) / self.angle;
+                cot2 * self.muscle.outer_diameter_mm() / self.length / ENDS
+            }
+        }
+    }
+
     /// Volume of the cavity in mm³ with its derivatives in (ε, P): that of a uniform tube, and what the ends of a middle, as membranes,
     /// take from it.
     fn volume(&self, p: f64, place: &Place) -> Option<Dual> {
@@ -177,7 +195,7 @@ impl ForceModel for Universal {
             return Accuracy::UNKNOWN;
         }
         Accuracy {
-            share_of_blocked: Some(self.formula.errors.half_width()),
+            share_of_blocked: Some(self.formula.errors.half_width() * self.ends_share()),
             blocked_at: BlockedAt::SamePressure,
             reference: Reference::HeldOut,
         }

@@ -135,9 +135,9 @@ const BAD: &[(&str, usize, &str)] = &[
         "there is no rubber named \"dragonskin-30\" (did you mean dragon-skin-30?)",
     ),
     (
-        "[tube]\nrubber = \"rebound-25:gent\"",
+        "[tube]\nrubber = \"rebound-25:yoeh\"",
         2,
-        "rebound-25 has no fit of the law \"gent\"; it has neo-hookean",
+        "rebound-25 has no fit of the law \"yoeh\"; it has neo-hookean",
     ),
     ("[tube]\nrubber = 30", 2, "tube.rubber = 30: is a number; expected the name of a rubber"),
     (

@@ -144,6 +144,7 @@ fn without_subject(error: &QuantityError) -> String {
     let message = error.to_string();
     match error {
         QuantityError::NotANumber { text, .. }
+        | QuantityError::Comma { text, .. }
         | QuantityError::NotFinite { text, .. }
         | QuantityError::Beyond { text, .. }
         | QuantityError::WrongDimension { text, .. } => {

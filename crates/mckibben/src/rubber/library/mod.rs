@@ -2,17 +2,18 @@
 //!
 //! What a name means follows from the muscle alone, not from what is asked of it: `dragon-skin-30` is the law that `rubber fit`
 //! recommends for the data up to the smallest of the [`Window`]s that covers the stretches which this muscle reaches
-//! ([`Muscle::reach`](crate::muscle::Muscle::reach)), beyond the data for all of them; `dragon-skin-30:yeoh` is that law on the same data. So far
-//! for rubbers with a measured curve. The others have published constants for up to 50, 100 and 200 % strain, of which again the
-//! smallest range that covers the reach is taken; their name means the neo-Hookean fit, of all uniaxial fits without a choice the one that
-//! can be trusted in two axes. [`warnings`] says what to mind.
+//! ([`Muscle::reach`](crate::muscle::Muscle::reach)), beyond the data for all of them; `dragon-skin-30:yeoh` is that law on the same data. Of
+//! rubbers without a measured curve the data are those that their table of fits stands for ([`curve_of_fits`]). [`warnings`] says what to
+//! mind.
 
 mod named;
 mod read;
+mod table;
 mod window;
 
 pub(crate) use named::following;
 pub use named::{COVERING, USUAL_REACH, find, find_for, follows, is_known_from_one_axis, of_equal_standing};
+pub use table::{TABLE_OF_FITS, curve_of_fits};
 pub use window::{Standing, Window, WindowLaw, windows_of};
 
 use super::{Law, Stability, biaxial_stability};
@@ -50,7 +51,7 @@ pub struct RubberEntry {
     pub max_stress_mpa: Option<f64>,
     /// The laws fitted to it as they are published. Of a rubber with a curve they are for comparison.
     pub fits: Vec<RubberFit>,
-    /// Its measured curve, a path in `data/` of the repository, where there is one.
+    /// Its measured curve, a path in `data/` of the repository, or [`TABLE_OF_FITS`].
     pub data: Option<String>,
     /// The laws fitted to that curve, from the smallest range of stretches to the widest.
     pub windows: Vec<Window>,
@@ -120,13 +121,18 @@ pub fn entries() -> Result<&'static [RubberEntry], LibraryError> {
     ENTRIES.get_or_init(read).as_deref().map_err(LibraryError::clone)
 }
 
+/// A name as the library writes it.
+fn plain(name: &str) -> String {
+    name.trim().to_lowercase().replace([' ', '_'], "-")
+}
+
 /// The entry of a name or alias, without regard to case; spaces and underscores are as good as hyphens.
 ///
 /// # Errors
 /// [`LibraryError::UnknownRubber`] with the nearest name.
 pub fn entry(name: &str) -> Result<&'static RubberEntry, LibraryError> {
     let entries = entries()?;
-    let plain = name.trim().to_lowercase().replace([' ', '_'], "-");
+    let plain = plain(name);
     let found = entries.iter().find(|e| e.name == plain || e.aliases.contains(&plain));
     found.ok_or_else(|| {
         let names = entries.iter().flat_map(|e| e.aliases.iter().chain([&e.name])).map(String::as_str);

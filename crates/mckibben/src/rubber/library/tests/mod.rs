@@ -51,23 +51,67 @@ fn silicones_carry_the_constants_of_the_table_of_fits() {
     }
 }
 
-/// The silicones without a curve: published constants, of the ranges up to 50, 100 and 200 % the smallest that covers the muscle.
+/// Stress at 100 % strain in the table of fits, in MPa.
+fn at_100_percent(row: &csv::StringRecord) -> f64 {
+    number(row, 8) / 1000.0
+}
+
+/// The table's measured stress at 100 % strain, of every silicone that is known by this table alone: within 1.5 %, which is what
+/// `docs/rubber.md` states, and within three times the scatter of the law's fit (the root mean square of its differences of stress).
 #[test]
-fn without_a_curve_a_name_means_the_neo_hookean_fit_that_covers_the_muscle() {
-    assert_eq!(entries().unwrap().len(), 21);
-    let silicones = entries().unwrap().iter().filter(|e| e.terms.contains("ODbL"));
-    for entry in silicones.filter(|e| e.windows.is_empty()) {
-        let fits: Vec<&RubberFit> = entry.fits.iter().filter(|f| f.law.name() == "neo-hookean").collect();
-        for (reach, place) in [(1.0, 0), (1.42, 0), (1.44, 1), (1.9, 1), (1.91, 2), (9.0, 2)] {
-            let rubber = find_for(&entry.name, reach).unwrap();
-            assert_eq!(rubber.name.as_deref(), Some(entry.name.as_str()));
-            assert_eq!(rubber.law, fits[place].law, "{} {reach}", entry.name);
-            assert!(warnings(&rubber).is_empty());
+fn silicones_known_by_a_table_of_fits_have_its_stress_at_100_percent() {
+    let mut count = 0;
+    for row in csv(TABLE_OF_FITS).iter().filter(|row| number(row, 1) == 1.0) {
+        let entry = entry(&row[0]).unwrap();
+        if entry.data.as_deref() != Some(TABLE_OF_FITS) {
+            continue;
+        }
+        count += 1;
+        let scatter = 3.0 * entry.window(USUAL_REACH).unwrap().law(None).unwrap().rms_mpa;
+        let rubber = find(&entry.name).unwrap();
+        let off = rubber.law.uniaxial_stress_mpa(2.0) - at_100_percent(row);
+        assert!(off.abs() <= scatter, "{}: {off} MPa, scatter {scatter}", entry.name);
+        assert!(off.abs() <= 0.015 * at_100_percent(row), "{}: {off} MPa", entry.name);
+    }
+    assert_eq!(count, 14);
+    let dragon = find("dragon-skin-20").unwrap().law.uniaxial_stress_mpa(2.0);
+    assert!((dragon / 0.3184 - 1.0).abs() < 0.015, "{dragon}");
+}
+
+/// What a table of fits stands for against the curve itself, where both are known (RTV615 breaks within the last range).
+#[test]
+fn the_curve_of_a_table_of_fits_is_the_measured_one_within_5_percent() {
+    for name in ["dragon-skin-30", "ecoflex-00-50", "mold-star-20t", "soloplast-150318"] {
+        let path = format!("{}/../../data/{TABLE_OF_FITS}", env!("CARGO_MANIFEST_DIR"));
+        let points = curve_of_fits(std::fs::File::open(path).unwrap(), name).unwrap();
+        assert!(points.len() > 80 && points.is_sorted_by_key(|p| p.stretch), "{name}");
+        for row in csv(entry(name).unwrap().data.as_deref().unwrap()) {
+            let (end, measured) = (1.0 + number(&row, 0), number(&row, 1));
+            if !(1.1..3.0).contains(&end) {
+                continue;
+            }
+            let after = points.partition_point(|p| p.stretch < end);
+            let [p, q] = [&points[after - 1], &points[after]];
+            let share = (end - p.stretch) / (q.stretch - p.stretch);
+            let stress = p.nominal_stress_mpa + share * (q.nominal_stress_mpa - p.nominal_stress_mpa);
+            let off = (stress / measured - 1.0).abs();
+            let bound = if end <= 1.5 {
+                0.02
+            } else if end <= 2.5 {
+                0.025
+            } else {
+                0.05
+            };
+            assert!(off < bound, "{name} {end}: {off}");
         }
     }
+}
+
+#[test]
+fn the_rubber_of_the_prototype_has_one_law() {
+    assert_eq!(entries().unwrap().len(), 21);
     assert_eq!(find("paper").unwrap(), Rubber::paper());
     assert_eq!(find("paper:mooney-rivlin").unwrap(), Rubber::paper());
-    assert_eq!(find("ecoflex-00-30:neo-hookean").unwrap(), find("ecoflex-00-30").unwrap());
 }
 
 #[test]
@@ -81,10 +125,6 @@ fn names_are_forgiving_and_slips_are_named() {
     );
     assert!(message("concrete").contains("known: paper, treloar-natural-rubber"));
     assert_eq!(
-        message("rebound-25:yeoh"),
-        "rebound-25 has no fit of the law \"yeoh\"; it has neo-hookean, mooney-rivlin"
-    );
-    assert_eq!(
         message("rtv615:yoeh"),
         "rtv615 has no fit of the law \"yoeh\"; it has neo-hookean, mooney-rivlin, gent, arruda-boyce, ogden-1, yeoh, extended-tube, ogden-2"
     );
@@ -93,9 +133,7 @@ fn names_are_forgiving_and_slips_are_named() {
 
 #[test]
 fn one_axis_mooney_rivlin_fits_warn() {
-    let dragon = find_for("dragon-skin-20:mooney-rivlin", 1.3).unwrap();
-    assert_eq!(dragon.name.as_deref(), Some("dragon-skin-20:mooney-rivlin"));
-    assert_eq!(dragon.fitted_to_stretch, Some(1.5));
+    let dragon = Rubber::of(published("dragon-skin-20", "mooney-rivlin", Some(0.5)));
     let found = warnings(&dragon);
     assert!(matches!(found[0], RubberWarning::Unstable { hoop_stretch } if hoop_stretch < 1.5));
     assert_eq!(found[1], RubberWarning::NegativeC01 { c01_mpa: -0.0838 });

@@ -1,0 +1,158 @@
+//! The columns of a table: those of the rows' schema, so that they are the same whatever the values.
+
+use super::FLAT;
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, SchemaGenerator};
+use serde_json::{Map, Value};
+
+/// What the values of a column are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Numbers.
+    Number,
+    /// True or false.
+    Flag,
+    /// Texts.
+    Text,
+}
+
+/// A column: the key of the rows in JSON.
+pub type Column = (String, Kind);
+
+/// The columns of an answer's rows, which stand in its list or object of lists `rows`, or are the answer itself where the name is empty.
+pub fn of<T: JsonSchema>(rows: &str) -> Vec<Column> {
+    let generator: SchemaGenerator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+    let root = generator.into_root_schema_for::<T>().to_value();
+    let mut out = vec![];
+    if rows.is_empty() || rows == FLAT {
+        scalars(&root, &root, &mut out);
+        if rows == FLAT {
+            properties(&root, &root).for_each(|(_, value)| scalars(&root, value, &mut out));
+        }
+        return out;
+    }
+    for list in property(&root, &root, rows) {
+        for node in variants(&root, list) {
+            match node.get("items") {
+                Some(item) => scalars(&root, item, &mut out),
+                None => lists(&root, node, &mut out),
+            }
+        }
+    }
+    out
+}
+
+/// What a table has beyond the columns that are known, by the values in it.
+pub fn with_others(mut columns: Vec<Column>, list: &[Value]) -> Vec<Column> {
+    for (key, value) in list.iter().filter_map(Value::as_object).flatten() {
+        let kind = match value {
+            Value::Array(_) | Value::Object(_) | Value::Null => continue,
+            Value::Number(_) => Kind::Number,
+            Value::Bool(_) => Kind::Flag,
+            Value::String(_) => Kind::Text,
+        };
+        match columns.iter_mut().find(|c| c.0 == *key) {
+            Some(known) if known.1 != kind => known.1 = Kind::Text,
+            Some(_) => {}
+            None => columns.push((key.clone(), kind)),
+        }
+    }
+    columns
+}
+
+/// A schema without its reference.
+fn resolved<'a>(root: &'a Value, node: &'a Value) -> &'a Value {
+    let name = node.get("$ref").and_then(Value::as_str).and_then(|path| path.strip_prefix("#/$defs/"));
+    name.and_then(|name| root.get("$defs")?.get(name)).unwrap_or(node)
+}
+
+/// A schema and those of which it is one or all, without `null`.
+fn variants<'a>(root: &'a Value, node: &'a Value) -> Vec<&'a Value> {
+    let node = resolved(root, node);
+    let mut out = vec![node];
+    for of in ["anyOf", "oneOf", "allOf"].iter().filter_map(|key| node.get(*key)?.as_array()).flatten() {
+        out.extend(variants(root, of));
+    }
+    out.retain(|node| node.get("type").and_then(Value::as_str) != Some("null"));
+    out
+}
+
+fn properties<'a>(root: &'a Value, node: &'a Value) -> impl Iterator<Item = (&'a String, &'a Value)> {
+    let maps = variants(root, node).into_iter().filter_map(|node| node.get("properties")?.as_object());
+    maps.flat_map(Map::iter)
+}
+
+fn property<'a>(root: &'a Value, node: &'a Value, name: &str) -> Vec<&'a Value> {
+    properties(root, node).filter(|p| p.0 == name).map(|p| p.1).collect()
+}
+
+/// The keys of an object whose values are numbers, flags or texts.
+fn scalars(root: &Value, node: &Value, out: &mut Vec<Column>) {
+    for (name, value) in properties(root, node) {
+        if let Some(kind) = kind(root, value).filter(|_| out.iter().all(|c| c.0 != *name)) {
+            out.push((name.clone(), kind));
+        }
+    }
+}
+
+/// The keys of an object whose values are lists of such.
+fn lists(root: &Value, node: &Value, out: &mut Vec<Column>) {
+    for (name, value) in properties(root, node) {
+        let items = variants(root, value).into_iter().find_map(|node| node.get("items"));
+        let kind = items.and_then(|item| kind(root, item));
+        if let Some(kind) = kind.filter(|_| out.iter().all(|c| c.0 != *name)) {
+            out.push((name.clone(), kind));
+        }
+    }
+}
+
+/// What a value is; `None` where it is a list, an object, or unknown.
+fn kind(root: &Value, node: &Value) -> Option<Kind> {
+    let mut found = None;
+    for node in variants(root, node) {
+        let words = node.get("const").is_some() || node.get("enum").is_some();
+        let types: Vec<&str> = match node.get("type") {
+            Some(Value::String(one)) => vec![one],
+            Some(Value::Array(list)) => list.iter().filter_map(Value::as_str).collect(),
+            _ if words => vec!["string"],
+            _ => vec![],
+        };
+        for word in types {
+            let kind = match word {
+                "number" | "integer" => Kind::Number,
+                "boolean" => Kind::Flag,
+                "string" => Kind::Text,
+                "null" => continue,
+                _ => return None,
+            };
+            found = Some(if found.is_none_or(|f| f == kind) { kind } else { Kind::Text });
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben_app::{CurveAnswer, MotionAnswer, PointAnswer};
+
+    #[test]
+    fn columns_are_the_scalar_keys_of_the_schema() {
+        let point = of::<PointAnswer>("");
+        for (name, kind) in [
+            ("force_n", Kind::Number),
+            ("slack", Kind::Flag),
+            ("model", Kind::Text),
+            ("start_pressure_mpa", Kind::Number),
+        ] {
+            assert!(point.contains(&(name.to_owned(), kind)), "{name}: {point:?}");
+        }
+        assert!(point.iter().all(|c| !["muscle", "about", "warnings", "branches"].contains(&c.0.as_str())));
+        let curve = of::<CurveAnswer>("points");
+        for name in ["force_n", "status", "cause", "wanted_force_n"] {
+            assert!(curve.iter().any(|c| c.0 == name), "{name}: {curve:?}");
+        }
+        let motion = of::<MotionAnswer>("series");
+        assert!(motion.iter().any(|c| c.0 == "time_s") && motion.iter().any(|c| c.0 == "contraction"));
+    }
+}

@@ -1,0 +1,99 @@
+//! Braid angles from 7° to 18°: such tubes become several times as wide. Every question at which the muscle pulls is answered, asked alone as
+//! along a curve.
+//!
+//! `MCKIBBEN_ROUNDS=1000` asks more of them, `MCKIBBEN_SEED=2` others.
+
+use mckibben::model::{ForceModel, ThickWall, Workspace};
+use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
+use mckibben::progress::Silent;
+use mckibben::random::Random;
+use mckibben::rubber::{Law, NeoHookean};
+use mckibben_fem::Simulation;
+use mckibben_fem::axisymmetric::Axisymmetric;
+use std::f64::consts::PI;
+
+/// Largest strain of strands; beyond it they break.
+const STRAIN: f64 = 0.05;
+/// Most factorisations of a question.
+const COST: usize = 400;
+
+fn number(name: &str, usual: u64) -> u64 {
+    std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(usual)
+}
+
+fn muscle(
+    [outer_diameter_mm, wall_mm, length_mm, angle_deg, mu_mpa]: [f64; 5],
+    stiffness: BraidStiffness,
+) -> Option<Muscle> {
+    let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
+    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber };
+    Muscle::new(tube, Braid { angle_deg, stiffness, ..Braid::paper() }, Terminals::default(), None).ok()
+}
+
+/// A random muscle, a pressure in MPa and a contraction at which the infinitely long muscle pulls and its strands hold.
+fn question(r: &mut Random) -> Option<(Muscle, f64, f64)> {
+    let d0 = r.log(5.0, 60.0);
+    let measures =
+        [d0, d0 * r.log(0.02, 0.15), d0 * r.log(3.0, 25.0), r.between(7.0, 18.0), r.log(0.05, 1.5)];
+    let stiffness = match r.unit() < 0.2 {
+        true => BraidStiffness::Inextensible,
+        false => BraidStiffness::NewtonPerMm(d0 * r.log(5.0, 100.0)),
+    };
+    let (p, share) = (r.between(0.0, 0.8), r.between(0.0, 0.95));
+    let muscle = muscle(measures, stiffness)?;
+    let e = share * muscle.max_ideal_contraction();
+    let endless = ThickWall::new(&muscle).response(&mut Workspace::new(), p, e).ok()?;
+    let width = 2.0 * PI * d0 * muscle.braid().angle_rad().cos();
+    let strain = muscle
+        .family_stiffness_n_per_mm()
+        .map_or(0.0, |k| endless.braid_tension_n.unwrap_or(0.0) / (width * k));
+    (endless.force_n > 0.0 && strain < STRAIN).then_some((muscle, p, e))
+}
+
+/// The curve at the pressure of the question goes from rest length to its contraction.
+#[test]
+fn single_questions_at_small_angles_are_answered_as_along_a_curve() {
+    let mut r = Random(number("MCKIBBEN_SEED", 5));
+    let questions = std::iter::repeat_with(|| question(&mut r)).flatten();
+    let mut failed = vec![];
+    for (muscle, p, e) in questions.take(number("MCKIBBEN_ROUNDS", 150) as usize) {
+        let model = Axisymmetric::new(&muscle).unwrap();
+        let workspace = &mut Workspace::new();
+        let alone = model.force_n(workspace, p, e);
+        let steps: Vec<f64> = (0..=20).map(|i| e * f64::from(i) / 20.0).collect();
+        let curve = model.isobaric(&mut Workspace::new(), p, &steps, &Silent).pop().unwrap();
+        let scale = p * PI * muscle.tube().outer_radius_mm().powi(2);
+        let cost = model.effort(workspace).factorisations;
+        match (alone, curve) {
+            (Ok(a), Ok(b)) if (a - b.force_n).abs() < 1e-6 * scale && cost <= COST => {}
+            (alone, curve) => {
+                failed.push(format!("{alone:?}, {curve:?}, {cost}: {p} MPa, ε {e} of {muscle:?}"))
+            }
+        }
+    }
+    assert!(failed.is_empty(), "{} questions: {failed:#?}", failed.len());
+}
+
+/// 2 F(2 L0) − F(L0) leaves out what the ends do to first order in 1/L0: it tends to the pull of the infinitely long muscle.
+#[test]
+fn long_muscles_with_small_angles_tend_to_the_infinitely_long_one() {
+    for (angle, e) in [(8.0, 0.3), (10.0, 0.3), (12.0, 0.25)] {
+        let pull = |length: f64| {
+            let stiffness = BraidStiffness::NewtonPerMm(400.0);
+            let muscle = muscle([14.0, 1.0, length, angle, 0.24], stiffness).unwrap();
+            let endless = ThickWall::new(&muscle).force_n(&mut Workspace::new(), 0.3, e).unwrap();
+            (Axisymmetric::new(&muscle).unwrap().force_n(&mut Workspace::new(), 0.3, e).unwrap(), endless)
+        };
+        let ((short, endless), (long, _)) = (pull(1400.0), pull(2800.0));
+        let limit = 2.0 * long - short;
+        assert!((limit / endless - 1.0).abs() < 0.005, "{angle}: {short} {long} {limit}, {endless}");
+    }
+}
+
+/// The pull that the curve gives; a regression.
+#[test]
+fn a_muscle_of_10_degrees_pulls_with_232_newton() {
+    let muscle = muscle([14.0, 1.0, 300.0, 10.0, 0.24], BraidStiffness::NewtonPerMm(400.0)).unwrap();
+    let pull = Axisymmetric::new(&muscle).unwrap().force_n(&mut Workspace::new(), 0.3, 0.3).unwrap();
+    assert!((pull - 232.0).abs() < 0.5, "{pull}");
+}
