@@ -181,9 +181,9 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
         let mut request = muscle.clone();
         request["pressure_mpa"] = 0.2.into();
         request["contraction"] = 0.05.into();
-        asked("force", request)["force_n"].clone()
+        asked("force", request)["force_n"].as_f64().unwrap()
     };
-    assert_eq!(pull(&again), pull(&fields));
+    assert!((pull(&again) / pull(&fields) - 1.0).abs() < 1e-12);
     // Where nobody asks for it, there is none.
     assert!(asked("muscle-show", fields).get("muscle_file").is_none());
 }
@@ -191,7 +191,7 @@ fn a_written_muscle_file_is_file_and_fields_in_one() {
 /// Identity: each isobaric curve names its free contraction from its first slack point on, and no pull is left there.
 #[test]
 fn an_isobaric_curve_names_its_free_contraction_at_its_first_slack_point() {
-    let request = json!({ "test": "isobaric", "model": "thick-wall", "pressures_mpa": [0.05, 0.25], "contractions": [0.0, 0.1, 0.2, 0.29] });
+    let request = json!({ "test": "isobaric", "model": "thick-wall", "pressures_mpa": [0.05, 0.25], "contractions": [0.0, 0.1, 0.2, 0.33] });
     let answer = asked("curve", request);
     let points = answer["points"].as_array().unwrap();
     for curve in points.chunks(4) {
