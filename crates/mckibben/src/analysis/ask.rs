@@ -55,7 +55,9 @@ pub fn response_on<M: ForceModel + ?Sized>(
     contraction: f64,
     direction: Direction,
 ) -> Result<Response, ModelError> {
-    let mut response = model.response(workspace, pressure_mpa, contraction)?;
+    let found = model.response(workspace, pressure_mpa, contraction)?;
+    // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
+    let mut response = Response { pressure_mpa, contraction, ..found };
     if let Some(friction) = friction(model, direction) {
         /// Of the pressure, for differences of G.
         const STEP: f64 = 1e-4;

@@ -3,10 +3,12 @@
 //! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are degrees where a
 //! name says `_deg` and radians elsewhere. Units exist at the edge only, here.
 
+mod name;
 mod quantity;
 mod range;
 mod unit;
 
+pub use name::NamedUnit;
 pub(crate) use quantity::tidy;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub use range::{MAX_POINTS, RangeError, Values, parse_values};
