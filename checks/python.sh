@@ -31,7 +31,10 @@ step "tests from the wheel, in an environment of its own"
 python -m pip install --quiet --no-index --no-deps "$work"/dist/*.whl
 # The wheel is what is tested: the sources are not on the path, and a library that was built beside them is not there.
 cp -r python/tests "$work/tests"
-MCKIBBEN_ROOT=$PWD PYTHONSAFEPATH=1 python -m pytest -q -p no:cacheprovider "$work/tests"
+# The program of the command line, with which the package is compared.
+program=$PWD/target/release/mckibben
+test -x "$program" || cargo build --quiet --release --locked -p mckibben-cli
+MCKIBBEN=$program MCKIBBEN_ROOT=$PWD PYTHONSAFEPATH=1 python -m pytest -q -p no:cacheprovider "$work/tests"
 "$PYTHON" -m venv "$work/bare"
 "$work/bare/bin/python" -m pip install --quiet "$work"/dist/*.whl
 (cd "$work" && "$work/bare/bin/python" -c 'import mckibben as mk; assert mk.Muscle().model().force(0.2, [0.0, 0.1])[0] > 0')

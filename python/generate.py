@@ -51,8 +51,6 @@ ROWS = {
     "identify": "parameters", "rubber-fit": "laws", "rubber-list": "rubbers", "braid-list": "braids", "models": "models",
     "motion": "series", "fit-report": "findings", "units": "kinds", "braid-show": "points", "rubber-show": "fits",
 }
-# Texts of a user's own kind; everything else is told by the suffix of its name.
-FILES = {"TextFile"}
 # What every answer can do; no field may be called so.
 METHODS = {"keys", "plot", "to_arrow", "to_dict", "to_pandas", "to_polars", "to_table"}
 NO_METHOD = {"design", "fit", "motion", "rubber-fit"}
@@ -203,6 +201,12 @@ def field_type(types: Types, name: str, schema: dict[str, Any]) -> str:
     return kind if kind.endswith("None") or kind == "bool" else f"{kind} | None"
 
 
+def muscle_fields(all_schemas: dict[str, Any]) -> list[str]:
+    """The fields of a muscle besides its file."""
+    names = list(all_schemas["muscle-show"]["request"]["properties"])
+    return names[1 : names.index("model")]
+
+
 def python_name(command: str) -> str:
     return command.replace("-", "_")
 
@@ -258,7 +262,7 @@ def docstring(types: Types, command: str, schema: dict[str, Any], names: list[st
     if names or command in LONG:
         out += [f"{indent}Parameters", f"{indent}----------"]
     for name in names:
-        kind = unit_of(name)
+        kind = unit_of(fields[name])
         out.append(f"{indent}{parameter(name)}" + (f" : {kind}" if kind else ""))
         out.append(wrapped(doc(fields[name]) or "See the documentation.", indent + "    "))
     if command in LONG:
@@ -269,19 +273,11 @@ def docstring(types: Types, command: str, schema: dict[str, Any], names: list[st
     return indent + '"""' + "\n".join(out).lstrip() + f'\n{indent}"""'
 
 
-UNITS = [
-    ("_n_per_mm", "N/mm"), ("_nm_per_rad", "N m/rad"), ("_n_s_per_m", "N s/m"), ("_mpa", "MPa"), ("_mm2", "mm2"), ("_mm", "mm"), ("_deg", "degrees"), ("_nm", "N m"),
-    ("_n", "N"), ("_s", "s"),
-]
-
-
-def unit_of(name: str) -> str:
-    if name in ("contraction", "contractions"):
-        return "ratio"
-    for suffix, unit in UNITS:
-        if name.endswith(suffix):
-            return unit
-    return ""
+def unit_of(schema: Any) -> str:
+    """The unit of a field's numbers, as the schema has it."""
+    if not isinstance(schema, dict):
+        return ""
+    return str(schema.get("x-unit") or ("ratio" if schema.get("x-quantity") == "ratio" else ""))
 
 
 def record(types: Types, name: str, schema: dict[str, Any], rows: str | None) -> list[str]:
@@ -293,7 +289,7 @@ def record(types: Types, name: str, schema: dict[str, Any], rows: str | None) ->
     if fields:
         out += ["", "    Attributes", "    ----------"]
         for field, value in fields.items():
-            unit = unit_of(field)
+            unit = unit_of(value)
             out.append(f"    {field}" + (f" : {unit}" if unit else ""))
             out.append(wrapped(doc(value) or "See the documentation.", "        "))
     out += ['    """', "", "    __slots__ = ()"]
@@ -328,6 +324,107 @@ def nested_of(types: Types, schema: Any) -> str | None:
     return None
 
 
+# What a muscle has under names of its own: measures that are always there, and rubber and braid in words.
+OWN_OF_MUSCLE = {"muscle", "outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid"}
+
+
+def is_list(types: Types, schema: dict[str, Any]) -> bool:
+    """Whether a field holds several numbers."""
+    return types.of(schema).startswith("list[")
+
+
+def is_choice(schema: dict[str, Any]) -> bool:
+    """Whether a field may be an interval as well."""
+    return any(option.get("$ref", "").endswith("/Choice") for option in [schema, *schema.get("anyOf", [])])
+
+
+def groups(types: Types, schema: dict[str, Any], found: dict[str, dict[str, tuple[str, str]]]) -> None:
+    """What the quantities are in fields that are groups of fields themselves, by the name of the group."""
+    for name, field in types.properties(schema).items():
+        for option in [field, field.get("items"), *field.get("anyOf", [])]:
+            target = types.defs.get(option["$ref"].split("/")[-1]) if isinstance(option, dict) and "$ref" in option else None
+            if target is None or name in found or not types.is_record(target):
+                continue
+            own = {n: (f["x-quantity"], f.get("x-unit", "")) for n, f in types.properties(target).items() if isinstance(f, dict) and "x-quantity" in f}
+            if own:
+                found[name] = own
+            groups(types, target, found)
+
+
+def fields(all_schemas: dict[str, Any]) -> str:
+    """What is known of the fields of requests, and a muscle's own."""
+    types = Types(all_schemas, "request")
+    lists: set[str] = set()
+    choices: dict[str, list[str]] = {}
+    nested: dict[str, dict[str, tuple[str, str]]] = {}
+    for command, schema in all_schemas.items():
+        for name, field in types.properties(schema["request"]).items():
+            if "x-quantity" in field and is_list(types, field):
+                lists.add(name)
+            if is_choice(field):
+                choices.setdefault(command, []).append(name)
+        groups(types, schema["request"], nested)
+    request = all_schemas["muscle-show"]["request"]
+    own = {name: types.properties(request)[name] for name in MUSCLE_FIELDS}
+    out = [
+        HEAD.format("What the fields of requests are, and a muscle by its fields."),
+        "from __future__ import annotations\n",
+        "from typing import TYPE_CHECKING, Any\n",
+        "if TYPE_CHECKING:",
+        "    from ._inputs import MuscleLike, Number",
+        "    from ._parts import Braid, Rubber\n",
+        "# Fields of a muscle, after `muscle`, its file.",
+        "MUSCLE = " + literal(MUSCLE_FIELDS, "()"),
+        "# Fields that hold several quantities.",
+        "LISTS = " + literal(sorted(lists), "{}"),
+        "# Fields that may be an interval, by command.",
+        f"CHOICES: dict[str, set[str]] = {{{', '.join(f'{json.dumps(c)}: ' + literal(sorted(n), '{}') for c, n in sorted(choices.items()))}}}",
+        "# Kind of quantity and unit of the fields of groups of fields, by the name of the group.",
+        "GROUPS: dict[str, dict[str, tuple[str, str]]] = {",
+        *(f"    {json.dumps(n)}: {{{', '.join(f'{json.dumps(f)}: ({json.dumps(k)}, {json.dumps(u)})' for f, (k, u) in of.items())}}}," for n, of in sorted(nested.items())),
+        "}\n\n",
+        "class MuscleFields:",
+        '    """A muscle by its fields."""\n',
+        "    __slots__ = ()\n",
+        "    def __init__(",
+        "        self,",
+        "        base: MuscleLike | None = None,",
+        "        *,",
+        *(f"        {parameter(name)}: {field_type(types, name, field)} = None," for name, field in own.items()),
+        "    ) -> None:",
+        '        """',
+        "        Parameters",
+        "        ----------",
+        "        base",
+        "            A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.",
+    ]
+    for name, field in own.items():
+        unit = unit_of(field)
+        out.append(f"        {parameter(name)}" + (f" : {unit}" if unit else ""))
+        part = {"rubber": " Or a :class:`Rubber`.", "braid": " Or a :class:`Braid`."}.get(name, "")
+        out.append(wrapped(doc(field) + part, "            "))
+    values = ", ".join(['"muscle": base', *(f'"{name}": {parameter(name)}' for name in own)])
+    out += [
+        '        """',
+        "        from ._plain import muscle_text\n",
+        f"        self._hold(muscle_text({{{values}}}))\n",
+        "    def _hold(self, text: str) -> None:",
+        "        raise NotImplementedError\n",
+        "    def _field(self, name: str) -> Any:",
+        "        raise NotImplementedError",
+    ]
+    for name, field in own.items():
+        if name in OWN_OF_MUSCLE:
+            continue
+        kind = "float | str | None" if "$ref" in json.dumps(field) else "float | None"
+        out += ["", "    @property", f"    def {parameter(name)}(self) -> {kind}:", f'        """{" ".join(doc(field).split())}"""', f'        return self._field("{name}")  # type: ignore[no-any-return]']
+    return "\n".join(out).rstrip() + "\n"
+
+
+def literal(names: list[str], brackets: str) -> str:
+    return brackets[0] + ", ".join(json.dumps(name) for name in names) + brackets[1]
+
+
 def answers(all_schemas: dict[str, Any]) -> str:
     types = Types(all_schemas, "answer")
     out = [HEAD.format("What commands answer."), "from __future__ import annotations\n", "from typing import Any, Literal\n", "from ._record import Record\n\n"]
@@ -345,8 +442,6 @@ def answers(all_schemas: dict[str, Any]) -> str:
 
 def commands(all_schemas: dict[str, Any]) -> str:
     types = Types(all_schemas, "request")
-    force = list(all_schemas["muscle-show"]["request"]["properties"])
-    MUSCLE_FIELDS[:] = force[1 : force.index("model")]
     out = [
         HEAD.format("Every command as a function, and those of a muscle as its methods."),
         "from __future__ import annotations\n",
@@ -413,6 +508,8 @@ def reference(all_schemas: dict[str, Any]) -> str:
     import ast
 
     out = ["# Python reference\n", "Written by `python/generate.py` from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
+    of_muscle = next(n for n in ast.parse((PACKAGE / "_fields.py").read_text("utf-8")).body if isinstance(n, ast.ClassDef))
+    init = next(n for n in of_muscle.body if isinstance(n, ast.FunctionDef) and n.name == "__init__")
     parts = [("Objects", ["_muscle.py", "_parts.py", "_model.py", "_formula.py", "_campaign.py", "_table.py"]), ("Commands", ["_commands.py"]), ("Answers", ["_columns.py", "_results.py", "_record.py"]),
              ("Exceptions", ["_problem.py", "_errors.py"]), ("For JAX and PyTorch", ["jax.py", "torch.py"])]
     for title, files in parts:
@@ -424,9 +521,14 @@ def reference(all_schemas: dict[str, Any]) -> str:
             for node in ast.parse(path.read_text("utf-8")).body:
                 if isinstance(node, (ast.FunctionDef, ast.ClassDef)) and not node.name.startswith("_") and (text := ast.get_docstring(node)):
                     module = f"{path.stem}." if path.stem in ("jax", "torch") else ""
+                    items = list(node.body)
+                    if node.name == "Muscle":
+                        # What it is made of is written from the schemas.
+                        text = text.replace("Examples\n", (ast.get_docstring(init) or "") + "\n\nExamples\n")
+                        items += of_muscle.body
                     out += entry(node, text, "###", module)
                     if isinstance(node, ast.ClassDef) and node.name != "MuscleCommands":
-                        for item in node.body:
+                        for item in items:
                             if isinstance(item, ast.FunctionDef) and not item.name.startswith("_") and (own := ast.get_docstring(item)):
                                 out += entry(item, own, "####", node.name + ".")
     return "\n".join(out).rstrip() + "\n"
@@ -474,7 +576,9 @@ def entry(node: Any, text: str, level: str, of: str = "") -> list[str]:
 
 def main() -> None:
     all_schemas = schemas()
+    MUSCLE_FIELDS[:] = muscle_fields(all_schemas)
     made = {
+        PACKAGE / "_fields.py": fields(all_schemas),
         PACKAGE / "_answers.py": answers(all_schemas),
         PACKAGE / "_commands.py": commands(all_schemas),
         PACKAGE / "_errors.py": errors(all_schemas),

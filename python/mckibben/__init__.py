@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ._record import Record as Record
     from ._table import Table as Table
 
+    __all__: list[str]
     __version__: str
 
 # Nothing is loaded before it is asked for: the import takes some milliseconds.
@@ -46,15 +47,24 @@ _PLACES = {
     "Record": "_record",
     "Table": "_table",
 }
+# Modules for other libraries, listed where these are installed.
+_BRIDGES = ("jax", "torch")
 
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
         return import_module("._native", __name__).VERSION
-    if name.startswith("__"):
+    if name == "__all__":
+        # Without the modules for others: their names are those of the libraries themselves.
+        return [name for name in __dir__() if name not in _BRIDGES and not name.startswith("_")]
+    if name.startswith("_"):
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    if name in ("jax", "torch"):
-        return import_module(f".{name}", __name__)
+    if name in _BRIDGES:
+        try:
+            return import_module(f".{name}", __name__)
+        except ImportError as error:
+            # No attribute, so that help() and inspect go on to the next one.
+            raise AttributeError(f"{__name__}.{name} needs {name}, which cannot be imported: {error}; pip install {name}") from error
     places = [_PLACES[name]] if name in _PLACES else ["_commands", "_errors"]
     for place in places:
         module = import_module(f".{place}", __name__)
@@ -69,6 +79,9 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
+    from importlib.util import find_spec
+
     from . import _commands, _errors
 
-    return sorted({*_PLACES, *_commands.__all__, *_errors.__all__, "__version__", "jax", "torch"})
+    there = [name for name in _BRIDGES if find_spec(name) is not None]
+    return sorted({*_PLACES, *_commands.__all__, *_errors.__all__, "__version__", *there})

@@ -25,15 +25,15 @@ class Answer(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -47,8 +47,9 @@ class Answer(Record):
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
-        The muscle would have to push and is slack instead.
-    free_contraction
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and
+        stretches are those at its free contraction, at which it hangs between its ends.
+    free_contraction : ratio
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
@@ -127,11 +128,11 @@ class BraidPoint(Record):
     ----------
     outer_diameter_mm : mm
         Outer diameter D0 of the tube, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 on it, degrees.
     stiffness_n_per_mm : N/mm
         Stiffness k of one strand family, N/mm, where the strands are known.
-    largest_contraction
+    largest_contraction : ratio
         Contraction that is left: to 54.7°, or to where the strands jam before.
     """
 
@@ -158,7 +159,7 @@ class BraidSummary(Record):
         Least outer diameter of a tube in it, mm.
     largest_diameter_mm : mm
         Largest outer diameter of a tube in it, mm.
-    least_angle_deg : degrees
+    least_angle_deg : deg
         Angle on the least diameter, degrees.
     strands
         Strands of both families, where they are known.
@@ -219,7 +220,7 @@ class BuildSheetAnswer(Record):
         Strand in the braid, mm.
     strands
         Number of strands, where it is stated.
-    rubber_volume_mm3
+    rubber_volume_mm3 : mm3
         Rubber, mm³.
     """
 
@@ -244,7 +245,7 @@ class CandidateAnswer(Record):
         Wall thickness s at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Braid angle θ0 at rest, degrees.
     rubber
         The rubber, by name or law.
@@ -256,15 +257,15 @@ class CandidateAnswer(Record):
         Least margin over the points: pull at the maximum pressure over the pull wanted, minus 1.
     blocked_force_n : N
         Blocked force at the maximum pressure, N.
-    free_contraction
+    free_contraction : ratio
         Free contraction at the maximum pressure.
     bulged_diameter_mm : mm
         Largest outer diameter over the points, mm.
     stiffness_n_per_mm : N/mm
         Stiffness ∂F/∂L at the first point, N/mm.
-    air_normal_litres
+    air_normal_litres : L (ANR)
         Largest air per stroke over the points, normal litres.
-    work_j
+    work_j : J
         Work from ε = 0 to the largest contraction wanted at the maximum pressure, J.
     strand_tension_n : N
         Largest tension of one strand, N.
@@ -326,7 +327,7 @@ class CandidateJoint(Record):
         Radius of the pulley, mm.
     contraction_at_neutral
         Contraction of both muscles at the neutral angle.
-    largest_angle_deg : degrees
+    largest_angle_deg : deg
         Largest angle to either side, degrees.
     """
 
@@ -386,13 +387,13 @@ class Characteristics(Record):
         The pressure, MPa.
     blocked_force_n : N
         Pull without contraction, N.
-    free_contraction
+    free_contraction : ratio
         Contraction without pull.
-    work_j
+    work_j : J
         Work from rest to there, J.
-    volume_mm3
+    volume_mm3 : mm3
         Cavity there, mm³.
-    air_normal_litres
+    air_normal_litres : L (ANR)
         Air from rest to there, normal litres.
     burst_pressure_mpa : MPa
         Pressure at which the strands break, MPa, where their strength is known.
@@ -421,7 +422,7 @@ class CheckPoint(Record):
         See the documentation.
     length_mm : mm
         See the documentation.
-    angle_deg : degrees
+    angle_deg : deg
         See the documentation.
     shear_modulus_mpa : MPa
         Of a neo-Hookean rubber.
@@ -459,7 +460,7 @@ class ClosestAnswer(Record):
         Wall s, mm.
     length_mm : mm
         Length L0, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Braid angle θ0, degrees.
     rubber
         Name of the rubber, where it has one.
@@ -564,17 +565,17 @@ class Cycle(Record):
         Lower pressure in MPa.
     to_pressure_mpa : MPa
         Higher pressure in MPa.
-    from_contraction
+    from_contraction : ratio
         Contraction at the lower pressure; 0 where the load is not lifted there.
-    to_contraction
+    to_contraction : ratio
         Contraction at the higher pressure.
     stroke_mm : mm
         How far the load moves, mm.
-    work_j
+    work_j : J
         Work on the load, J.
-    air_normal_litres
+    air_normal_litres : L (ANR)
         Air of a filling in normal litres (0 °C, 101.325 kPa), where the model knows the cavity.
-    air_exergy_j
+    air_exergy_j : J
         Exergy of that air at the higher pressure, J.
     efficiency
         Work over exergy.
@@ -606,11 +607,11 @@ class Derived(Record):
         Its turns.
     strand_length_per_turn_mm : mm
         Its length per turn, mm.
-    max_ideal_contraction
+    max_ideal_contraction : ratio
         Contraction at which the ideal muscle no longer pulls.
     reach
         Largest stretch of the rubber there, at the bore: the reach by which a named rubber has its law.
-    volume_mm3
+    volume_mm3 : mm3
         Cavity at rest, mm³.
     """
 
@@ -636,15 +637,15 @@ class DesignPoint(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -661,7 +662,7 @@ class DesignPoint(Record):
         Pull at the maximum pressure, N.
     margin
         That pull over the pull wanted, minus 1.
-    air_normal_litres
+    air_normal_litres : L (ANR)
         Air from rest to this point, normal litres.
     uncertainty_n : N
         95 % half-width of the pull, N.
@@ -727,7 +728,7 @@ class EndPowers(Record):
         See the documentation.
     modulus
         See the documentation.
-    strain
+    strain : ratio
         See the documentation.
     shortening
         See the documentation.
@@ -783,15 +784,15 @@ class Equilibrium(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -805,8 +806,9 @@ class Equilibrium(Record):
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
-        The muscle would have to push and is slack instead.
-    free_contraction
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and
+        stretches are those at its free contraction, at which it hangs between its ends.
+    free_contraction : ratio
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
@@ -822,7 +824,7 @@ class Equilibrium(Record):
         Stiffness of muscle and load together at this pressure, N/mm.
     stable
         Whether the load comes back after a small step.
-    natural_frequency_hz
+    natural_frequency_hz : Hz
         Natural frequency at constant pressure in Hz, where a mass moves.
     """
 
@@ -1013,7 +1015,7 @@ class Finding(Record):
         s in mm.
     length_mm : mm
         L0 in mm.
-    angle_deg : degrees
+    angle_deg : deg
         θ0 in degrees.
     pressure_mpa : MPa
         P in MPa.
@@ -1279,7 +1281,7 @@ class IdentifiedPoint(Record):
         s in mm.
     length_mm : mm
         L0 in mm.
-    angle_deg : degrees
+    angle_deg : deg
         θ0 in degrees.
     pressure_mpa : MPa
         Gauge pressure in MPa.
@@ -1293,7 +1295,7 @@ class IdentifiedPoint(Record):
         What the bench read; the two others were set.
     model_force_n : N
         The model's pull where that was read, N.
-    model_contraction
+    model_contraction : ratio
         The model's contraction ratio where that was read.
     model_pressure_mpa : MPa
         The model's pressure where that was read, MPa.
@@ -1361,7 +1363,7 @@ class JointRow(Record):
 
     Attributes
     ----------
-    angle_deg : degrees
+    angle_deg : deg
         φ from the neutral angle in degrees.
     pressure_1_mpa : MPa
         Pressure of the first muscle, MPa.
@@ -1384,9 +1386,9 @@ class JointRow(Record):
         Pull of the first muscle, N.
     force_2_n : N
         Pull of the second muscle, N.
-    contraction_1
+    contraction_1 : ratio
         Contraction of the first muscle.
-    contraction_2
+    contraction_2 : ratio
         Contraction of the second muscle.
     arm_1_mm : mm
         Moment arm of the first muscle, mm.
@@ -1552,7 +1554,7 @@ class LibraryFit(Record):
         constants that stand for comparison.
     shear_modulus_mpa : MPa
         Shear modulus μ at rest, MPa.
-    up_to_strain
+    up_to_strain : ratio
         Engineering strain up to which data were used.
     r_squared
         R² of the fit.
@@ -1638,7 +1640,7 @@ class Made(Record):
     ----------
     length_mm : mm
         L0 in mm.
-    angle_deg : degrees
+    angle_deg : deg
         θ0 in degrees.
     rubber
         The rubber.
@@ -1660,7 +1662,7 @@ class MadeBraid(Record):
 
     Attributes
     ----------
-    stiffness
+    stiffness : N/mm
         See the documentation.
     stiffness_n_per_mm : N/mm
         See the documentation.
@@ -1705,7 +1707,7 @@ class MapPoint(Record):
     ----------
     pressures_mpa : MPa
         Pressures in MPa, one a muscle.
-    angle_deg : degrees
+    angle_deg : deg
         φ of the rest in degrees.
     stiffness_nm_per_rad : N m/rad
         −dτ/dφ there in N m/rad.
@@ -2144,11 +2146,11 @@ class MotionRun(Record):
         Every step of the command that moved it.
     largest_speed
         Largest speed, mm/s or °/s.
-    largest_power_w
+    largest_power_w : W
         Largest power of the muscles, W.
-    air_normal_litres
+    air_normal_litres : L (ANR)
         Air from the supply, normal litres (0 °C, 101.325 kPa).
-    air_normal_litres_per_cycle
+    air_normal_litres_per_cycle : L (ANR)
         The same over the last whole period of a periodic command.
     loop_area
         Area of the loop of position (mm or rad) over pressure in MPa, over that period.
@@ -2156,7 +2158,7 @@ class MotionRun(Record):
         Energies, J.
     efficiency
         Work of the muscles while they shorten over the exergy of the air from the supply.
-    bandwidth_hz
+    bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz;
         of two muscles of a joint, changes against each other.
     events
@@ -2195,11 +2197,11 @@ class MotionSeries(Record):
     ----------
     time_s : s
         Time, s.
-    angle_deg : degrees
+    angle_deg : deg
         Angle of a joint, degrees.
-    velocity_deg_per_s : s
+    velocity_deg_per_s : °/s
         Its speed, °/s.
-    velocity_mm_per_s : s
+    velocity_mm_per_s : mm/s
         Speed of the load of a muscle, mm/s.
     pressure_mpa : MPa
         Gauge pressure, MPa.
@@ -2207,11 +2209,11 @@ class MotionSeries(Record):
         Contraction ratio.
     force_n : N
         Pull, N.
-    air_mass_g
+    air_mass_g : g
         Mass of its air, g.
-    temperature_degc
+    temperature_degc : degC
         Temperature of its air, °C.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of its air with dead volume and hose, mm³.
     opening
         Opening of its valve, −1 to 1.
@@ -2219,15 +2221,15 @@ class MotionSeries(Record):
         What is commanded: pressure in MPa, or opening.
     pressure_1_mpa : MPa
         Gauge pressure, MPa.
-    contraction_1
+    contraction_1 : ratio
         Contraction ratio.
     force_1_n : N
         Pull, N.
-    air_mass_1_g
+    air_mass_1_g : g
         Mass of its air, g.
-    temperature_1_degc
+    temperature_1_degc : degC
         Temperature of its air, °C.
-    volume_1_mm3
+    volume_1_mm3 : mm3
         Volume of its air with dead volume and hose, mm³.
     opening_1
         Opening of its valve, −1 to 1.
@@ -2235,15 +2237,15 @@ class MotionSeries(Record):
         What is commanded: pressure in MPa, or opening.
     pressure_2_mpa : MPa
         Gauge pressure, MPa.
-    contraction_2
+    contraction_2 : ratio
         Contraction ratio.
     force_2_n : N
         Pull, N.
-    air_mass_2_g
+    air_mass_2_g : g
         Mass of its air, g.
-    temperature_2_degc
+    temperature_2_degc : degC
         Temperature of its air, °C.
-    volume_2_mm3
+    volume_2_mm3 : mm3
         Volume of its air with dead volume and hose, mm³.
     opening_2
         Opening of its valve, −1 to 1.
@@ -2294,7 +2296,7 @@ class MuscleSummary(Record):
         Wall thickness s at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Braid angle θ0 at rest, degrees.
     rubber
         The rubber, by name or law.
@@ -2473,15 +2475,15 @@ class PointRow(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -2495,8 +2497,9 @@ class PointRow(Record):
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
-        The muscle would have to push and is slack instead.
-    free_contraction
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and
+        stretches are those at its free contraction, at which it hangs between its ends.
+    free_contraction : ratio
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
@@ -2774,7 +2777,7 @@ class RejectedAnswer(Record):
         Wall s, mm.
     length_mm : mm
         Length L0, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Braid angle θ0, degrees.
     rubber
         Name of the rubber, where it has one.
@@ -2821,7 +2824,7 @@ class RelaxationAnswer(Record):
         mm.
     max_stretch
         Largest principal stretch.
-    strand_strain
+    strand_strain : ratio
         Largest strain at the maximum pressure.
     burst_margin
         Burst pressure over maximum pressure.
@@ -2875,7 +2878,7 @@ class RubberSummary(Record):
         Shear modulus μ at rest of that law, MPa.
     curve
         Whether its curve is at hand: the law then is fitted to the stretches that a muscle reaches.
-    max_strain
+    max_strain : ratio
         Largest engineering strain of the test.
     laws
         The laws that can be asked for (`NAME:LAW`), with spaces between them.
@@ -3037,7 +3040,7 @@ class SensitivityRow(Record):
         Its value.
     unit
         Its unit.
-    force_n_per_unit
+    force_n_per_unit : N per unit
         ∂F, N per unit.
     """
 
@@ -3094,15 +3097,15 @@ class SimulatedPoint(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -3117,15 +3120,15 @@ class SimulatedPoint(Record):
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
         Whether the muscle would have to push, and lies slack instead.
-    free_contraction
+    free_contraction : ratio
         Where it is slack: the free contraction at this pressure.
     status
         `ok`.
-    rubber_energy_j
+    rubber_energy_j : J
         Elastic energy of the rubber, J.
-    braid_energy_j
+    braid_energy_j : J
         Elastic energy of the strands, J.
-    pressure_work_j
+    pressure_work_j : J
         P (V − V0), J.
     unstable_directions
         Directions in which the equilibrium is unstable with the terminals held.
@@ -3182,15 +3185,15 @@ class SimulatedRow(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -3205,15 +3208,15 @@ class SimulatedRow(Record):
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
         Whether the muscle would have to push, and lies slack instead.
-    free_contraction
+    free_contraction : ratio
         Where it is slack: the free contraction at this pressure.
     status
         `ok`.
-    rubber_energy_j
+    rubber_energy_j : J
         Elastic energy of the rubber, J.
-    braid_energy_j
+    braid_energy_j : J
         Elastic energy of the strands, J.
-    pressure_work_j
+    pressure_work_j : J
         P (V − V0), J.
     unstable_directions
         Directions in which the equilibrium is unstable with the terminals held.
@@ -3278,7 +3281,7 @@ class SlackPoint(Record):
         Its pull, 0 N.
     slack
         `true`.
-    free_contraction
+    free_contraction : ratio
         The free contraction at this pressure.
     status
         `ok`.
@@ -3402,7 +3405,7 @@ class StrandRow(Record):
         Z at rest, mm.
     stretch
         Stretch of a strand.
-    angle_deg : degrees
+    angle_deg : deg
         Angle to the axis now, degrees.
     tension_n_per_mm : N/mm
         Tension of a family per width at rest, N/mm.
@@ -3442,15 +3445,15 @@ class StudyRow(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -3464,8 +3467,9 @@ class StudyRow(Record):
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
-        The muscle would have to push and is slack instead.
-    free_contraction
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and
+        stretches are those at its free contraction, at which it hangs between its ends.
+    free_contraction : ratio
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
@@ -3737,11 +3741,11 @@ class UniversalRange(Record):
         s/D0
     length_ratio
         L0/D0; the upper end may be infinite: the longer the muscle, the less its ends count.
-    angle_deg : degrees
+    angle_deg : deg
         θ0 in degrees
     pressure_per_modulus
         P/μ, with μ the shear modulus of the rubber at rest
-    strand_strain
+    strand_strain : ratio
         Strain of the strands, largest: bounds the pressure to 4 sin²θ0 k/D0 times it.
     contraction_of_ideal
         ε as a share of the ideal muscle's largest
@@ -4288,7 +4292,7 @@ class JointAnswer(Record):
         The model's name.
     muscles
         The muscles.
-    range_deg : degrees
+    range_deg : deg
         Limits of the angle in degrees.
     points
         The points, pressures after pressures.
@@ -4419,11 +4423,11 @@ class MotionAnswer(Record):
         Every step of the command that moved it.
     largest_speed
         Largest speed, mm/s or °/s.
-    largest_power_w
+    largest_power_w : W
         Largest power of the muscles, W.
-    air_normal_litres
+    air_normal_litres : L (ANR)
         Air from the supply, normal litres (0 °C, 101.325 kPa).
-    air_normal_litres_per_cycle
+    air_normal_litres_per_cycle : L (ANR)
         The same over the last whole period of a periodic command.
     loop_area
         Area of the loop of position (mm or rad) over pressure in MPa, over that period.
@@ -4431,7 +4435,7 @@ class MotionAnswer(Record):
         Energies, J.
     efficiency
         Work of the muscles while they shorten over the exergy of the air from the supply.
-    bandwidth_hz
+    bandwidth_hz : Hz
         Of commanded pressures: frequency up to which small changes of the highest commands are followed (−3 dB), Hz;
         of two muscles of a joint, changes against each other.
     events
@@ -4440,7 +4444,7 @@ class MotionAnswer(Record):
         Questions to the models.
     others
         The other motions of a sweep.
-    sonic_conductance_l_per_s_bar
+    sonic_conductance_l_per_s_bar : L/(s bar)
         Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
     warnings
         What the user should know.
@@ -4489,7 +4493,7 @@ class MuscleShowAnswer(Record):
         Wall thickness s at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Braid angle θ0 at rest, degrees.
     rubber
         The rubber, by name or law.
@@ -4619,15 +4623,15 @@ class PointAnswer(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -4641,8 +4645,9 @@ class PointAnswer(Record):
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
-        The muscle would have to push and is slack instead.
-    free_contraction
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and
+        stretches are those at its free contraction, at which it hangs between its ends.
+    free_contraction : ratio
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
@@ -4811,7 +4816,7 @@ class RubberShowAnswer(Record):
         Its name.
     title
         What it is.
-    max_strain
+    max_strain : ratio
         Largest engineering strain of the test.
     max_stress_mpa : MPa
         Nominal stress there, MPa.
@@ -4866,15 +4871,15 @@ class ShapeAnswer(Record):
         Contraction ratio ε = ΔL/L0.
     force_n : N
         Pull F in N, tension positive; negative where the muscle would have to push.
-    volume_mm3
+    volume_mm3 : mm3
         Volume of the whole cavity between the terminals in mm³.
-    volume_per_pressure_mm3_per_mpa : MPa
+    volume_per_pressure_mm3_per_mpa : mm³/MPa
         ∂V/∂P at fixed ε in mm³/MPa: how far strands and wall give way.
-    volume_per_contraction_mm3
+    volume_per_contraction_mm3 : mm3
         ∂V/∂ε at fixed P in mm³; L0 ∂F/∂P where the pull has a potential.
     stiffness_n_per_mm : N/mm
         ∂F/∂L at fixed P = −(1/L0) ∂F/∂ε, in N/mm.
-    force_per_pressure_n_per_mpa : MPa
+    force_per_pressure_n_per_mpa : N/MPa
         ∂F/∂P at fixed ε, in mm² (N/MPa).
     braid_tension_n : N
         Tension of all strands together in N.
@@ -4888,8 +4893,9 @@ class ShapeAnswer(Record):
         The principal stretch below which 99 % of the rubber lies by volume; of models without ends that of the
         middle. (The largest of all is none: at the bonded corner it grows without bound as the mesh gets finer.)
     slack
-        The muscle would have to push and is slack instead.
-    free_contraction
+        The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and
+        stretches are those at its free contraction, at which it hangs between its ends.
+    free_contraction : ratio
         Where the muscle is slack: its free contraction at this pressure.
     start_pressure_mpa : MPa
         P′ at this contraction in MPa, where there is one.
@@ -4901,7 +4907,7 @@ class ShapeAnswer(Record):
         What the user should know, in sentences.
     muscle
         The muscle.
-    shape_contraction
+    shape_contraction : ratio
         Contraction of the shape: where the muscle is slack, its free contraction.
     length_mm : mm
         Length between the terminals in this shape, mm.

@@ -140,7 +140,7 @@ def compare(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -150,11 +150,11 @@ def compare(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -239,7 +239,7 @@ def contraction(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -249,11 +249,11 @@ def contraction(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -356,7 +356,7 @@ def curve(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -366,11 +366,11 @@ def curve(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -491,7 +491,7 @@ def design(
         The tables that it names.
     torques
         Torques wanted of a joint with two equal muscles against each other on a pulley, in place of operating points.
-    largest_angle_deg : degrees
+    largest_angle_deg : deg
         Largest angle of the joint to either side of the neutral one, degrees; the largest of `torques` where it is
         left out.
     radius_mm : mm
@@ -507,7 +507,7 @@ def design(
     max_stretch
         Largest stretch of the rubber at the operating points (2 means twice its length); where it is left out, that
         to which the rubber's law was fitted.
-    max_strand_strain
+    max_strand_strain : ratio
         Largest strain of the strands at the maximum pressure, not shortened and at the operating points; 0.06 where
         it is left out, which is as far as the models were compared with anything.
     objective
@@ -516,7 +516,7 @@ def design(
         Outer diameters D0 at rest, mm.
     wall_mm : mm
         Walls s at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Braid angles θ0 at rest, degrees.
     strand_length_per_turn_mm : mm
         Sleeves as sold: lengths of strand per turn, mm; the diameter then sets the angle.
@@ -528,7 +528,7 @@ def design(
         Young's modulus of their strands, MPa, likewise.
     rubbers
         Rubbers of the library.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     length_mm : mm
         Lengths L0 between the terminals at rest, mm.
@@ -634,7 +634,7 @@ def fit(
         Name that answers of the formula carry; the method's where it is left out.
     rubber
         Rubber of the table's muscles, where the table does not say it; `paper` where it is left out.
-    stiffness
+    stiffness : N/mm
         Braid of the table's muscles, likewise.
     muscle
         Muscle file that says rubber and braid.
@@ -705,7 +705,7 @@ def force(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -715,11 +715,11 @@ def force(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -851,7 +851,7 @@ def identify(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -861,11 +861,11 @@ def identify(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -978,7 +978,7 @@ def joint(
         Terminal of `fe3d` that is a body; without it a rigid plane.
     pressures_mpa : MPa
         Pressures in MPa, one of each muscle; several lists are a family.
-    angles_deg : degrees
+    angles_deg : deg
         Angles from the neutral one in degrees.
     torque_nm : N m
         Torque in N m: without pressures the one wanted (0 where it is left out), beside pressures alone one from
@@ -1174,7 +1174,7 @@ def muscle_show(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -1184,11 +1184,11 @@ def muscle_show(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -1308,7 +1308,7 @@ def pressure(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -1318,11 +1318,11 @@ def pressure(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -1537,7 +1537,7 @@ def shape(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -1547,11 +1547,11 @@ def shape(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -1635,7 +1635,7 @@ def simulate(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -1645,11 +1645,11 @@ def simulate(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.
@@ -1746,7 +1746,7 @@ def study(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
-    angle_deg : degrees
+    angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
         A rubber of the library, as NAME or NAME:LAW.
@@ -1756,11 +1756,11 @@ def study(
         Diameter of one strand of that sleeve, mm, where its source does not state it.
     strand_modulus_mpa : MPa
         Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    stiffness
+    stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
         What both ends together give way under a pull, mm.
-    slip_mm_per_n : N
+    slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
         Length at each end, within that of the muscle, in which tube and braid are held, mm.

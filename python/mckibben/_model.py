@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
 from . import _native, _plain
-from ._arrays import array
+from ._arrays import any_masked, array
 from ._ask import Progress, listening
+from ._problem import MckibbenError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -134,7 +137,8 @@ class Model:
         Parameters
         ----------
         pressure_mpa : MPa
-            Gauge pressures P: numbers, a text such as ``"2.5 bar"`` or ``"0..2.5:0.5 bar"``, or quantities of pint.
+            Gauge pressures P: numbers, a text such as ``"2.5 bar"`` or ``"0..2.5:0.5 bar"``, or quantities of pint. What is masked
+            (``numpy.ma``) is not asked for.
         contraction : ratio
             Contraction ratios ε = ΔL/L0, broadcast against the pressures.
         jac
@@ -148,7 +152,7 @@ class Model:
         Returns
         -------
         float or numpy.ndarray
-            The pull, of the broadcast shape. With ``jac`` a pair: the pull, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
+            The pull, of the broadcast shape; a masked array where one of the two is. With ``jac`` a pair: the pull, and an array with one axis more: ∂F/∂P in N/MPa, ∂F/∂ε in
             N, then ∂F/∂θ of each name, in N per its unit, all other constants held.
         """
         return self._fill("force", "pressure_mpa", pressure_mpa, "contraction", contraction, jac, errors, progress)
@@ -204,15 +208,22 @@ class Model:
         if plain and type(a) is float and type(b) is float:
             return self._native.one(wanted, a, b, nan)
         a, b = array(a_name, a), array(b_name, b)
-        if a.shape != b.shape:
-            a, b = np.broadcast_arrays(a, b)
-        shape = a.shape
+        if any_masked(a, b):
+            return self._masked(wanted, a_name, a, b_name, b, jac, errors, progress)
+        # Neither is spread here: the compiled half reads each where it lies, as often as the other needs it.
+        shape = a.shape if a.shape == b.shape or not b.shape else b.shape if not a.shape else np.broadcast_shapes(a.shape, b.shape)
         names = [] if isinstance(jac, (bool, np.bool_)) else [jac] if isinstance(jac, str) else list(jac)
         slopes = bool(names) or bool(jac)
         width = 3 + len(names) if slopes else 1
-        if a.size > _MOST // width:
-            raise MemoryError(f"{a.size} points are more than memory holds")
+        if math.prod(shape) > _MOST // width:
+            raise MemoryError(f"{math.prod(shape)} points are more than memory holds")
         if plain and shape:
+            if len(shape) > 1 and a.shape == b.shape and a.flags.fnc and b.flags.fnc and not self._native.is_elements:
+                # In the order in which both lie, and the answers with them. What has no answer is asked again: the first one is that of rows.
+                out = np.empty(shape, order="F")
+                with suppress(MckibbenError):
+                    self._native.fill(wanted, a.T, b.T, out.T, False, (), nan, None)
+                    return out
             out = np.empty(shape)
             self._native.fill(wanted, a, b, out, False, (), nan, None)
             return out
@@ -222,6 +233,28 @@ class Model:
         if slopes:
             return out[..., 0] if shape else float(out[0]), out[..., 1:]
         return out if shape else float(out)
+
+    def _masked(self, wanted: str, a_name: str, a: Any, b_name: str, b: Any, jac: bool | Sequence[str], errors: str, progress: Progress) -> Any:
+        """What is masked is not asked for, and its answer is masked."""
+        a, b = np.ma.asarray(a), np.ma.asarray(b)
+        mask = np.logical_or(*np.broadcast_arrays(np.ma.getmaskarray(a), np.ma.getmaskarray(b)))
+        first, second = np.broadcast_arrays(a.data, b.data)
+        asked = ~mask
+        try:
+            found = self._fill(wanted, a_name, first[asked], b_name, second[asked], jac, errors, progress)
+        except MckibbenError as error:
+            if error.index is None:
+                raise
+            # Its place among all.
+            raise error.at(int(np.flatnonzero(asked)[error.index])) from None
+
+        def whole(values: Array) -> Any:
+            out = np.full(mask.shape + values.shape[1:], np.nan)
+            out[asked] = values
+            over = np.array(np.broadcast_to(mask.reshape(mask.shape + (1,) * (out.ndim - mask.ndim)), out.shape))
+            return np.ma.array(out, mask=over)
+
+        return tuple(map(whole, found)) if isinstance(found, tuple) else whole(found)
 
     def curve(self, test: Literal["isometric", "isotonic", "isobaric"] = "isobaric", **options: Any) -> Curve:
         """A family of curves by this model; the arguments are those of :func:`curve`."""

@@ -6,47 +6,20 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from ._commands import MuscleCommands
+from ._fields import MuscleFields
 
 if TYPE_CHECKING:
     from os import PathLike
 
     from ._inputs import MuscleLike, Number
     from ._model import Model
-    from ._parts import Braid, Rubber
 
 
-class Muscle(MuscleCommands):
+class Muscle(MuscleFields, MuscleCommands):
     """A McKibben muscle: a rubber tube in a braid between two terminals. What is not said is that of the paper's prototype:
     D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid ``paper``.
 
     A muscle does not change; :meth:`replace` gives another one. Two are equal where their muscle files are.
-
-    Parameters
-    ----------
-    base
-        A muscle, or the path of a muscle file (TOML), whose values the other arguments replace.
-    outer_diameter_mm : mm
-        Outer diameter D0 of the tube at rest.
-    wall_mm : mm
-        Wall thickness s of the tube at rest.
-    length_mm : mm
-        Length L0 between the terminals at rest.
-    angle_deg : degrees
-        Angle θ0 of the strands to the axis at rest.
-    rubber
-        A rubber of the library, as NAME or NAME:LAW, or a :class:`Rubber`.
-    braid
-        A sleeve of the library, or a :class:`Braid`.
-    strand_diameter_mm, strand_modulus_mpa : mm, MPa
-        Of the strands of a named sleeve, where its source does not state them.
-    stiffness : N/mm
-        Stiffness k of one strand family: a number, ``inextensible`` or ``paper``.
-    seating_mm : mm
-        What both ends together give way under a pull.
-    end_factor, cone_factor
-        Empirical factors of the models ``tondu-lopez`` and ``conical-ends``.
-    strand_length_mm, turns : mm
-        Length of one strand measured on the muscle, and its turns, for the model ``belforte``.
 
     Examples
     --------
@@ -54,37 +27,22 @@ class Muscle(MuscleCommands):
     50.0
     """
 
-    __slots__ = ("_summary", "_text")
+    __slots__ = ("_own", "_summary", "_text")
     _text: str
     _summary: dict[str, Any] | None
-
-    def __init__(
-        self,
-        base: MuscleLike | None = None,
-        *,
-        outer_diameter_mm: Number | None = None,
-        wall_mm: Number | None = None,
-        length_mm: Number | None = None,
-        angle_deg: Number | None = None,
-        rubber: str | Rubber | None = None,
-        braid: str | Braid | None = None,
-        strand_diameter_mm: Number | None = None,
-        strand_modulus_mpa: Number | None = None,
-        stiffness: Number | None = None,
-        seating_mm: Number | None = None,
-        end_factor: Number | None = None,
-        cone_factor: Number | None = None,
-        strand_length_mm: Number | None = None,
-        turns: Number | None = None,
-    ) -> None:
-        from . import _plain
-
-        values = {name: value for name, value in locals().items() if name not in ("self", "base", "_plain")}
-        self._hold(_plain.muscle_text({"muscle": base, **values}))
+    _own: dict[str, Any] | None
 
     def _hold(self, text: str) -> None:
         object.__setattr__(self, "_text", text)
         object.__setattr__(self, "_summary", None)
+        object.__setattr__(self, "_own", None)
+
+    def _field(self, name: str) -> Any:
+        if self._own is None:
+            from . import _native
+
+            object.__setattr__(self, "_own", _native.muscle_fields(self._text))
+        return (self._own or {}).get(name)
 
     @classmethod
     def from_file(cls, path: str | PathLike[str]) -> Muscle:
@@ -155,22 +113,22 @@ class Muscle(MuscleCommands):
     @property
     def outer_diameter_mm(self) -> float:
         """Outer diameter D0 at rest, mm."""
-        return float(self._measures()["outer_diameter_mm"])
+        return float(self._field("outer_diameter_mm"))
 
     @property
     def wall_mm(self) -> float:
         """Wall s at rest, mm."""
-        return float(self._measures()["wall_mm"])
+        return float(self._field("wall_mm"))
 
     @property
     def length_mm(self) -> float:
         """Length L0 between the terminals at rest, mm."""
-        return float(self._measures()["length_mm"])
+        return float(self._field("length_mm"))
 
     @property
     def angle_deg(self) -> float:
         """Braid angle θ0 at rest, degrees."""
-        return float(self._measures()["angle_deg"])
+        return float(self._field("angle_deg"))
 
     @property
     def rubber(self) -> str:

@@ -11,7 +11,7 @@ from _typeshed import SupportsGetItem
 from os import PathLike
 from typing import Final, SupportsFloat, SupportsIndex, final
 
-__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "values"]
+__all__ = ["VERSION", "Model", "arrow_stream", "ask", "body_html", "choice", "curve", "design", "drive_files", "joint_files", "muscle_fields", "muscle_text", "muscle_with", "parameters", "plan", "quantity", "read_formula", "read_table", "read_text", "report_html", "unit_of", "values"]
 
 VERSION: Final[str]
 """
@@ -29,8 +29,13 @@ class Model:
         """
     def fill(self, /, wanted: str, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes: bool, parameters: SupportsGetItem[int, str], nan: bool, progress: "collections.abc.Callable[[int, int], object] | None" = None) -> int:
         """
-        Answers every pair of two arrays of one shape into `out`, which has one axis more at its end, of the numbers of a point; returns
-        how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+        Answers every pair of two arrays, spread over the shape of `out`, into it; with slopes `out` has one axis more at its end, of the
+        numbers of a point. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+        """
+    @property
+    def is_elements(self, /) -> bool:
+        """
+        Whether a point takes finite elements: neighbours in a list share their equilibria.
         """
     @property
     def name(self, /) -> str:
@@ -94,6 +99,11 @@ def joint_files(name: str, text: str) -> list[str]:
     The muscle files that a joint file names.
     """
 
+def muscle_fields(text: "str") -> "dict[str, typing.Any]":
+    """
+    The fields by which a muscle is given, of this one; those that it does not have are left out.
+    """
+
 def muscle_text(request: "dict[str, typing.Any]", rubber: str | None = None, braid: str | None = None) -> str:
     """
     The muscle that a muscle file, a rubber, a braid and fields describe, as the text of a muscle file. Rubber and braid are the tables
@@ -138,6 +148,11 @@ def read_text(path: str | PathLike[str]) -> str:
 def report_html(request: "dict[str, typing.Any]", progress: "collections.abc.Callable[[int, int], object] | None" = None) -> str:
     """
     A page with all that is known of a muscle.
+    """
+
+def unit_of(name: "str") -> "tuple[str | None, str] | None":
+    """
+    What a field of a name measures, where a text with a unit may stand in its place, and the unit of its numbers; none for plain numbers.
     """
 
 def values(text: str, kind: str, field: str | None = None) -> list[float]:

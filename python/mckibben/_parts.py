@@ -163,17 +163,16 @@ class Braid(_Part):
         name: str | None = None,
         compression: bool | None = None,
     ) -> None:
-        from . import _plain
+        from . import _plain, _quantity
 
-        units = {"angle_deg": "deg", "strand_area_mm2": "mm2", "strand_modulus_mpa": "MPa", "strand_strength_n": "N", "thickness_mm": "mm", "diameter_mm": "mm", "strand_diameter_mm": "mm"}
         given = {
             "angle_deg": angle_deg, "strand_area_mm2": strand_area_mm2, "strand_modulus_mpa": strand_modulus_mpa, "strand_strength_n": strand_strength_n,
             "thickness_mm": thickness_mm, "diameter_mm": diameter_mm, "strand_diameter_mm": strand_diameter_mm,
         }
         values: dict[str, Any] = {"name": name}
         for key, value in given.items():
-            end = "_" + key.rsplit("_", 1)[1]
-            values[key.removesuffix(end)] = None if value is None else f"{_number(key, value)!r} {units[key]}"
+            unit = (_quantity.kind_of(key) or ("", ""))[1]
+            values[key.rsplit("_", 1)[0]] = None if value is None else f"{_number(key, value)!r} {unit}"
         if stiffness is not None:
             k = _plain.field("stiffness", stiffness)
             values["stiffness"] = k if isinstance(k, str) else f"{k!r} N/mm"

@@ -7,24 +7,19 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _native
+from ._fields import CHOICES, LISTS, MUSCLE
 from ._files import beside, formula, measured, table, text
 from ._quantity import kind_of, number, numbers
 
-LISTS = {"pressures_mpa", "contractions", "forces_n", "angles_deg", "outer_diameters_mm", "walls_mm", "hold_out_mm", "strand_length_per_turn_mm"}
 TEXTS = {"muscle", "muscles", "joint", "drive", "plan"}
 TABLES = {"data", "table", "tables", "load_tables"}
 FORMULAS = {"formulas", "file"}
-MUSCLE_FIELDS = [
-    "muscle", "outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa",
-    "stiffness", "seating_mm", "end_factor", "cone_factor", "strand_length_mm", "turns",
-]
-# Fields of `design` that may be an interval.
-CHOICES = {"outer_diameter_mm", "wall_mm", "angle_deg", "length_mm", "radius_mm"}
 
 
 def field(name: str, value: Any, *, within: str = "") -> Any:
     """A field of a request."""
-    if isinstance(value, bool) and kind_of(name) is None or isinstance(value, int) and name == "muscles":
+    kind = kind_of(name, within)
+    if isinstance(value, bool) and kind is None or isinstance(value, int) and name == "muscles":
         return value
     if name in TEXTS:
         return [text(v) for v in value] if name == "muscles" else text(value)
@@ -37,29 +32,26 @@ def field(name: str, value: Any, *, within: str = "") -> Any:
         return [measured(v) for v in (value if isinstance(value, (list, tuple)) else [value])]
     if isinstance(value, Mapping):
         return {str(k): field(str(k), v, within=name) for k, v in value.items() if v is not None}
-    if within == "tolerance" and name in ("modulus", "stiffness"):
-        return _native.quantity(value, "ratio", name) if isinstance(value, str) else number(name, value)
-    if name == "stiffness" and isinstance(value, str) and value.strip().lower() in ("paper", "inextensible"):
+    if kind is None or kind[0] is None or isinstance(value, bool):
+        return rest(value, within=name)
+    if kind[0] == "stiffness" and isinstance(value, str) and value.strip().lower() in ("paper", "inextensible"):
         return value.strip().lower()
-    kind = kind_of(name)
-    if kind is None or isinstance(value, bool):
-        return rest(value)
     if name in LISTS:
-        return numbers(name, value)
-    if within == "design" and name in CHOICES:
+        return numbers(name, value, within)
+    if name in CHOICES.get(within, ()):
         if isinstance(value, str):
             return _native.choice(value, kind[0], name)
         several = isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0) == 1
-        return numbers(name, value) if several else number(name, value)
-    return number(name, value)
+        return numbers(name, value, within) if several else number(name, value, within)
+    return number(name, value, within)
 
 
-def rest(value: Any) -> Any:
+def rest(value: Any, *, within: str = "") -> Any:
     """What is neither a quantity nor a file."""
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     if isinstance(value, (list, tuple)):
-        return [field("", v) if isinstance(v, Mapping) else rest(v) for v in value]
+        return [field(within, v) if isinstance(v, Mapping) else rest(v, within=within) for v in value]
     if hasattr(value, "tolist") and not isinstance(value, (str, bytes)):
         return value.tolist()
     return value
@@ -98,7 +90,7 @@ def request(command: str, values: dict[str, Any]) -> dict[str, Any]:
     models(values)
     beside(values)
     if not isinstance(values.get("rubber", ""), str) or not isinstance(values.get("braid", ""), str):
-        muscle = {name: values.pop(name) for name in MUSCLE_FIELDS if name in values}
+        muscle = {name: values.pop(name) for name in ("muscle", *MUSCLE) if name in values}
         values["muscle"] = {"name": "muscle", "text": muscle_text(muscle)}
     return {name: field(name, value, within=command) for name, value in values.items()}
 

@@ -43,6 +43,11 @@ class MckibbenError(Exception):
         at = f"point {index}: " if index is not None else ""
         super().__init__(f"{at}{place}{message}" + (f" ({hint})" if hint else ""))
 
+    def at(self, index: int) -> MckibbenError:
+        """The same of another place in the flattened arrays."""
+        kind, message, values = self.__reduce__()[1]
+        return _restored(kind, message, {**values, "index": index})
+
     def __reduce__(self) -> tuple[Any, ...]:
         values = {"kind": self.kind, "hint": self.hint, "field": self.field, "nearest": self.nearest, "index": self.index, "exit_code": self.exit_code}
         return _restored, (type(self), self.message, values)

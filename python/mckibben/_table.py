@@ -16,6 +16,9 @@ _SHOWN = 20
 
 def _column(values: Any) -> Any:
     """A column: an array of float64, int64 or bool, or a list of texts. Missing numbers are NaN."""
+    if isinstance(values, np.ma.MaskedArray):
+        # What is masked is missing.
+        values = np.where(np.ma.getmaskarray(values), np.nan, values.data) if values.dtype.kind == "f" else values.tolist()
     if isinstance(values, np.ndarray) and values.ndim == 1 and values.dtype.kind in "fiub":
         kind = {"f": np.float64, "b": np.bool_}.get(values.dtype.kind, np.int64)
         # Its own: what the caller writes later must not change it.

@@ -1,5 +1,7 @@
 //! Every command by name: its schema, and its way from JSON to JSON.
 
+#[cfg(feature = "schema")]
+use crate::annotate::annotate;
 use crate::border::within;
 use crate::json_size::JsonSize;
 use crate::problem::{Problem, ProblemKind};
@@ -293,7 +295,9 @@ fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
     let requests = settings().for_deserialize().into_generator().into_root_schema_for::<Q>();
     let answers = settings().for_serialize().into_generator().into_root_schema_for::<A>();
     let problems = settings().for_serialize().into_generator().into_root_schema_for::<Problem>();
-    serde_json::json!({ "request": requests, "answer": answers, "error": problems })
+    let mut all = serde_json::json!({ "request": requests, "answer": answers, "error": problems });
+    annotate(&mut all);
+    all
 }
 
 fn not_understood(error: &serde_json::Error) -> Problem {

@@ -24,6 +24,8 @@
 #![warn(clippy::print_stdout, clippy::print_stderr)]
 #![cfg_attr(test, allow(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+#[cfg(feature = "schema")]
+mod annotate;
 mod border;
 mod braid;
 mod burst;

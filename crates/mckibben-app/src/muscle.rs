@@ -10,6 +10,7 @@ use mckibben::rubber::library;
 use mckibben::sleeve::{self, Sleeve, SleeveError};
 use schemars::JsonSchema;
 use serde::Serialize;
+use std::f64::consts::PI;
 use std::path::Path;
 
 impl MuscleFields {
@@ -58,6 +59,39 @@ impl MuscleFields {
             }
         }
         Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?.with_bench_of(base))
+    }
+
+    /// What the fields are of a muscle, each as it may be given; none where it has none of a name or a number.
+    pub fn of(muscle: &Muscle) -> Self {
+        let (tube, braid, terminals) = (muscle.tube(), muscle.braid(), muscle.terminals());
+        let section = braid.strands.and_then(|strands| strands.section);
+        Self {
+            muscle: None,
+            outer_diameter_mm: Some(tube.outer_diameter_mm),
+            wall_mm: Some(tube.wall_mm),
+            length_mm: Some(tube.length_mm),
+            angle_deg: Some(braid.angle_deg),
+            rubber: tube.rubber.name.clone(),
+            braid: braid.sleeve.as_ref().map(|sleeve| sleeve.name.clone()),
+            strand_diameter_mm: section.map(|(area, _)| (4.0 * area / PI).sqrt()),
+            strand_modulus_mpa: section.map(|(_, modulus)| modulus),
+            stiffness: match braid.stiffness {
+                BraidStiffness::NewtonPerMm(k) => Some(Stiffness::NewtonPerMm(k)),
+                BraidStiffness::Inextensible => Some(Stiffness::Named(NamedStiffness::Inextensible)),
+                BraidStiffness::Paper => Some(Stiffness::Named(NamedStiffness::Paper)),
+                BraidStiffness::OfStrands => muscle.family_stiffness_n_per_mm().map(Stiffness::NewtonPerMm),
+            },
+            seating_mm: terminals.seating_mm,
+            slip_mm_per_n: terminals.slip_mm_per_n,
+            grip_mm: terminals.grip_mm,
+            end_factor: match terminals.end_factor {
+                Some(EndFactor::Constant(k)) => Some(k),
+                Some(EndFactor::OfPressure { .. }) | None => None,
+            },
+            cone_factor: terminals.cone_factor,
+            strand_length_mm: braid.measured.map(|strand| strand.strand_length_mm),
+            turns: braid.measured.map(|strand| strand.turns),
+        }
     }
 
     /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.

@@ -2,7 +2,7 @@
 
 use crate::error::Wrong;
 use crate::{run, value};
-use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
+use mckibben::units::{Dimension, NamedUnit, Values, parse_quantity, parse_values};
 use mckibben_app::{Problem, ProblemKind, ask_value, find};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
@@ -38,6 +38,15 @@ fn kind(word: &str) -> Result<Dimension, Wrong> {
 pub fn quantity(text: &str, kind: &str, field: Option<&str>) -> PyResult<f64> {
     let wrong = |e: String| Wrong::from(in_field(Problem::new(ProblemKind::Quantity, e, ""), field));
     Ok(parse_quantity(text, self::kind(kind)?).map_err(|e| wrong(e.to_string()))?)
+}
+
+/// What a field of a name measures, where a text with a unit may stand in its place, and the unit of its numbers; none for plain numbers.
+#[pyfunction]
+#[pyo3(signature = (name: "str") -> "tuple[str | None, str] | None")]
+pub fn unit_of(name: &str) -> Option<(Option<String>, &'static str)> {
+    let NamedUnit { unit, dimension } = NamedUnit::of_field(name)?;
+    let word = |d: Dimension| json!(d).as_str().map(str::to_owned);
+    Some((dimension.and_then(word), unit))
 }
 
 /// A text such as `0..2.5:0.5bar` or `1,2,3 bar` as numbers; an interval without a step is cut into 20 parts.

@@ -25,7 +25,7 @@ mod _native {
     #[pymodule_export]
     use crate::arrow::arrow_stream;
     #[pymodule_export]
-    use crate::ask::{ask, choice, quantity, values};
+    use crate::ask::{ask, choice, quantity, unit_of, values};
     #[pymodule_export]
     use crate::columns::{curve, plan};
     #[pymodule_export]
@@ -33,7 +33,7 @@ mod _native {
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
-    use crate::muscle::{design, muscle_text, muscle_with, parameters};
+    use crate::muscle::{design, muscle_fields, muscle_text, muscle_with, parameters};
     #[pymodule_export]
     use crate::view::{body_html, report_html};
 

@@ -8,7 +8,7 @@ use mckibben_app::{
     AskFields, BoundModel, Many, ModelFields, Pairs, Problem, ProblemKind, TextFile, Unanswered,
     WantedOfPoint, muscle_of,
 };
-use numpy::{PyReadonlyArrayDyn, PyReadwriteArrayDyn};
+use numpy::{PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde::de::DeserializeOwned;
@@ -47,6 +47,12 @@ impl Model {
         self.bound.name()
     }
 
+    /// Whether a point takes finite elements: neighbours in a list share their equilibria.
+    #[getter]
+    fn is_elements(&self) -> bool {
+        self.bound.is_elements()
+    }
+
     /// Where its formula comes from: author, year, equation.
     #[getter]
     fn source(&self) -> &str {
@@ -60,8 +66,8 @@ impl Model {
         (range.pressure_mpa, range.contraction)
     }
 
-    /// Answers every pair of two arrays of one shape into `out`, which has one axis more at its end, of the numbers of a point; returns
-    /// how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
+    /// Answers every pair of two arrays, spread over the shape of `out`, into it; with slopes `out` has one axis more at its end, of the
+    /// numbers of a point. Returns how many points have no answer (theirs are NaN where `nan` is true, else the first one raises).
     #[pyo3(signature = (wanted, first: "numpy.typing.NDArray[numpy.float64]", second: "numpy.typing.NDArray[numpy.float64]", out: "numpy.typing.NDArray[numpy.float64]", slopes, parameters, nan, progress: "collections.abc.Callable[[int, int], object] | None" = None))]
     #[expect(clippy::too_many_arguments, reason = "called by the package alone")]
     fn fill(
@@ -83,12 +89,17 @@ impl Model {
             parameters: parameters.collect::<Result<_, _>>().map_err(Wrong::from)?,
             unanswered: unanswered(nan),
         };
+        let mut shape = out.shape().to_vec();
+        if slopes {
+            shape.pop();
+        }
         let places = out.as_slice_mut().map_err(|e| PyValueError::new_err(e.to_string()))?;
-        if let Some(lists) = lists(&first, &second) {
+        if let Some(lists) = lists(&first, &second, &shape) {
             return self.answer(py, &Pairs::Lists(lists), &many, places, progress);
         }
-        let spread = Spread::new(first.as_array(), second.as_array())
-            .ok_or_else(|| PyValueError::new_err("two arrays of different shape"))?;
+        let (first, second) = (first.as_array(), second.as_array());
+        let spread = Spread::new(&first, &second, &shape)
+            .ok_or_else(|| PyValueError::new_err("arrays that do not fit the answers"))?;
         let read = |from: usize, a: &mut [f64], b: &mut [f64]| spread.read(from, a, b);
         self.answer(py, &Pairs::Read(spread.count(), &read), &many, places, progress)
     }

@@ -57,6 +57,15 @@ pub fn parameters(text: String) -> PyResult<Vec<(String, f64, &'static str)>> {
     Ok(all.filter_map(row).collect())
 }
 
+/// The fields by which a muscle is given, of this one; those that it does not have are left out.
+#[pyfunction]
+#[pyo3(signature = (text: "str") -> "dict[str, typing.Any]")]
+pub fn muscle_fields(py: Python<'_>, text: String) -> PyResult<Bound<'_, PyAny>> {
+    let muscle = muscle_of(&TextFile { name: "muscle".into(), text }).map_err(Wrong::from)?;
+    let wrong = |e: serde_json::Error| Wrong::from(Problem::new(ProblemKind::Internal, e.to_string(), ""));
+    value::answer(py, &serde_json::to_value(MuscleFields::of(&muscle)).map_err(wrong)?)
+}
+
 /// The muscle with other values of constants and measures, all others held.
 #[pyfunction]
 #[pyo3(signature = (text: "str", values: "dict[str, float]"))]

@@ -1,71 +1,164 @@
 //! Two arrays of numbers over one shape, read where they lie.
 
-use numpy::ndarray::ArrayViewD;
+use numpy::ndarray::{ArrayViewD, Axis, Slice};
 use numpy::{PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use std::borrow::Cow;
 
-/// Two arrays of one shape as lists, where each lies in one piece.
+/// Two arrays as lists, where each lies in one piece and has the shape of the answers.
 pub fn lists<'a>(
     first: &'a PyReadonlyArrayDyn<'_, f64>,
     second: &'a PyReadonlyArrayDyn<'_, f64>,
+    shape: &[usize],
 ) -> Option<[&'a [f64]; 2]> {
-    let there = first.is_c_contiguous() && second.is_c_contiguous() && first.shape() == second.shape();
-    if there { Some([first.as_slice().ok()?, second.as_slice().ok()?]) } else { None }
+    let there = |array: &PyReadonlyArrayDyn<'_, f64>| array.is_c_contiguous() && array.shape() == shape;
+    if there(first) && there(second) { Some([first.as_slice().ok()?, second.as_slice().ok()?]) } else { None }
 }
 
-/// Two arrays of one shape; strides may be zero (a number spread over a grid) or negative.
+/// Two arrays, each spread over one shape as NumPy does it; strides may be zero or negative.
 pub struct Spread<'a> {
-    shape: Vec<usize>,
+    count: usize,
     arrays: [Strided<'a>; 2],
 }
 
-struct Strided<'a> {
-    view: ArrayViewD<'a, f64>,
-}
-
 impl<'a> Spread<'a> {
-    /// Where both have one shape.
-    pub fn new(first: ArrayViewD<'a, f64>, second: ArrayViewD<'a, f64>) -> Option<Self> {
-        let shape = first.shape().to_vec();
-        let arrays = [Strided { view: first }, Strided { view: second }];
-        arrays.iter().all(|a| a.view.shape() == shape).then_some(Self { shape, arrays })
+    /// Where both can be spread over the shape.
+    pub fn new(
+        first: &'a ArrayViewD<'a, f64>,
+        second: &'a ArrayViewD<'a, f64>,
+        shape: &[usize],
+    ) -> Option<Self> {
+        let spread = |array: &'a ArrayViewD<'a, f64>| Some(Strided::new(array.broadcast(shape)?));
+        Some(Self { count: shape.iter().product(), arrays: [spread(first)?, spread(second)?] })
     }
 
     /// How many pairs.
     pub fn count(&self) -> usize {
-        self.shape.iter().product()
+        self.count
     }
 
-    /// Writes out pairs in the order of the last index, from a place on.
+    /// Writes out pairs in the order of the last index, from a place on. It costs what it writes, wherever the place is.
     pub fn read(&self, from: usize, first: &mut [f64], second: &mut [f64]) {
         for (array, out) in self.arrays.iter().zip([first, second]) {
-            array.read(&self.shape, from, out);
+            array.read(from, out);
         }
     }
 }
 
-impl Strided<'_> {
-    fn read(&self, shape: &[usize], from: usize, out: &mut [f64]) {
-        let Some((&row, _)) = shape.split_last() else {
-            // A single number.
-            let value = self.view.first().copied().unwrap_or(f64::NAN);
-            return out.fill(value);
+/// An axis of an array, with the places in its list between neighbours.
+#[derive(Clone, Copy)]
+struct Along {
+    length: usize,
+    stride: isize,
+}
+
+/// An array over a shape: a list of its own numbers, and the way through it. Axes along which it is spread have no stride.
+struct Strided<'a> {
+    numbers: Cow<'a, [f64]>,
+    /// The place of the first number.
+    start: isize,
+    /// From the outermost to the innermost, at least one; axes that follow one another in the list are one.
+    axes: Vec<Along>,
+}
+
+impl<'a> Strided<'a> {
+    fn new(view: ArrayViewD<'a, f64>) -> Self {
+        let mut own = view.clone();
+        for axis in 0..view.ndim() {
+            if view.strides().get(axis) == Some(&0) && view.len_of(Axis(axis)) > 1 {
+                own.slice_axis_inplace(Axis(axis), Slice::from(0..1));
+            }
+        }
+        // What has gaps is copied: that reads its numbers once.
+        let strides: Vec<isize>;
+        let numbers = match own.to_slice_memory_order() {
+            Some(list) => {
+                strides = own.strides().to_vec();
+                Cow::Borrowed(list)
+            }
+            None => {
+                let copy = own.as_standard_layout().into_owned();
+                strides = copy.strides().to_vec();
+                Cow::Owned(copy.into_raw_vec_and_offset().0)
+            }
         };
-        let (mut place, mut out) = (from, out);
-        while !out.is_empty() {
-            // The row of the place, and where in it.
-            let (mut rest, at) = (place / row.max(1), place % row.max(1));
-            let mut view = self.view.view();
-            let mut index = vec![0; shape.len().saturating_sub(1)];
-            for (i, &length) in index.iter_mut().zip(shape).rev() {
-                (*i, rest) = (rest % length.max(1), rest / length.max(1));
+        let mut start = 0;
+        let mut axes: Vec<Along> = Vec::with_capacity(view.ndim() + 1);
+        for ((&length, &own_length), stride) in view.shape().iter().zip(own.shape()).zip(strides) {
+            // Along an axis of one number nobody steps.
+            let stride = if own_length == 1 { 0 } else { stride };
+            if stride < 0 {
+                start -= stride * (own_length as isize - 1);
             }
-            for i in index {
-                view.index_axis_inplace(numpy::ndarray::Axis(0), i);
+            if length == 1 {
+                continue;
             }
-            let count = out.len().min(row - at);
+            match axes.last_mut() {
+                Some(outer) if outer.stride == stride * length as isize => {
+                    *outer = Along { length: outer.length * length, stride };
+                }
+                _ => axes.push(Along { length, stride }),
+            }
+        }
+        if axes.is_empty() {
+            axes.push(Along { length: 1, stride: 0 });
+        }
+        Self { numbers, start, axes }
+    }
+
+    fn read(&self, from: usize, mut out: &mut [f64]) {
+        let Some((&Along { length, stride }, outer)) = self.axes.split_last() else { return };
+        if out.is_empty() || length == 0 {
+            return;
+        }
+        // The row of the first place, the index of that row along each of the outer axes, and the place in the list where it begins.
+        let (mut rest, mut at) = (from / length, from % length);
+        let (mut index, mut row) = (vec![0; outer.len()], self.start);
+        for (i, axis) in index.iter_mut().zip(outer).rev() {
+            *i = rest % axis.length.max(1);
+            rest /= axis.length.max(1);
+            row += *i as isize * axis.stride;
+        }
+        loop {
+            let count = out.len().min(length - at);
             let (now, later) = out.split_at_mut(count);
-            now.iter_mut().zip(view.iter().skip(at)).for_each(|(place, value)| *place = *value);
-            (out, place) = (later, place + count);
+            self.row(row + at as isize * stride, stride, now);
+            (out, at) = (later, 0);
+            if out.is_empty() {
+                return;
+            }
+            // The next row: the innermost of the outer axes that is not at its end goes on, those inside of it begin again.
+            for (i, axis) in index.iter_mut().zip(outer).rev() {
+                *i += 1;
+                row += axis.stride;
+                if *i < axis.length {
+                    break;
+                }
+                row -= *i as isize * axis.stride;
+                *i = 0;
+            }
+        }
+    }
+
+    /// Numbers from a place of the list on.
+    fn row(&self, place: isize, stride: isize, out: &mut [f64]) {
+        let Ok(from) = usize::try_from(place) else { return };
+        match stride {
+            0 => out.fill(self.numbers.get(from).copied().unwrap_or(f64::NAN)),
+            1 => {
+                if let Some(list) = self.numbers.get(from..from + out.len()) {
+                    out.copy_from_slice(list);
+                }
+            }
+            1.. => {
+                let list = self.numbers.get(from..).unwrap_or_default();
+                let every = list.iter().step_by(stride.unsigned_abs());
+                out.iter_mut().zip(every).for_each(|(out, number)| *out = *number);
+            }
+            _ => {
+                let list = self.numbers.get(..=from).unwrap_or_default();
+                let every = list.iter().rev().step_by(stride.unsigned_abs());
+                out.iter_mut().zip(every).for_each(|(out, number)| *out = *number);
+            }
         }
     }
 }

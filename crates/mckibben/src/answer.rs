@@ -21,10 +21,12 @@ pub struct Answer {
     /// The branch of the hysteresis loop that was asked for.
     #[serde(skip_serializing_if = "Direction::is_mean")]
     pub direction: Direction,
-    /// What the model knows; `force_n` is 0 where the muscle is slack.
+    /// What the model knows; `force_n` is 0 where the muscle is slack, and all else that of the muscle as it hangs: at its free
+    /// contraction, without derivatives.
     #[serde(flatten)]
     pub response: Response,
-    /// The muscle would have to push and is slack instead.
+    /// The muscle would have to push and is slack instead: its pull is 0, and its volume, tensions, diameter and stretches are those at
+    /// its free contraction, at which it hangs between its ends.
     pub slack: bool,
     /// The model's own force in N, negative where the muscle would have to push; not a number where it would have to and has no
     /// equilibrium.
@@ -83,9 +85,6 @@ pub fn force<M: ForceModel + ?Sized>(
 ) -> Result<Answer, ModelError> {
     let mut answer = point(model, workspace, pressure_mpa, contraction, options)?;
     answer.start_pressure_mpa = start_pressure_mpa(model, workspace, contraction, options).ok();
-    if answer.slack && answer.free_contraction.is_none() {
-        answer.free_contraction = free_contraction(model, workspace, pressure_mpa, options).ok();
-    }
     Ok(answer)
 }
 
@@ -100,48 +99,95 @@ pub fn point<M: ForceModel + ?Sized>(
     contraction: f64,
     options: Options,
 ) -> Result<Answer, ModelError> {
-    point_beyond(model, workspace, pressure_mpa, contraction, options, None)
+    point_beyond(model, workspace, pressure_mpa, contraction, options, &mut None)
 }
 
-/// The same where the free contraction at this pressure is known already: beyond it a muscle that is not asked for its push is slack,
-/// and the model is not asked.
+/// A muscle that hangs slack between its ends: what it is at its free contraction.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hanging {
+    free_contraction: f64,
+    /// Without derivatives: those of a muscle that is held there do not apply.
+    response: Response,
+}
+
+impl Hanging {
+    /// None where the model finds no free contraction at this pressure.
+    fn at<M: ForceModel + ?Sized>(
+        model: &M,
+        workspace: &mut Workspace,
+        pressure_mpa: f64,
+        options: Options,
+    ) -> Option<Self> {
+        let free_contraction = free_contraction(model, workspace, pressure_mpa, options).ok()?;
+        let free = response_on(model, workspace, pressure_mpa, free_contraction, options.direction);
+        let response = free.map_or_else(
+            |_| Response::default(),
+            |free| Response {
+                force_n: 0.0,
+                volume_per_pressure_mm3_per_mpa: None,
+                volume_per_contraction_mm3: None,
+                stiffness_n_per_mm: None,
+                force_per_pressure_mm2: None,
+                ..free
+            },
+        );
+        Some(Self { free_contraction, response })
+    }
+}
+
+/// The same where it may be known already how the muscle hangs at this pressure: if it was shortened by more than that and is not asked
+/// for its push it is slack, and the model is not asked. What is found of it is left in `hanging` for the next point of this pressure.
 pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
-    free: Option<f64>,
+    hanging: &mut Option<Hanging>,
 ) -> Result<Answer, ModelError> {
     let said = check_range(model, pressure_mpa, contraction, options)?;
     let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
     warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
     warnings.extend(model.notes(workspace).into_iter().map(Warning::from));
-    let free = free.filter(|free| contraction > *free && !options.two_sided);
-    let (mut response, free_contraction) = match free {
-        Some(free) => (Response::default(), Some(free)),
-        None => match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
-            Ok(response) => (response, None),
-            Err(error) => match hanging_at(model, workspace, pressure_mpa, contraction, options) {
-                Some(free) => (Response::default(), Some(free)),
-                None => return Err(error),
-            },
+    let beyond = |h: &Hanging| contraction > h.free_contraction && !options.two_sided;
+    let found = match hanging {
+        Some(known) if beyond(known) => None,
+        _ => match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
+            Ok(response) => Some(response),
+            // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
+            Err(error) => {
+                if hanging.is_none() && !options.two_sided && contraction > 0.0 && pressure_mpa >= 0.0 {
+                    *hanging = Hanging::at(model, workspace, pressure_mpa, options);
+                }
+                match hanging {
+                    Some(known) if contraction >= known.free_contraction => None,
+                    _ => return Err(error),
+                }
+            }
         },
     };
-    // What rounding leaves of no pull is none.
-    let thrust = pressure_mpa * std::f64::consts::PI * model.muscle().tube().outer_radius_mm().powi(2);
-    if response.force_n.abs() <= 1e-9 * thrust {
-        response.force_n = 0.0;
+    let response = found.map(|mut response| {
+        // What rounding leaves of no pull is none.
+        let thrust = pressure_mpa * std::f64::consts::PI * model.muscle().tube().outer_radius_mm().powi(2);
+        if response.force_n.abs() <= 1e-9 * thrust {
+            response.force_n = 0.0;
+        }
+        response
+    });
+    let two_sided_force_n = response.map_or(f64::NAN, |r| r.force_n);
+    let pushes = |r: &Response| r.force_n < 0.0 && !options.two_sided;
+    let pulls = response.filter(|r| !pushes(r));
+    let slack = pulls.is_none();
+    if slack && hanging.is_none() {
+        *hanging = Hanging::at(model, workspace, pressure_mpa, options);
     }
-    let two_sided_force_n = if free_contraction.is_some() { f64::NAN } else { response.force_n };
+    let hangs = hanging.filter(|h| slack && contraction >= h.free_contraction);
+    // Of one that hangs nowhere nothing is known but that it does not pull.
+    let response = pulls.or(hangs.map(|h| h.response)).unwrap_or_default();
+    let response = Response { pressure_mpa, contraction, ..response };
     let numbers = [Some(response.force_n), response.volume_mm3, response.stiffness_n_per_mm];
     if numbers.iter().flatten().any(|v| !v.is_finite()) {
         return Err(ModelError::NotFinite { model: model.name().into(), pressure_mpa, contraction });
-    }
-    let slack = free_contraction.is_some() || two_sided_force_n < 0.0 && !options.two_sided;
-    if slack {
-        // A slack muscle hangs at its free contraction: what the model knows of the pushing one does not apply.
-        response = Response { pressure_mpa, contraction, ..Response::default() };
     }
     warnings.extend(of_response(model.muscle(), &response));
     let asked = (pressure_mpa, contraction);
@@ -156,25 +202,10 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
         response,
         slack,
         two_sided_force_n,
-        free_contraction,
+        free_contraction: hanging.filter(|_| slack).map(|h| h.free_contraction),
         start_pressure_mpa: None,
         warnings,
     })
-}
-
-/// The free contraction of a muscle that was shortened by more than that, where pushing it has no equilibrium: it hangs slack.
-fn hanging_at<M: ForceModel + ?Sized>(
-    model: &M,
-    workspace: &mut Workspace,
-    pressure_mpa: f64,
-    contraction: f64,
-    options: Options,
-) -> Option<f64> {
-    if options.two_sided || contraction <= 0.0 || pressure_mpa < 0.0 {
-        return None;
-    }
-    let free = free_contraction(model, workspace, pressure_mpa, options).ok()?;
-    (contraction >= free).then_some(free)
 }
 
 /// The point at which the pull is `force_n` at a contraction: P(F, ε).

@@ -4,8 +4,8 @@
 //! - isotonic: F fixed, ε(P);
 //! - isobaric: P fixed, F(ε).
 
-use crate::analysis::{AnalysisError, free_contraction};
-use crate::answer::{self, Answer, Options};
+use crate::analysis::AnalysisError;
+use crate::answer::{self, Answer, Hanging, Options};
 use crate::model::{ForceModel, ModelError, Workspace};
 use serde::{Deserialize, Serialize};
 
@@ -67,19 +67,13 @@ pub fn curves<M: ForceModel + ?Sized>(
     options: Options,
 ) -> Vec<Curve> {
     let curve = |&fixed: &f64| {
-        // Along an isobaric curve the free contraction is sought once, at the first slack point.
-        let mut free = None;
+        // Along an isobaric curve it is sought once how the muscle hangs, at the first slack point.
+        let mut hanging = None;
         let mut one = |&x: &f64| {
-            let mut point = point(model, workspace, test, fixed, x, options, free);
-            if test == Test::Isobaric
-                && free.is_none()
-                && let Ok(answer) = &mut point.answer
-                && answer.slack
-            {
-                free = free_contraction(model, workspace, fixed, options).ok();
-                answer.free_contraction = answer.free_contraction.or(free);
+            if test != Test::Isobaric {
+                hanging = None;
             }
-            point
+            point(model, workspace, test, fixed, x, options, &mut hanging)
         };
         Curve { fixed, points: along.iter().map(&mut one).collect() }
     };
@@ -93,7 +87,7 @@ fn point<M: ForceModel + ?Sized>(
     fixed: f64,
     x: f64,
     options: Options,
-    free: Option<f64>,
+    hanging: &mut Option<Hanging>,
 ) -> CurvePoint {
     // A search asks the model many times before it gives up: of what is to end, not once.
     let open = workspace.budget().check().map_err(|e| AnalysisError::from(ModelError::Exceeded(e)));
@@ -107,7 +101,7 @@ fn point<M: ForceModel + ?Sized>(
         Test::Isometric | Test::Isobaric => {
             let (p, e) = if test == Test::Isobaric { (fixed, x) } else { (x, fixed) };
             let answer = open.and_then(|()| {
-                answer::point_beyond(model, workspace, p, e, options, free).map_err(AnalysisError::from)
+                answer::point_beyond(model, workspace, p, e, options, hanging).map_err(AnalysisError::from)
             });
             CurvePoint { pressure_mpa: p, contraction: Some(e), force_n: None, answer }
         }

@@ -173,8 +173,10 @@ pub struct ToleranceFields {
     /// Length, mm.
     pub length_mm: f64,
     /// All moduli of the rubber, as a share.
+    #[schemars(extend("x-quantity" = "ratio"))]
     pub modulus: f64,
     /// Stiffness k of a strand family, as a share.
+    #[schemars(extend("x-quantity" = "ratio"))]
     pub stiffness: f64,
 }
 

@@ -27,7 +27,6 @@ use mckibben::model::{ForceModel, ModelKind, ModelRange, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
-use pairs::Block;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -153,14 +152,14 @@ impl BoundModel {
         };
         let work = |place: usize, part: &mut [f64]| {
             let mut workspace = Workspace::within(budget.clone());
+            let mut room = [vec![], vec![]];
             for (i, places) in part.chunks_mut(BLOCK * width).enumerate() {
                 let (from, length) = (place / width + i * BLOCK, places.len() / width);
                 // What stands behind a point without an answer is not asked for.
                 if from > first.load(Ordering::Relaxed) || progress.cancelled() || budget.check().is_err() {
                     return;
                 }
-                let mut block = Block::new(pairs, from, length);
-                match self.block(block.lists(), many, &mut workspace, places) {
+                match self.block(pairs.block(from, length, &mut room), many, &mut workspace, places) {
                     Ok(count) => drop(failed.fetch_add(count, Ordering::Relaxed)),
                     Err((index, problem)) => return refuse(from + index, problem),
                 }

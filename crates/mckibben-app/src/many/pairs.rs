@@ -35,30 +35,23 @@ impl Pairs<'_> {
             Self::Read(count, _) => Ok(*count),
         }
     }
-}
 
-/// Some of the pairs, as two lists.
-pub(super) enum Block<'a> {
-    There([&'a [f64]; 2]),
-    Copied([Vec<f64>; 2]),
-}
-
-impl<'a> Block<'a> {
-    pub(super) fn new(pairs: &Pairs<'a>, from: usize, count: usize) -> Self {
-        match pairs {
-            Pairs::Lists(lists) => Self::There(lists.map(|l| l.get(from..from + count).unwrap_or_default())),
-            Pairs::Read(_, read) => {
-                let (mut a, mut b) = (vec![0.0; count], vec![0.0; count]);
-                read(from, &mut a, &mut b);
-                Self::Copied([a, b])
-            }
-        }
-    }
-
-    pub(super) fn lists(&mut self) -> [&[f64]; 2] {
+    /// Some of the pairs as two lists: as they lie, or written into `room`, which is used again for the next.
+    pub(super) fn block<'b>(
+        &'b self,
+        from: usize,
+        count: usize,
+        room: &'b mut [Vec<f64>; 2],
+    ) -> [&'b [f64]; 2] {
         match self {
-            Self::There(lists) => *lists,
-            Self::Copied([a, b]) => [a, b],
+            Self::Lists(lists) => lists.map(|l| l.get(from..from + count).unwrap_or_default()),
+            Self::Read(_, read) => {
+                let [a, b] = room;
+                a.resize(count, 0.0);
+                b.resize(count, 0.0);
+                read(from, a, b);
+                [a, b]
+            }
         }
     }
 }

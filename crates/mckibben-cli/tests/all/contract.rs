@@ -110,6 +110,9 @@ fn slack_is_no_error() {
     assert_eq!(slack["slack"], true);
     assert_eq!(number(&slack, "force_n"), 0.0);
     assert!(number(&slack, "start_pressure_mpa") > 0.01);
+    // Where it hangs: an identity with the inverse for no pull.
+    let free = json("contraction -p 0.01 -F 0");
+    assert!((number(&slack, "volume_mm3") / number(&free, "volume_mm3") - 1.0).abs() < 1e-9);
     let pushes = json("force -p 0.01 -e 0.15 --two-sided");
     assert_eq!(pushes["slack"], false);
     assert!(number(&pushes, "force_n") < 0.0);

@@ -57,6 +57,10 @@ fn past_its_free_contraction_a_muscle_hangs_slack() {
             let answer = force(&model, &mut Workspace::new(), p, (free * past).min(0.94), Options::default());
             let answer = answer.unwrap_or_else(|e| panic!("{e}: {p} {free} {past} {:?}", model.muscle()));
             assert!(answer.slack && answer.response.force_n == 0.0, "{answer:?} {free} {:?}", model.muscle());
+            // An identity: it hangs there, and its volume is that of the muscle at its free contraction.
+            let hangs = model.response(w, p, free).unwrap().volume_mm3.unwrap();
+            let volume = answer.response.volume_mm3.unwrap();
+            assert!((volume / hangs - 1.0).abs() < 1e-6, "{volume} {hangs} {:?}", model.muscle());
         }
         for e in [0.01, 0.2, 0.5] {
             let answer = point(&model, &mut Workspace::new(), 0.0, e, Options::default()).unwrap();

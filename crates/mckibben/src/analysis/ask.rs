@@ -70,7 +70,9 @@ pub fn response_on<M: ForceModel + ?Sized>(
     direction: Direction,
 ) -> Result<Response, ModelError> {
     workspace.budget().check().map_err(ModelError::Exceeded)?;
-    let mut response = model.response(workspace, pressure_mpa, contraction)?;
+    let found = model.response(workspace, pressure_mpa, contraction)?;
+    // The point is the one that was asked for, to the last bit: a model may compute with 1 − ε.
+    let mut response = Response { pressure_mpa, contraction, ..found };
     if let Some(friction) = friction(model, direction) {
         /// Of the pressure (relative) and the contraction, for differences of G.
         const STEP: f64 = 1e-4;

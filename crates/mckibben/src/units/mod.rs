@@ -3,11 +3,13 @@
 //! Inside the library every number is in mm, MPa, N, mm², N/mm, or a plain ratio; angles are degrees where a
 //! name says `_deg` and radians elsewhere. Units exist at the edge only, here.
 
+mod name;
 mod quantity;
 mod range;
 mod short;
 mod unit;
 
+pub use name::NamedUnit;
 pub use quantity::{Dimension, QuantityError, parse_quantity};
 pub(crate) use quantity::{plausible, tidy};
 pub use range::{MAX_POINTS, RangeError, Values, parse_at_most, parse_values};

@@ -1,5 +1,7 @@
 //! One battery over all models, the identities that tie them together, and published figures.
 
+use mckibben::answer::{Options, contraction, point};
+use mckibben::curve::{Test, curves};
 use mckibben::formula::Coefficients;
 use mckibben::model::{
     ChouHannaford, ForceBalance, ForceModel, ForcesError, Ideal, ModelError, ModelKind, Paper, ThickWall,
@@ -28,6 +30,59 @@ fn every_model() -> Vec<Box<dyn ForceModel>> {
     all.push(ModelKind::TonduLopez.build(&of_pressure).unwrap());
     all.push(ModelKind::ThickWall.build(&of_pressure).unwrap());
     all
+}
+
+/// An identity of every model, with ends that give way and those that hold: the point of an answer is the one that was asked for, bit by bit.
+#[test]
+fn an_answer_is_of_the_point_that_was_asked_for() {
+    let mut all = every_model();
+    let terminals = complete(EndFactor::Constant(1.1)).terminals().clone();
+    let ends = Terminals { seating_mm: Some(0.7), slip_mm_per_n: Some(1e-3), ..terminals };
+    let given = complete(EndFactor::Constant(1.1)).with_terminals(ends).unwrap();
+    all.extend(ModelKind::ALL.iter().map(|kind| kind.build(&given).unwrap()));
+    for model in all {
+        for (p, e) in grid(&*model) {
+            for options in [Options::default(), Options { two_sided: true, ..Options::default() }] {
+                let Ok(answer) = point(&*model, &mut Workspace::new(), p, e, options) else { continue };
+                let of = (answer.response.pressure_mpa, answer.response.contraction);
+                assert_eq!(of, (p, e), "{}", model.name());
+            }
+        }
+    }
+}
+
+/// Identities: a slack muscle hangs at its free contraction ε₀(P), so that its volume, diameter and tensions are those of the pull 0 there,
+/// by itself and along a curve; and it has no derivatives.
+#[test]
+fn a_slack_muscle_is_what_it_is_at_its_free_contraction() {
+    for model in every_model() {
+        let (model, w) = (&*model, &mut Workspace::new());
+        let p = model.range().pressure_mpa.1.min(0.2);
+        let Ok(free) = contraction(model, w, 0.0, p, Options::default()) else { continue };
+        let past = [1.05, 1.1, 1.3].map(|share| share * free.response.contraction);
+        let range = model.range().contraction.1;
+        let past: Vec<f64> = past.into_iter().filter(|e| *e < range.min(0.99)).collect();
+        let alone =
+            past.iter().map(|&e| point(model, &mut Workspace::new(), p, e, Options::default()).unwrap());
+        let mut family = curves(model, w, Test::Isobaric, &[p], &past, Options::default());
+        family.extend(
+            past.iter().flat_map(|&e| curves(model, w, Test::Isometric, &[e], &[p], Options::default())),
+        );
+        let along = family.into_iter().flat_map(|c| c.points).map(|point| point.answer.unwrap());
+        for slack in alone.chain(along) {
+            assert!(slack.slack && slack.response.force_n == 0.0, "{}", model.name());
+            assert!(slack.free_contraction.is_some(), "{}", model.name());
+            let near = |a: Option<f64>, b: Option<f64>| match (a, b) {
+                (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * b.abs().max(1e-3),
+                (a, b) => a == b,
+            };
+            let (a, b) = (slack.response, free.response);
+            assert!(near(a.volume_mm3, b.volume_mm3), "{}: {a:?} {b:?}", model.name());
+            assert!(near(a.bulged_diameter_mm, b.bulged_diameter_mm), "{}: {a:?} {b:?}", model.name());
+            assert!(near(a.braid_tension_n, b.braid_tension_n), "{}: {a:?} {b:?}", model.name());
+            assert_eq!((a.stiffness_n_per_mm, a.force_per_pressure_mm2), (None, None), "{}", model.name());
+        }
+    }
 }
 
 /// Pressures and contractions inside of a model's box; where it is open, 0.6 MPa and 25 %.

@@ -1,0 +1,112 @@
+//! Units of fields in the schemas: `x-unit` is the unit of a field's numbers, `x-quantity` what they measure where a user may write a text
+//! with another unit in their place. Both follow from the field's name; a field whose name does not tell states them itself.
+
+use mckibben::units::NamedUnit;
+use serde_json::{Map, Value, json};
+
+const UNIT: &str = "x-unit";
+const QUANTITY: &str = "x-quantity";
+
+/// Says of every field below a schema in which unit it is.
+pub(crate) fn annotate(schema: &mut Value) {
+    let fields = schema.get_mut("properties").and_then(Value::as_object_mut);
+    for (name, field) in fields.into_iter().flatten() {
+        // Rows have units of their own.
+        let of_rows =
+            |f: &Map<String, Value>| f.get("items").is_some_and(|items| items.get("$ref").is_some());
+        let stated = |f: &Map<String, Value>| f.contains_key(QUANTITY) || f.contains_key(UNIT);
+        let Some(field) = field.as_object_mut().filter(|f| !stated(f) && !of_rows(f)) else { continue };
+        let Some(NamedUnit { unit, dimension }) = NamedUnit::of_field(name) else { continue };
+        if let Some(dimension) = dimension {
+            field.insert(QUANTITY.into(), json!(dimension));
+        }
+        if !unit.is_empty() {
+            field.insert(UNIT.into(), unit.into());
+        }
+    }
+    match schema {
+        Value::Object(map) => map.values_mut().for_each(annotate),
+        Value::Array(list) => list.iter_mut().for_each(annotate),
+        _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::COMMANDS;
+    use std::collections::BTreeSet;
+
+    /// Last words of names of plain numbers: what has a unit ends with it. A new word here is one more kind of plain number.
+    const PLAIN: &str = "aicc area at beta blocked by command contractions correlation correlations command difference deviation divide efficiency error errors \
+        exponent factor fixed formula friction from held high ideal isobar largest limit low margin measured mesh modulus multiply neutral opening ours \
+        overshoot overstress of points prony r ratio range reach reference relative rms rubber share smallest speed squared start stiffer stretch \
+        tolerance to torques turns value values weight weights width x y";
+
+    fn is_number(field: &Value, defs: &Value, deeper: usize) -> bool {
+        let Some(deeper) = deeper.checked_sub(1) else { return false };
+        let list = |key: &str| field[key].as_array().into_iter().flatten();
+        let is = |kind: &Value| kind == "number";
+        is(&field["type"])
+            || list("type").any(is)
+            || list("anyOf")
+                .chain(list("oneOf"))
+                .chain(list("prefixItems"))
+                .any(|f| is_number(f, defs, deeper))
+            || field.get("items").is_some_and(|items| is_number(items, defs, deeper))
+            || field["$ref"].as_str().and_then(|path| path.rsplit('/').next()).is_some_and(|name| {
+                defs[name].get("properties").is_none() && is_number(&defs[name], defs, deeper)
+            })
+    }
+
+    /// Every field with a number below a schema.
+    fn each(schema: &Value, defs: &Value, visit: &mut dyn FnMut(&str, &Value)) {
+        for (name, field) in schema.get("properties").and_then(Value::as_object).into_iter().flatten() {
+            if is_number(field, defs, 6) {
+                visit(name, field);
+            }
+        }
+        match schema {
+            Value::Object(map) => map.values().for_each(|v| each(v, defs, visit)),
+            Value::Array(list) => list.iter().for_each(|v| each(v, defs, visit)),
+            _ => {}
+        }
+    }
+
+    #[test]
+    fn every_number_of_every_schema_has_a_unit_that_is_known_or_is_a_plain_one() {
+        let (mut units, mut unknown) = (BTreeSet::new(), BTreeSet::new());
+        for command in COMMANDS.iter() {
+            let schema = command.schema();
+            for side in ["request", "answer", "error"] {
+                each(&schema[side], &schema[side]["$defs"], &mut |name, field| {
+                    if field.get(UNIT).is_some() || field.get(QUANTITY).is_some() {
+                        units.insert(name.to_owned());
+                    } else if !name
+                        .split('_')
+                        .rfind(|word| word.chars().all(|c| c.is_ascii_alphabetic()))
+                        .is_some_and(|word| PLAIN.split_whitespace().any(|plain| plain == word))
+                    {
+                        unknown.insert(format!("{}: {name}", command.name));
+                    }
+                });
+            }
+        }
+        assert!(unknown.is_empty(), "neither a unit nor a plain number: {unknown:#?}");
+        assert!(units.len() > 150, "{units:?}");
+    }
+
+    #[test]
+    fn units_are_those_of_the_names_and_shares_those_that_are_stated() {
+        let force = crate::schema("force").unwrap();
+        assert_eq!(force["request"]["properties"]["slip_mm_per_n"][UNIT], "mm/N");
+        assert_eq!(force["request"]["properties"]["slip_mm_per_n"][QUANTITY], "compliance");
+        assert_eq!(force["answer"]["properties"]["force_per_pressure_n_per_mpa"][UNIT], "N/MPa");
+        let design = crate::schema("design").unwrap();
+        assert_eq!(design["request"]["properties"]["stiffness"][QUANTITY], "stiffness");
+        let tolerance = &design["request"]["$defs"]["ToleranceFields"]["properties"];
+        assert_eq!(tolerance["stiffness"][QUANTITY], "ratio");
+        assert_eq!(tolerance["modulus"][QUANTITY], "ratio");
+        assert!(tolerance["stiffness"].get(UNIT).is_none());
+    }
+}

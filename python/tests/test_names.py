@@ -1,0 +1,70 @@
+"""What the package lists: help, inspection, star imports, with and without the libraries that only some have."""
+
+from __future__ import annotations
+
+import inspect
+import pydoc
+import subprocess
+import sys
+
+import pytest
+
+import mckibben as mk
+
+# As where neither library is installed.
+WITHOUT = """
+import sys
+sys.modules["torch"] = sys.modules["jax"] = None
+import mckibben as mk
+"""
+
+
+def run(code: str) -> str:
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_help_and_inspection_work_without_torch_and_jax() -> None:
+    code = WITHOUT + """
+import inspect, pydoc
+names = [name for name, _ in inspect.getmembers(mk)]
+assert "Muscle" in names and "force" in names and "torch" not in names, names
+text = pydoc.plain(pydoc.render_doc(mk))
+assert "class Muscle" in text and "design(" in text
+assert not hasattr(mk, "torch") and "torch" not in dir(mk)
+for name in ("torch", "jax"):
+    try:
+        getattr(mk, name)
+    except AttributeError as error:
+        assert f"pip install {name}" in str(error), error
+    else:
+        raise SystemExit(name)
+    try:
+        exec(f"from mckibben import {name}")
+    except ImportError as error:
+        assert name in str(error)
+    else:
+        raise SystemExit(name)
+print("well")
+"""
+    assert run(code).strip() == "well"
+
+
+def test_all_that_is_listed_is_there() -> None:
+    for name in mk.__all__:
+        assert getattr(mk, name) is not None and name in dir(mk)
+    assert {"Muscle", "Model", "force", "design", "MckibbenError", "ask"} <= set(mk.__all__)
+    assert not {"torch", "jax", "import_module", "annotations"} & set(mk.__all__)
+    assert "Muscle" in dict(inspect.getmembers(mk, inspect.isclass))
+    assert "class Muscle" in pydoc.plain(pydoc.render_doc(mk))
+
+
+def test_a_star_import_gives_what_is_listed() -> None:
+    assert run("from mckibben import *\nimport mckibben\nassert all(n in globals() for n in mckibben.__all__)\nassert 'torch' not in globals() and 'import_module' not in globals()\nprint(Muscle().wall_mm)").strip() == "3.0"
+
+
+def test_a_name_that_is_none_is_an_attribute_error() -> None:
+    with pytest.raises(AttributeError, match="did you mean 'Muscle'"):
+        mk.Muscl
+    assert not hasattr(mk, "__path_of__")
