@@ -55,6 +55,10 @@ class Answer(Record):
         P′ at this contraction in MPa, where there is one.
     uncertainty_n : N
         95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty : ratio
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     warnings
@@ -62,7 +66,7 @@ class Answer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'uncertainty_parts_n', 'warnings')
+    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'pressure_uncertainty_mpa', 'contraction_uncertainty', 'uncertainty_parts_n', 'warnings')
     _nested_ = {'uncertainty_parts_n': 'UncertaintyParts'}
     model: str
     direction: Literal["mean", "contraction", "elongation"] | None
@@ -83,6 +87,8 @@ class Answer(Record):
     free_contraction: float | None
     start_pressure_mpa: float | None
     uncertainty_n: float | None
+    pressure_uncertainty_mpa: float | None
+    contraction_uncertainty: float | None
     uncertainty_parts_n: UncertaintyParts | None
     warnings: list[str]
 
@@ -251,6 +257,8 @@ class CandidateAnswer(Record):
         The rubber, by name or law.
     braid
         The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     pressure_mpa : MPa
         Largest pressure any point needs, MPa.
     margin
@@ -290,7 +298,7 @@ class CandidateAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'pressure_mpa', 'margin', 'blocked_force_n', 'free_contraction', 'bulged_diameter_mm', 'stiffness_n_per_mm', 'air_normal_litres', 'work_j', 'strand_tension_n', 'braid_tension_n', 'max_stretch', 'burst_pressure_mpa', 'uncertainty_n', 'points', 'from_thick_wall', 'joint', 'model', 'binds')
+    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'pressure_mpa', 'margin', 'blocked_force_n', 'free_contraction', 'bulged_diameter_mm', 'stiffness_n_per_mm', 'air_normal_litres', 'work_j', 'strand_tension_n', 'braid_tension_n', 'max_stretch', 'burst_pressure_mpa', 'uncertainty_n', 'points', 'from_thick_wall', 'joint', 'model', 'binds')
     _nested_ = {'points': 'DesignPoint', 'joint': 'CandidateJoint'}
     outer_diameter_mm: float
     wall_mm: float
@@ -298,6 +306,7 @@ class CandidateAnswer(Record):
     angle_deg: float
     rubber: str
     braid: str
+    sleeve: str | None
     pressure_mpa: float
     margin: float
     blocked_force_n: float
@@ -396,7 +405,7 @@ class Characteristics(Record):
     air_normal_litres : L (ANR)
         Air from rest to there, normal litres.
     burst_pressure_mpa : MPa
-        Pressure at which the strands break, MPa, where their strength is known.
+        Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
     """
 
     __slots__ = ()
@@ -473,7 +482,7 @@ class ClosestAnswer(Record):
     relaxations
         Limits that could give, each alone.
     hint
-        Contractions that no braid of the search reaches, and the angle that would.
+        Contractions that no braid of the search reaches, and the angle that would; a stiffer sleeve that would do.
     """
 
     __slots__ = ()
@@ -814,6 +823,10 @@ class Equilibrium(Record):
         P′ at this contraction in MPa, where there is one.
     uncertainty_n : N
         95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty : ratio
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     warnings
@@ -829,7 +842,7 @@ class Equilibrium(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'uncertainty_parts_n', 'warnings', 'shortening_mm', 'held_stiffness_n_per_mm', 'stable', 'natural_frequency_hz')
+    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'pressure_uncertainty_mpa', 'contraction_uncertainty', 'uncertainty_parts_n', 'warnings', 'shortening_mm', 'held_stiffness_n_per_mm', 'stable', 'natural_frequency_hz')
     _nested_ = {'uncertainty_parts_n': 'UncertaintyParts'}
     model: str
     direction: Literal["mean", "contraction", "elongation"] | None
@@ -850,6 +863,8 @@ class Equilibrium(Record):
     free_contraction: float | None
     start_pressure_mpa: float | None
     uncertainty_n: float | None
+    pressure_uncertainty_mpa: float | None
+    contraction_uncertainty: float | None
     uncertainty_parts_n: UncertaintyParts | None
     warnings: list[str]
     shortening_mm: float
@@ -1254,10 +1269,12 @@ class Identified(Record):
         Whether it lies on a bound.
     matters
         Whether the points change with it at all.
+    implausible
+        Whether it is an end that gives way by more than is known of any muscle: 0.3 of the outer diameter.
     """
 
     __slots__ = ()
-    _fields_ = ('name', 'start', 'value', 'unit', 'standard_error', 'half_width_95', 'limit', 'identifiable', 'at_bound', 'matters')
+    _fields_ = ('name', 'start', 'value', 'unit', 'standard_error', 'half_width_95', 'limit', 'identifiable', 'at_bound', 'matters', 'implausible')
     name: str
     start: float
     value: float
@@ -1268,6 +1285,7 @@ class Identified(Record):
     identifiable: bool
     at_bound: bool
     matters: bool
+    implausible: bool
 
 
 class IdentifiedPoint(Record):
@@ -2146,6 +2164,19 @@ class MotionRun(Record):
         Every step of the command that moved it.
     largest_speed
         Largest speed, mm/s or °/s.
+    largest_velocity_mm_per_s : mm/s
+        The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    largest_velocity_deg_per_s : °/s
+        The same of a joint, °/s.
+    at_rest
+        Whether it rests at the end, within 2 % of its way; none where the command still changes there, or both ends
+        are held.
+    equilibrium_contraction : ratio
+        Where a muscle's load rests in the end under the commanded pressure, without friction.
+    equilibrium_angle_deg : deg
+        Where a joint rests in the end under the commanded pressures, without friction, degrees.
+    ended_early
+        Why it ended before its end; the series goes as far as it was computed.
     largest_power_w : W
         Largest power of the muscles, W.
     air_normal_litres : L (ANR)
@@ -2168,7 +2199,7 @@ class MotionRun(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('value', 'series', 'rise_time_s', 'settling_time_s', 'overshoot', 'fill_time_s', 'vent_time_s', 'steps', 'largest_speed', 'largest_power_w', 'air_normal_litres', 'air_normal_litres_per_cycle', 'loop_area', 'energies', 'efficiency', 'bandwidth_hz', 'events', 'model_answers')
+    _fields_ = ('value', 'series', 'rise_time_s', 'settling_time_s', 'overshoot', 'fill_time_s', 'vent_time_s', 'steps', 'largest_speed', 'largest_velocity_mm_per_s', 'largest_velocity_deg_per_s', 'at_rest', 'equilibrium_contraction', 'equilibrium_angle_deg', 'ended_early', 'largest_power_w', 'air_normal_litres', 'air_normal_litres_per_cycle', 'loop_area', 'energies', 'efficiency', 'bandwidth_hz', 'events', 'model_answers')
     _nested_ = {'series': 'MotionSeries'}
     value: str | None
     series: MotionSeries
@@ -2179,6 +2210,12 @@ class MotionRun(Record):
     vent_time_s: float | None
     steps: list[Any]
     largest_speed: float
+    largest_velocity_mm_per_s: float | None
+    largest_velocity_deg_per_s: float | None
+    at_rest: bool | None
+    equilibrium_contraction: float | None
+    equilibrium_angle_deg: float | None
+    ended_early: str | None
     largest_power_w: float
     air_normal_litres: float
     air_normal_litres_per_cycle: float | None
@@ -2302,16 +2339,19 @@ class MuscleSummary(Record):
         The rubber, by name or law.
     braid
         The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     """
 
     __slots__ = ()
-    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid')
+    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve')
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
     angle_deg: float
     rubber: str
     braid: str
+    sleeve: str | None
 
 
 class NamedFigure(Record):
@@ -2505,6 +2545,10 @@ class PointRow(Record):
         P′ at this contraction in MPa, where there is one.
     uncertainty_n : N
         95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty : ratio
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     warnings
@@ -2518,7 +2562,7 @@ class PointRow(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'uncertainty_parts_n', 'warnings', 'status', 'wanted_force_n', 'cause')
+    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'pressure_uncertainty_mpa', 'contraction_uncertainty', 'uncertainty_parts_n', 'warnings', 'status', 'wanted_force_n', 'cause')
     _nested_ = {'uncertainty_parts_n': 'UncertaintyParts'}
     model: str | None
     direction: Literal["mean", "contraction", "elongation"] | None
@@ -2539,6 +2583,8 @@ class PointRow(Record):
     free_contraction: float | None
     start_pressure_mpa: float | None
     uncertainty_n: float | None
+    pressure_uncertainty_mpa: float | None
+    contraction_uncertainty: float | None
     uncertainty_parts_n: UncertaintyParts | None
     warnings: list[str] | None
     status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
@@ -3475,6 +3521,10 @@ class StudyRow(Record):
         P′ at this contraction in MPa, where there is one.
     uncertainty_n : N
         95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty : ratio
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     warnings
@@ -3488,7 +3538,7 @@ class StudyRow(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('test', 'fixed', 'curve', 'wall_mm', 'model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'uncertainty_parts_n', 'warnings', 'status', 'wanted_force_n', 'cause')
+    _fields_ = ('test', 'fixed', 'curve', 'wall_mm', 'model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'pressure_uncertainty_mpa', 'contraction_uncertainty', 'uncertainty_parts_n', 'warnings', 'status', 'wanted_force_n', 'cause')
     _nested_ = {'uncertainty_parts_n': 'UncertaintyParts'}
     test: Literal["isometric", "isotonic", "isobaric"]
     fixed: float
@@ -3513,11 +3563,37 @@ class StudyRow(Record):
     free_contraction: float | None
     start_pressure_mpa: float | None
     uncertainty_n: float | None
+    pressure_uncertainty_mpa: float | None
+    contraction_uncertainty: float | None
     uncertainty_parts_n: UncertaintyParts | None
     warnings: list[str] | None
     status: Literal["ok", "out_of_range", "no_answer", "not_converged", "collapsed", "other_branch", "no_muscle"]
     wanted_force_n: float | None
     cause: str | None
+
+
+class SureAnswer(Record):
+    """What to ask for so that the lower end of the ± of the muscle that answers it is what is wanted.
+
+    Attributes
+    ----------
+    points
+        Pulls at contractions; of a load those that it takes.
+    torques
+        Torques at angles, of a joint.
+    outer_diameter_mm : mm
+        Outer diameter D0 of the muscle that answers, mm.
+    uncertainty_n : N
+        Its largest 95 % half-width, N.
+    """
+
+    __slots__ = ()
+    _fields_ = ('points', 'torques', 'outer_diameter_mm', 'uncertainty_n')
+    _nested_ = {'points': 'Wanted', 'torques': 'TorqueWanted'}
+    points: list[Wanted] | None
+    torques: list[TorqueWanted] | None
+    outer_diameter_mm: float
+    uncertainty_n: float | None
 
 
 class Table(Record):
@@ -3557,6 +3633,23 @@ class TextFile(Record):
     text: str
 
 
+class TorqueWanted(Record):
+    """A torque that a joint must hold at an angle, to either side.
+
+    Attributes
+    ----------
+    torque_nm : N m
+        Torque away from the neutral angle, N m.
+    angle_deg : deg
+        Angle from the neutral one, degrees.
+    """
+
+    __slots__ = ()
+    _fields_ = ('torque_nm', 'angle_deg')
+    torque_nm: float
+    angle_deg: float
+
+
 class UncertaintyParts(Record):
     """The parts of a ±, each a 95 % half-width in N.
 
@@ -3571,16 +3664,19 @@ class UncertaintyParts(Record):
     measured
         Finite elements against measured muscles.
     friction
-        Friction that the muscle does not state.
+        One branch of the hysteresis loop against the answer.
+    fit
+        The bench that the muscle was identified from, against the fit.
     """
 
     __slots__ = ()
-    _fields_ = ('formula', 'mesh', 'rubber', 'measured', 'friction')
+    _fields_ = ('formula', 'mesh', 'rubber', 'measured', 'friction', 'fit')
     formula: float | None
     mesh: float | None
     rubber: float | None
     measured: float | None
     friction: float | None
+    fit: float | None
 
 
 class UnderstoodColumn(Record):
@@ -4004,6 +4100,8 @@ class CurveAnswer(Record):
         What is fixed along each curve: ε, F in N, or P in MPa; of two curves, where both branches were asked for.
     warnings
         What the user should know, of each kind the gravest.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
     points
         The points, curve after curve; all curves have the same number of points.
     loaded
@@ -4013,13 +4111,14 @@ class CurveAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'test', 'muscle', 'fixed', 'warnings', 'points', 'loaded', 'figure')
+    _fields_ = ('model', 'test', 'muscle', 'fixed', 'warnings', 'burst_pressure_mpa', 'points', 'loaded', 'figure')
     _nested_ = {'muscle': 'MuscleSummary', 'points': 'PointRow', 'loaded': 'LoadAnswer', 'figure': 'Figure'}
     model: str
     test: Literal["isometric", "isotonic", "isobaric"]
     muscle: MuscleSummary
     fixed: list[float]
     warnings: list[str]
+    burst_pressure_mpa: float | None
     points: list[PointRow]
     loaded: LoadAnswer | None
     figure: Figure | None
@@ -4038,6 +4137,8 @@ class DesignAnswer(Record):
         Pressure of the supply, MPa.
     load
         The load that is lifted, as it was written.
+    assumptions
+        What was assumed where nothing was said, in sentences.
     looked_at
         Muscles that were looked at.
     fitting
@@ -4052,6 +4153,8 @@ class DesignAnswer(Record):
         What the user should know of the winner.
     tolerance
         Spread of the winner's pull under the tolerances, point by point.
+    to_be_sure
+        Where the winner has less to spare than its ±: what to ask for to be sure of what is wanted.
     closest
         Where nothing fits: the muscle that comes closest.
     figure
@@ -4059,13 +4162,14 @@ class DesignAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'searched_with', 'max_pressure_mpa', 'load', 'looked_at', 'fitting', 'candidates', 'rejected', 'verification', 'warnings', 'tolerance', 'closest', 'figure')
-    _nested_ = {'candidates': 'CandidateAnswer', 'rejected': 'RejectedAnswer', 'verification': 'Verified', 'tolerance': 'SpreadAnswer', 'closest': 'ClosestAnswer', 'figure': 'Figure'}
+    _fields_ = ('model', 'searched_with', 'max_pressure_mpa', 'load', 'assumptions', 'looked_at', 'fitting', 'candidates', 'rejected', 'verification', 'warnings', 'tolerance', 'to_be_sure', 'closest', 'figure')
+    _nested_ = {'candidates': 'CandidateAnswer', 'rejected': 'RejectedAnswer', 'verification': 'Verified', 'tolerance': 'SpreadAnswer', 'to_be_sure': 'SureAnswer', 'closest': 'ClosestAnswer', 'figure': 'Figure'}
     _rows_ = 'candidates'
     model: str
     searched_with: str
     max_pressure_mpa: float
     load: str | None
+    assumptions: list[str] | None
     looked_at: int
     fitting: int
     candidates: list[CandidateAnswer]
@@ -4073,6 +4177,7 @@ class DesignAnswer(Record):
     verification: Verified | None
     warnings: list[str]
     tolerance: list[SpreadAnswer] | None
+    to_be_sure: SureAnswer | None
     closest: ClosestAnswer | None
     figure: Figure | None
 
@@ -4296,6 +4401,9 @@ class JointAnswer(Record):
         Limits of the angle in degrees.
     points
         The points, pressures after pressures.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its
+        strands.
     map
         What the joint reaches, where it was asked for.
     warnings
@@ -4305,13 +4413,14 @@ class JointAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'muscles', 'range_deg', 'points', 'map', 'warnings', 'figure')
+    _fields_ = ('model', 'muscles', 'range_deg', 'points', 'burst_pressure_mpa', 'map', 'warnings', 'figure')
     _nested_ = {'muscles': 'MuscleSummary', 'points': 'JointRow', 'map': 'JointMap', 'figure': 'Figure'}
     _rows_ = 'points'
     model: str
     muscles: list[MuscleSummary]
     range_deg: tuple[float, float]
     points: list[JointRow]
+    burst_pressure_mpa: float | None
     map: JointMap | None
     warnings: list[str]
     figure: Figure | None
@@ -4423,6 +4532,19 @@ class MotionAnswer(Record):
         Every step of the command that moved it.
     largest_speed
         Largest speed, mm/s or °/s.
+    largest_velocity_mm_per_s : mm/s
+        The same of a muscle's load, mm/s: of all that was integrated, not of the points of the series alone.
+    largest_velocity_deg_per_s : °/s
+        The same of a joint, °/s.
+    at_rest
+        Whether it rests at the end, within 2 % of its way; none where the command still changes there, or both ends
+        are held.
+    equilibrium_contraction : ratio
+        Where a muscle's load rests in the end under the commanded pressure, without friction.
+    equilibrium_angle_deg : deg
+        Where a joint rests in the end under the commanded pressures, without friction, degrees.
+    ended_early
+        Why it ended before its end; the series goes as far as it was computed.
     largest_power_w : W
         Largest power of the muscles, W.
     air_normal_litres : L (ANR)
@@ -4446,6 +4568,9 @@ class MotionAnswer(Record):
         The other motions of a sweep.
     sonic_conductance_l_per_s_bar : L/(s bar)
         Sonic conductance of the smallest valve with the rise time that was asked for, L/(s bar).
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its
+        strands.
     warnings
         What the user should know.
     figure
@@ -4453,7 +4578,7 @@ class MotionAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'muscles', 'value', 'series', 'rise_time_s', 'settling_time_s', 'overshoot', 'fill_time_s', 'vent_time_s', 'steps', 'largest_speed', 'largest_power_w', 'air_normal_litres', 'air_normal_litres_per_cycle', 'loop_area', 'energies', 'efficiency', 'bandwidth_hz', 'events', 'model_answers', 'others', 'sonic_conductance_l_per_s_bar', 'warnings', 'figure')
+    _fields_ = ('model', 'muscles', 'value', 'series', 'rise_time_s', 'settling_time_s', 'overshoot', 'fill_time_s', 'vent_time_s', 'steps', 'largest_speed', 'largest_velocity_mm_per_s', 'largest_velocity_deg_per_s', 'at_rest', 'equilibrium_contraction', 'equilibrium_angle_deg', 'ended_early', 'largest_power_w', 'air_normal_litres', 'air_normal_litres_per_cycle', 'loop_area', 'energies', 'efficiency', 'bandwidth_hz', 'events', 'model_answers', 'others', 'sonic_conductance_l_per_s_bar', 'burst_pressure_mpa', 'warnings', 'figure')
     _nested_ = {'muscles': 'MuscleSummary', 'series': 'MotionSeries', 'others': 'MotionRun', 'figure': 'Figure'}
     _rows_ = 'series'
     model: str
@@ -4467,6 +4592,12 @@ class MotionAnswer(Record):
     vent_time_s: float | None
     steps: list[Any]
     largest_speed: float
+    largest_velocity_mm_per_s: float | None
+    largest_velocity_deg_per_s: float | None
+    at_rest: bool | None
+    equilibrium_contraction: float | None
+    equilibrium_angle_deg: float | None
+    ended_early: str | None
     largest_power_w: float
     air_normal_litres: float
     air_normal_litres_per_cycle: float | None
@@ -4478,6 +4609,7 @@ class MotionAnswer(Record):
     model_answers: int
     others: list[MotionRun] | None
     sonic_conductance_l_per_s_bar: float | None
+    burst_pressure_mpa: float | None
     warnings: list[str]
     figure: Figure | None
 
@@ -4499,6 +4631,8 @@ class MuscleShowAnswer(Record):
         The rubber, by name or law.
     braid
         The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
+    sleeve
+        Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     law
         Name of the rubber's law.
     constants_mpa : MPa
@@ -4511,6 +4645,12 @@ class MuscleShowAnswer(Record):
         Bulk modulus, MPa; none for an incompressible rubber.
     stiffness_n_per_mm : N/mm
         Stiffness k of one strand family, N/mm; none for inextensible strands.
+    seating_mm : mm
+        What both ends together give way under a pull, mm, where it is stated.
+    slip_mm_per_n : mm/N
+        What both ends together slip under the load of a clamp, mm/N, where it is stated.
+    grip_mm : mm
+        Length at each end, within that of the muscle, in which tube and braid are held, mm, where it is stated.
     derived
         What follows from the measures.
     build_sheet
@@ -4519,10 +4659,12 @@ class MuscleShowAnswer(Record):
         What the user should know, in sentences.
     characteristics
         What it does at the pressure that was asked for.
+    muscle_file
+        The muscle file (TOML) that says the same, where it was asked for: file and fields of the request in one.
     """
 
     __slots__ = ()
-    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'law', 'constants_mpa', 'shear_modulus_mpa', 'fitted_to_stretch', 'bulk_modulus_mpa', 'stiffness_n_per_mm', 'derived', 'build_sheet', 'warnings', 'characteristics')
+    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'law', 'constants_mpa', 'shear_modulus_mpa', 'fitted_to_stretch', 'bulk_modulus_mpa', 'stiffness_n_per_mm', 'seating_mm', 'slip_mm_per_n', 'grip_mm', 'derived', 'build_sheet', 'warnings', 'characteristics', 'muscle_file')
     _nested_ = {'derived': 'Derived', 'build_sheet': 'BuildSheetAnswer', 'characteristics': 'Characteristics'}
     outer_diameter_mm: float
     wall_mm: float
@@ -4530,16 +4672,21 @@ class MuscleShowAnswer(Record):
     angle_deg: float
     rubber: str
     braid: str
+    sleeve: str | None
     law: str
     constants_mpa: dict[str, float]
     shear_modulus_mpa: float
     fitted_to_stretch: float | None
     bulk_modulus_mpa: float | None
     stiffness_n_per_mm: float | None
+    seating_mm: float | None
+    slip_mm_per_n: float | None
+    grip_mm: float | None
     derived: Derived
     build_sheet: BuildSheetAnswer
     warnings: list[str]
     characteristics: Characteristics | None
+    muscle_file: str | None
 
 
 class Outcome(Record):
@@ -4653,12 +4800,18 @@ class PointAnswer(Record):
         P′ at this contraction in MPa, where there is one.
     uncertainty_n : N
         95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty : ratio
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     warnings
         What the user should know, in sentences.
     branches
         The same while the muscle is shortened and while it is lengthened, where both were asked for.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
     loaded
         Every equilibrium with the load, where there is one; the point is the first that is stable, or the first.
     muscle
@@ -4668,7 +4821,7 @@ class PointAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'uncertainty_parts_n', 'warnings', 'branches', 'loaded', 'muscle', 'about')
+    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'pressure_uncertainty_mpa', 'contraction_uncertainty', 'uncertainty_parts_n', 'warnings', 'branches', 'burst_pressure_mpa', 'loaded', 'muscle', 'about')
     _nested_ = {'uncertainty_parts_n': 'UncertaintyParts', 'branches': 'Answer', 'loaded': 'LoadAnswer', 'muscle': 'MuscleSummary', 'about': 'ModelAbout'}
     model: str
     direction: Literal["mean", "contraction", "elongation"] | None
@@ -4689,9 +4842,12 @@ class PointAnswer(Record):
     free_contraction: float | None
     start_pressure_mpa: float | None
     uncertainty_n: float | None
+    pressure_uncertainty_mpa: float | None
+    contraction_uncertainty: float | None
     uncertainty_parts_n: UncertaintyParts | None
     warnings: list[str]
     branches: list[Answer] | None
+    burst_pressure_mpa: float | None
     loaded: LoadAnswer | None
     muscle: MuscleSummary
     about: ModelAbout
@@ -4719,14 +4875,20 @@ class ReportAnswer(Record):
     ----------
     muscle
         The muscle.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    warnings
+        What the user should know, in sentences.
     document
         The report.
     """
 
     __slots__ = ()
-    _fields_ = ('muscle', 'document')
+    _fields_ = ('muscle', 'burst_pressure_mpa', 'warnings', 'document')
     _nested_ = {'muscle': 'MuscleSummary', 'document': 'Document'}
     muscle: MuscleSummary
+    burst_pressure_mpa: float | None
+    warnings: list[str]
     document: Document
 
 
@@ -4901,6 +5063,10 @@ class ShapeAnswer(Record):
         P′ at this contraction in MPa, where there is one.
     uncertainty_n : N
         95 % half-width of the pull in N against a measured muscle, where the model's error is known.
+    pressure_uncertainty_mpa : MPa
+        Of a pressure that was sought: its 95 % half-width in MPa, what `uncertainty_n` makes at the slope ∂F/∂P.
+    contraction_uncertainty : ratio
+        Of a contraction that was sought: its 95 % half-width, what `uncertainty_n` makes at the slope ∂F/∂ε.
     uncertainty_parts_n : N
         Its parts, each a 95 % half-width in N; they add as squares.
     warnings
@@ -4926,7 +5092,7 @@ class ShapeAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'uncertainty_parts_n', 'warnings', 'muscle', 'shape_contraction', 'length_mm', 'strands', 'stations', 'across', 'arrays')
+    _fields_ = ('model', 'direction', 'pressure_mpa', 'contraction', 'force_n', 'volume_mm3', 'volume_per_pressure_mm3_per_mpa', 'volume_per_contraction_mm3', 'stiffness_n_per_mm', 'force_per_pressure_n_per_mpa', 'braid_tension_n', 'strand_tension_n', 'bulged_diameter_mm', 'middle_stretch', 'max_stretch', 'slack', 'free_contraction', 'start_pressure_mpa', 'uncertainty_n', 'pressure_uncertainty_mpa', 'contraction_uncertainty', 'uncertainty_parts_n', 'warnings', 'muscle', 'shape_contraction', 'length_mm', 'strands', 'stations', 'across', 'arrays')
     _nested_ = {'uncertainty_parts_n': 'UncertaintyParts', 'muscle': 'MuscleSummary'}
     model: str
     direction: Literal["mean", "contraction", "elongation"] | None
@@ -4947,6 +5113,8 @@ class ShapeAnswer(Record):
     free_contraction: float | None
     start_pressure_mpa: float | None
     uncertainty_n: float | None
+    pressure_uncertainty_mpa: float | None
+    contraction_uncertainty: float | None
     uncertainty_parts_n: UncertaintyParts | None
     warnings: list[str]
     muscle: MuscleSummary
@@ -4975,6 +5143,8 @@ class SimulateAnswer(Record):
         What the user should know of the mesh.
     warnings
         What the user should know, of each kind the gravest.
+    burst_pressure_mpa : MPa
+        Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
     figure
         The figure, where it was asked for.
     deck
@@ -4982,7 +5152,7 @@ class SimulateAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'test', 'muscle', 'points', 'notes', 'warnings', 'figure', 'deck')
+    _fields_ = ('model', 'test', 'muscle', 'points', 'notes', 'warnings', 'burst_pressure_mpa', 'figure', 'deck')
     _nested_ = {'muscle': 'MuscleSummary', 'points': 'SimulatedRow', 'figure': 'Figure'}
     _rows_ = 'points'
     model: str
@@ -4991,6 +5161,7 @@ class SimulateAnswer(Record):
     points: list[SimulatedRow]
     notes: list[str]
     warnings: list[str]
+    burst_pressure_mpa: float | None
     figure: Figure | None
     deck: str | None
 

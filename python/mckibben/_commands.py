@@ -1161,6 +1161,7 @@ def muscle_show(
     two_sided: bool = False,
     direction: Literal["mean", "contraction", "elongation"] | None = None,
     pressure_mpa: Number | None = None,
+    muscle_file: bool = False,
 ) -> _answers.MuscleShowAnswer:
     """A muscle to be shown.
 
@@ -1220,6 +1221,8 @@ def muscle_show(
         Branch of the friction hysteresis; needs the braid's friction.
     pressure_mpa : MPa
         Also what it does at this pressure, MPa.
+    muscle_file
+        The answer shall carry the muscle file that says the same.
 
     Returns
     -------
@@ -1231,7 +1234,7 @@ def muscle_show(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa}, "MuscleShowAnswer")  # type: ignore[no-any-return]
+    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa, "muscle_file": muscle_file}, "MuscleShowAnswer")  # type: ignore[no-any-return]
 
 
 def plan(
@@ -2258,6 +2261,7 @@ class MuscleCommands:
         two_sided: bool = False,
         direction: Literal["mean", "contraction", "elongation"] | None = None,
         pressure_mpa: Number | None = None,
+        muscle_file: bool = False,
     ) -> _answers.MuscleShowAnswer:
         """A muscle to be shown.
 
@@ -2283,6 +2287,8 @@ class MuscleCommands:
             Branch of the friction hysteresis; needs the braid's friction.
         pressure_mpa : MPa
             Also what it does at this pressure, MPa.
+        muscle_file
+            The answer shall carry the muscle file that says the same.
 
         Returns
         -------
@@ -2294,7 +2300,7 @@ class MuscleCommands:
         MckibbenError
             One of its classes says why there is no answer.
         """
-        return answered("muscle-show", {"muscle": self, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa}, "MuscleShowAnswer")  # type: ignore[no-any-return]
+        return answered("muscle-show", {"muscle": self, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa, "muscle_file": muscle_file}, "MuscleShowAnswer")  # type: ignore[no-any-return]
 
     def pressure(
         self,

@@ -1,9 +1,8 @@
 //! The command line as it was typed.
 
 use crate::failure::Failure;
-use mckibben::units::{Dimension, parse_values};
+use mckibben::units::{Dimension, parse_values, short_numbers};
 use mckibben_app::ProblemKind;
-use mckibben_app::words::readable;
 use std::path::Path;
 
 /// Whether a flag was typed.
@@ -48,7 +47,7 @@ pub fn meant(mpa: f64) -> String {
     let inside = |unit: &str| Some(Dimension::Pressure.unit(unit)?.inside(mpa));
     let likely: Vec<&str> =
         units.into_iter().filter(|unit| inside(unit).is_some_and(|p| USUAL.contains(&p))).collect();
-    let [mpa, bar] = [mpa, 10.0 * mpa].map(|v| readable(&v.to_string()).into_owned());
+    let [mpa, bar] = [mpa, 10.0 * mpa].map(|v| short_numbers(&v.to_string()).into_owned());
     let said = format!("a bare {mpa} is {mpa} MPa = {bar} bar");
     match likely[..] {
         [] => format!("{said}; for bar write {mpa}bar"),

@@ -1,7 +1,7 @@
 //! How a motion begins and ends: loose ends, what has not come to rest, what ends early, what is between the points of the series.
 
 use crate::support::{close, note_muscle, ran, regulator, steps, valve};
-use mckibben::model::{ForceModel, ModelKind, Workspace};
+use mckibben::model::{ModelKind, Workspace};
 use mckibben::muscle::{Braid, Muscle, Terminals};
 use mckibben::progress::Silent;
 use mckibben_motion::*;
