@@ -62,7 +62,7 @@ fn a_curve_in_json_is_printed_as_it_is_computed() {
 
 /// Lines that take long, one of every command that may.
 const LONG: [&str; 12] = [
-    "simulate --model fe3d --mesh 2x24x60 -p 0..2.5:0.01bar",
+    "simulate --model fe3d --mesh 2x24x78 -p 0..2.5:0.01bar",
     "curve isobaric --mesh 2x512 -p 0..2.5:0.1bar -e 0..0.15:0.001",
     "curve --study thickness --mesh 4x512",
     "validate --sweep 100000",

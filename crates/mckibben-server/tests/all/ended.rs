@@ -83,7 +83,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         }
         "motion" => vec![json!({
             "step": { "valve": "1 L/(s bar)", "load": "mass:1kg", "pressure_mpa": 0.2, "until_s": 500 },
-            "muscle": text_file("prototype.toml"), "model": "thick-wall",
+            "muscle": text_file("prototype.toml"), "model": "fe",
         })],
         "study" => vec![json!({ "model": "fe", "mesh": "4x512" })],
         "simulate" => vec![

@@ -167,10 +167,11 @@ impl Sweep {
             );
             let falls = va > vb;
             match found {
-                Ok(x) if closest <= LEFT * (va.abs() + vb.abs()) => {
-                    if zeros.last().is_none_or(|zero| zero.at != x) {
-                        zeros.push(Zero { at: x, falls });
-                    }
+                Ok(x)
+                    if closest <= LEFT * (va.abs() + vb.abs())
+                        && zeros.last().is_none_or(|zero| zero.at != x) =>
+                {
+                    zeros.push(Zero { at: x, falls });
                 }
                 Err(RootError::Function(Some(error))) => return Err(error),
                 _ => {}

@@ -225,7 +225,7 @@ mod tests {
             Load::Mass { mass_kg: 25.0, level: false },
             Load::Spring { rate_n_per_mm: 8.0, preload_n: 60.0 },
             lever(-40.0),
-            lever(30.0),
+            lever(-70.0),
             Load::Sum(vec![lever(-60.0), Load::Spring { rate_n_per_mm: 3.0, preload_n: 0.0 }]),
         ];
         let (p, h, length) = (0.25, 1e-3, m.length_mm());

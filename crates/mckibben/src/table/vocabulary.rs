@@ -144,9 +144,7 @@ const FORCE: &[&str] = &[
     "last",
     "muskelkraft",
     "blockierkraft",
-    "standardkraft",
-    "prufkraft",
-    "pruefkraft", // German
+    "standardkraft", // German
     "effort",
     "traction",
     "force_de_traction",

@@ -23,7 +23,9 @@ pub fn short_numbers(text: &str) -> Cow<'_, str> {
     let mut quote: Option<char> = None;
     let mut before: Option<char> = None;
     while let Some(c) = rest.chars().next() {
-        let free = quote.is_none() && !before.is_some_and(|b| b.is_alphanumeric() || b == '.' || b == '_');
+        let range = text[..text.len() - rest.len()].ends_with("..");
+        let free = quote.is_none()
+            && (range || !before.is_some_and(|b| b.is_alphanumeric() || b == '.' || b == '_'));
         if free && c.is_ascii_digit() {
             let word = number_at(rest);
             let after = rest[word.len()..].chars().next();

@@ -14,7 +14,7 @@ fn run_plan(text: &str) -> Vec<Row> {
 /// Rows are the finite elements' own answers, and their derivatives those of the forces around them.
 #[test]
 fn rows_are_what_the_model_says_and_derivatives_are_those_of_the_forces() {
-    let text = "[vary]\ntube.outer_diameter = \"30,45\"\n\
+    let text = "[vary]\ntube.outer_diameter = \"30,30.5\"\n\
         [test]\ncontractions = \"0.0999,0.1,0.1001\"\npressures = \"0.1999,0.2,0.2001\"\nmesh = \"4\"\nsensitivities = true\n";
     let rows = run_plan(text);
     let plan = Plan::parse(text).unwrap();

@@ -43,7 +43,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
         if fine { Ok(name.to_owned()) } else { Err(said(key, "must be a short text on one line")) }
     };
     let points = section.number("points")?.ok_or_else(|| missing("points"))?;
-    if !(points >= 1.0 && points <= 1e9 && points.fract() == 0.0) {
+    if !((1.0..=1e9).contains(&points) && points.fract() == 0.0) {
         return Err(said("points", "must be a whole number above zero"));
     }
     let words = section.texts("branches", BRANCHES)?.ok_or_else(|| missing("branches"))?;

@@ -211,7 +211,7 @@ pub fn fit_tension_with(
     let (mut laws, mut failed) = (vec![], vec![]);
     for (done, form) in forms.iter().enumerate() {
         progress.report(done, forms.len());
-        if progress.cancelled() {
+        if progress.cancelled() && problem.budget.check().is_ok() {
             problem.budget.cancel();
         }
         match fitted::laws(*form, &problem, settings) {
