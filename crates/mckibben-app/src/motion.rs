@@ -415,8 +415,8 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
     let all: Vec<Warning> = told.into_iter().chain(said.map(Warning::from)).collect();
     let mut warnings = Warning::gravest(&all);
     let budget = progress.budget();
-    let of = |m: &Box<dyn ForceModel>| burst_of(&moved.choice, &**m, &budget);
-    let bursts = moved.models.iter().map(of).collect::<Result<Vec<_>, _>>()?;
+    let bursts = moved.models.iter().map(|m| burst_of(&moved.choice, &**m, &budget));
+    let bursts = bursts.collect::<Result<Vec<_>, _>>()?;
     let burst = bursts.iter().zip(&highest_mpa).filter_map(|(found, highest)| said_of(found, *highest, 0.0));
     put_first(&mut warnings, burst.collect::<Vec<_>>());
     let mut runs = runs.into_iter();

@@ -149,7 +149,7 @@ impl<'a> Strided<'a> {
                     out.copy_from_slice(list);
                 }
             }
-            1.. => {
+            2.. => {
                 let list = self.numbers.get(from..).unwrap_or_default();
                 let every = list.iter().step_by(stride.unsigned_abs());
                 out.iter_mut().zip(every).for_each(|(out, number)| *out = *number);

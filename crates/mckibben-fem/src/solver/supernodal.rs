@@ -333,11 +333,12 @@ mod tests {
             let wanted: Vec<f64> = (0..n).map(|i| (i as f64).sin()).collect();
             let mut b = vec![0.0; n];
             for j in 0..n {
-                for k in pattern.columns[j] as usize..pattern.columns[j + 1] as usize {
-                    let i = pattern.rows[k] as usize;
-                    b[i] += values[k] * wanted[j];
+                let column = pattern.columns[j] as usize..pattern.columns[j + 1] as usize;
+                for (i, value) in pattern.rows[column.clone()].iter().zip(&values[column]) {
+                    let i = *i as usize;
+                    b[i] += value * wanted[j];
                     if i != j {
-                        b[j] += values[k] * wanted[i];
+                        b[j] += value * wanted[i];
                     }
                 }
             }
