@@ -70,7 +70,7 @@ const LONG: [&str; 12] = [
     "validate --measured",
     "fit --report",
     "joint examples/elbow.toml --map 60 --max-pressure 3bar",
-    "motion examples/forearm-drive.toml --model fe",
+    "motion --muscle examples/prototype.toml --load mass:1kg -p 2bar --valve festo-mh2 --until 500s --model fe",
     "compare --models fe,thick-wall -p 0..2.5:0.02bar -e 0..0.15:0.001",
     "identify --muscle examples/bench.toml --data examples/bench.csv --mesh 4x512",
     "design --joint 8Nm@45deg,3Nm@60deg --max-pressure 6bar --model fe",

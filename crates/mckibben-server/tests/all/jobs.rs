@@ -67,11 +67,13 @@ async fn what_is_wrong_is_said_at_once_or_as_a_problem_of_the_job() {
     let client = Client::usual();
     client.post("/api/v1/jobs/design", "{").await.problem(400);
     client.post("/api/v1/jobs/no-such-command", "{}").await.problem(404);
-    let job = client.job("design", r#"{"forse_n": 300}"#).await;
+    let refused = client.post("/api/v1/jobs/design", r#"{"forse_n": 300}"#).await.problem(422);
+    assert_eq!(refused["hint"], "did you mean `force_n`?");
+    let job = client.job("force", r#"{"pressure_mpa": 0.3, "model": "paper"}"#).await;
     let told = events(&client.get(&format!("{job}/events")).await);
     let (name, problem) = told.last().unwrap();
     assert_eq!((name.as_str(), &problem["status"]), ("problem", &json!(422)));
-    assert_eq!(problem["hint"], "did you mean `force_n`?");
+    assert_eq!(problem["kind"], "out_of_range");
     let state = client.get(&job).await.json();
     assert_eq!((&state["state"], &state["problem"]), (&json!("failed"), problem));
     for path in ["/api/v1/jobs/0", "/api/v1/jobs/0/events"] {
