@@ -115,12 +115,6 @@ pub async fn ask(
     Ok(([(CONTENT_TYPE, kind)], state.room.keep(work.await?)?).into_response())
 }
 
-/// A job of no command: which one may be meant.
-pub async fn no_command(Name(name): Name) -> Result<Response, Refusal> {
-    command(&name)?;
-    Err(Refusal::new(StatusCode::NOT_FOUND, "a command's own address takes its jobs", ""))
-}
-
 /// Starts a job.
 pub async fn start(
     Shared(state): Ours,

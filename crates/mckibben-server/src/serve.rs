@@ -100,7 +100,7 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
         .route("/api/v1/health", get(api::health))
         .route("/api/v1/openapi.json", get(api::openapi))
         .route("/api/v1/schema/{command}", get(api::schema))
-        .route("/api/v1/jobs/{name}", get(api::state).delete(api::forget).post(api::no_command))
+        .route("/api/v1/jobs/{name}", get(api::state).delete(api::forget))
         .route("/api/v1/jobs/{name}/events", get(api::events))
         .route("/api/v1/{command}", post(api::ask))
         .method_not_allowed_fallback(|| async {

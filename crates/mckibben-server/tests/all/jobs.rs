@@ -66,7 +66,8 @@ async fn a_job_tells_its_way_and_its_answer() {
 async fn what_is_wrong_is_said_at_once_or_as_a_problem_of_the_job() {
     let client = Client::usual();
     client.post("/api/v1/jobs/design", "{").await.problem(400);
-    client.post("/api/v1/jobs/no-such-command", "{}").await.problem(404);
+    // What is no command is the place of a job, which is not posted to.
+    client.post("/api/v1/jobs/no-such-command", "{}").await.problem(405);
     let refused = client.post("/api/v1/jobs/design", r#"{"forse_n": 300}"#).await.problem(422);
     assert_eq!(refused["hint"], "did you mean `force_n`?");
     let job = client.job("force", r#"{"pressure_mpa": 0.3, "model": "paper"}"#).await;
