@@ -271,7 +271,7 @@ const FLAGS: &[Case] = &[
         "design -F 300 --stroke 40 -L 100 -e 10% -p 2.5bar",
         2,
         "specification",
-        "leave out --length",
+        "leave out --stroke, --length",
     ),
     (
         "stroke longer than the muscle",
