@@ -107,7 +107,7 @@ class Muscle(MuscleFields, MuscleCommands):
         if self._summary is None:
             from . import _native
 
-            object.__setattr__(self, "_summary", _native.ask("muscle-show", {"muscle": {"name": "muscle", "text": self._text}, "model": "ideal"}))
+            object.__setattr__(self, "_summary", _native.ask("muscle-show", {"muscle": {"name": "muscle", "text": self._text}}))
         return self._summary or {}
 
     @property

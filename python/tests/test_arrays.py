@@ -305,7 +305,8 @@ def test_masks_are_honoured(thin: mk.Muscle) -> None:
     grid, slopes = model.force(p, e, jac=True)
     assert grid.shape == (3, 4) and slopes.shape == (3, 4, 2)
     assert grid.mask.tolist() == [[False, True, False, True]] * 2 + [[True] * 4] and (np.ma.getmaskarray(slopes) == grid.mask[..., None]).all()
-    assert grid.compressed().tolist() == model.force([0.1, 0.2], [[0.0], [0.1]]).ravel().tolist()
+    # With slopes the same polynomial is summed in another order: some last bits.
+    assert grid.compressed().tolist() == pytest.approx(model.force([0.1, 0.2], [[0.0], [0.1]]).ravel().tolist(), rel=1e-14)
     # A mask of nothing, of everything, and of a single number.
     assert not np.ma.getmaskarray(model.force(np.ma.masked_array([0.1, 0.2]), 0.1)).any()
     for nothing in (np.ma.masked_array([0.1, 0.2], mask=True), np.ma.masked_array(0.1, mask=True)):

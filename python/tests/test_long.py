@@ -49,7 +49,7 @@ LONG = {
     "validation": "mk.validate(all=True)",
     "sweep": "mk.sweep(100000)",
     "curve": "mk.Muscle(wall_mm=4).curve('isobaric', pressures_mpa='0..0.5:0.0025 MPa', contractions='0..0.3:0.003', mesh='4x32')",
-    "motion": "mk.motion('examples/forearm-drive.toml', model='thick-wall', sweep={'key': 'valve.sonic_conductance', 'values': ['%g L/(s bar)' % (0.1 + 0.001 * i) for i in range(500)]})",
+    "motion": "mk.motion('examples/forearm-drive.toml', model='fe', sweep={'key': 'valve.sonic_conductance', 'values': ['%g L/(s bar)' % (0.1 + 0.005 * i) for i in range(100)]})",
 }
 
 

@@ -119,6 +119,20 @@ def questions(number: int, folder: Path) -> dict[str, tuple[list[str], Callable[
     }
 
 
+def refused(said: str) -> str:
+    """The kind of an error, behind warnings."""
+    assert "{" in said, said
+    return str(json.loads(said[said.index("{") :])["error"]["kind"])
+
+
+def shared(of: dict[str, Any], other: dict[str, Any]) -> list[dict[str, Any]]:
+    """The points of a curve with what both name: the program prints more of a point than the package keeps of a curve."""
+    assert len(of["points"]) == len(other["points"])
+    both = [(a, {k: a[k] for k in a if k in b}) for a, b in zip(of["points"], other["points"], strict=True)]
+    assert all({"pressure_mpa", "contraction"} <= kept.keys() and ("force_n" in kept or a["status"] != "ok") for a, kept in both)
+    return [kept for _, kept in both]
+
+
 def same(number: int, folder: Path, tool: str) -> tuple[int, list[str]]:
     """How many questions about a muscle have an answer, and what differs."""
     asked = questions(number, folder)
@@ -129,7 +143,10 @@ def same(number: int, folder: Path, tool: str) -> tuple[int, list[str]]:
     for name in chosen:
         flags, ask = asked[name]
         done = subprocess.run([tool, *flags, "--format", "json"], capture_output=True, text=True, timeout=60)
-        expected: Any = json.loads(done.stdout) if done.returncode == 0 else (json.loads(done.stderr)["error"]["kind"], done.returncode)
+        expected: Any = json.loads(done.stdout) if done.stdout.strip() else (refused(done.stderr), done.returncode)
+        if done.returncode != 0 and name == "curve" and isinstance(expected, dict):
+            # No point has an answer: the package raises.
+            expected = (expected["points"][0]["status"], done.returncode)
         try:
             found: Any = ask().to_dict()
             found.pop("figure", None)
@@ -137,6 +154,8 @@ def same(number: int, folder: Path, tool: str) -> tuple[int, list[str]]:
         except mk.MckibbenError as error:
             # Both refuse for one reason.
             found = (error.kind, error.exit_code)
+        if name == "curve" and isinstance(found, dict) and isinstance(expected, dict):
+            found, expected = shared(found, expected), shared(expected, found)
         if found != expected:
             wrong.append(f"{number} {' '.join(flags)}\n{str(expected)[:1500]}\n{str(found)[:1500]}")
     return answered, wrong
