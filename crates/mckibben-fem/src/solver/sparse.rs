@@ -1,6 +1,6 @@
 //! Sparse symmetric systems: Cholesky's factorisation, LDLᵀ where the matrix is not positive definite.
 //!
-//! The pattern is analysed once; values are filled in and factorised again and again ([`super::supernodal`]). The analysis and the solution
+//! The pattern is analysed once; values are filled in and factorised again and again (`super::supernodal`). The analysis and the solution
 //! are those of the library `faer`, on one thread: simulations run side by side. Unknowns are eliminated in the order in
 //! which they are numbered.
 
