@@ -24,7 +24,7 @@ static FILES: LazyLock<BTreeMap<String, File>> = LazyLock::new(|| {
     });
     let ours = [
         (mckibben_web::KIND.to_owned(), mckibben_web::KIND_OF_SERVER.into()),
-        (mckibben_web::CHARTS.to_owned(), mckibben_web::charts().into_bytes()),
+        (mckibben_web::CHARTS.to_owned(), mckibben_web::charts().to_vec()),
     ];
     kept.chain(ours).map(|(path, bytes)| (path.clone(), file(&path, bytes))).collect()
 });
