@@ -1,7 +1,7 @@
 """The Python package beside Rust: the same questions in turn, medians over several runs of the best of each, and their ratio.
 
-    cargo build --release -p mckibben-app --example array_speed
-    RAYON_NUM_THREADS=1 python benches/python.py target/release/examples/array_speed
+    cargo build --release --manifest-path studies/Cargo.toml --target-dir target/studies --bin array_speed
+    RAYON_NUM_THREADS=1 python benches/python.py target/studies/release/array_speed
 
 `unchecked` is Rust's formula alone; else Rust checks range and slack as Python does. With one thread, as the Rust side has one; without the
 variable Python's arrays are worked on by all cores. A number behind the path says how many runs.

@@ -46,9 +46,9 @@ def main():
     options.add_argument("--repeat", type=int, default=3)
     options.add_argument("--csv", metavar="DIR")
     options = options.parse_args()
-    build = ["cargo", "build", "--release", "--locked", "-q", "-p", "mckibben-fem", "--example", "peers"]
-    subprocess.run(build, check=True)
-    binary = os.path.join(os.environ.get("CARGO_TARGET_DIR", "target"), "release", "examples", "peers")
+    build = ["cargo", "build", "--release", "--locked", "-q", "--manifest-path", "studies/Cargo.toml"]
+    subprocess.run([*build, "--target-dir", "target/studies", "--bin", "peers"], check=True)
+    binary = "target/studies/release/peers"
     felupe = [sys.executable, os.path.join(HERE, "felupe_deck.py")]
     ccx = [sys.executable, os.path.join(HERE, "ccx_deck.py")]
     worst = near = 0.0

@@ -12,8 +12,9 @@ type Done = Result<(), String>;
 /// Name, what it does, and how; the flag of the function is `--check`.
 type Task = (&'static str, &'static str, fn(bool) -> Done);
 
-const TASKS: [Task; 12] = [
+const TASKS: [Task; 13] = [
     ("figures", "figures of README and docs, drawn by the program; --check compares", figures),
+    ("study-figures", "figures that scripts of studies/ draw; --check compares", study_figures),
     ("golds", "tables and formulas that the program computes itself; --check compares", golds),
     ("schemas", "JSON Schemas of requests and answers in docs/schema; --check compares", schemas),
     ("checks", "outputs read by other programs (python3, ccx, chromium)", checks),
@@ -32,7 +33,11 @@ const TASKS: [Task; 12] = [
         script("python3", "checks/dependencies.py")
     }),
     ("benches", "speed of the closed forms and of the finite elements", benches),
-    ("peers", "finite elements side by side with FElupe and CalculiX (python3, ccx)", peers),
+    (
+        "peers",
+        "finite elements side by side with FElupe and CalculiX (python3, ccx); --check: one contraction, once",
+        peers,
+    ),
 ];
 
 /// File in `docs/figures` and the command line that draws it.
@@ -96,14 +101,20 @@ fn figures(check: bool) -> Done {
         let flag = if file.ends_with(".png") { "--picture" } else { "--plot" };
         let path = made.join(file);
         quiet(Command::new(&program).args(line.split_whitespace()).arg(flag).arg(&path))?;
-        settle(&path, &kept.join(file), check)?;
+        keep(&path, &kept.join(file), check)?;
     }
-    for (file, example, more) in
+    Ok(())
+}
+
+/// Figures of the documentation that a study draws: minutes of finite elements.
+fn study_figures(check: bool) -> Done {
+    let (made, kept) = (made("studies")?, Path::new("docs/figures"));
+    for (file, study, more) in
         [("peers.svg", "peers_figure", None), ("universal.svg", "universal_figure", Some("150"))]
     {
         let path = made.join(file);
-        quiet(example_of("mckibben-cli", example).arg("--").arg(&path).args(more))?;
-        settle(&path, &kept.join(file), check)?;
+        quiet(cargo().args(["study", study]).arg("--").arg(&path).args(more))?;
+        keep(&path, &kept.join(file), check)?;
     }
     Ok(())
 }
@@ -116,14 +127,14 @@ fn golds(check: bool) -> Done {
         let file = format!("{form}.json");
         let path = made.join(&file);
         quiet(Command::new(&program).arg("fit").arg(&campaign).args(["--method", form, "-o"]).arg(&path))?;
-        settle(&path, &Path::new("crates/mckibben/data").join(file), check)?;
+        keep(&path, &Path::new("crates/mckibben/data").join(file), check)?;
     }
     let path = made.join("rubber-laws.json");
-    save(&mut example_of("mckibben", "rubber_laws"), &path)?;
-    settle(&path, Path::new("crates/mckibben/data/rubber-laws.json"), check)?;
+    save(&mut example("rubber_laws")?, &path)?;
+    keep(&path, Path::new("crates/mckibben/data/rubber-laws.json"), check)?;
     let path = made.join("paper.csv");
-    save(&mut example_of("mckibben-campaign", "paper_campaign_csv"), &path)?;
-    settle(&path, Path::new("data/campaign/paper.csv"), check)
+    save(&mut example("paper_campaign_csv")?, &path)?;
+    keep(&path, Path::new("data/campaign/paper.csv"), check)
 }
 
 fn schemas(check: bool) -> Done {
@@ -132,13 +143,13 @@ fn schemas(check: bool) -> Done {
     for entry in fs::read_dir(&made).map_err(|e| e.to_string())? {
         let path = entry.map_err(|e| e.to_string())?.path();
         let Some(name) = path.file_name() else { continue };
-        settle(&path, &Path::new("docs/schema").join(name), check)?;
+        keep(&path, &Path::new("docs/schema").join(name), check)?;
     }
     Ok(())
 }
 
 fn checks(_: bool) -> Done {
-    let packages = "mpmath pillow meshio numpy pandas pyarrow duckdb felupe pypardiso scipy";
+    let packages = "mpmath pillow meshio numpy pandas pyarrow duckdb scipy";
     let (program, python, made) = (program()?, python(packages)?, made("checks")?);
     let script = |name: &str| {
         let mut command = Command::new(&python);
@@ -148,10 +159,7 @@ fn checks(_: bool) -> Done {
     run(script("checks/oracle.py").arg(&program))?;
     run(script("checks/campaign.py").arg(&program))?;
     let answer = made.join("motion.json");
-    save(
-        cargo().args(["run", "--locked", "--quiet", "-p", "mckibben-motion", "--example", "exported"]),
-        &answer,
-    )?;
+    save(&mut example("exported")?, &answer)?;
     run(script("checks/motion.py").arg(&answer))?;
     for (name, line) in [
         ("checks/vtu.py", "-e 10% -p 0.05..0.25:0.05"),
@@ -164,7 +172,6 @@ fn checks(_: bool) -> Done {
         run(script(name).arg(&folder).arg(&answer))?;
         fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     }
-    run(script("benches/peers/compare.py").arg("--quick"))?;
     run(script("checks/outputs.py").arg(&program).arg("chromium"))
 }
 
@@ -176,31 +183,36 @@ fn benches(_: bool) -> Done {
     run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem", "-p", "mckibben-motion"]))
 }
 
-fn peers(_: bool) -> Done {
-    run(Command::new(python("numpy felupe pypardiso scipy")?).arg("benches/peers/compare.py"))
+fn peers(check: bool) -> Done {
+    let quick = check.then_some("--quick");
+    run(Command::new(python("numpy felupe pypardiso scipy")?).arg("benches/peers/compare.py").args(quick))
 }
 
 fn cargo() -> Command {
     Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
 }
 
-fn example_of(package: &str, name: &str) -> Command {
-    let mut command = cargo();
-    command.args(["run", "--quiet", "--release", "--locked", "-p", package, "--example", name]);
-    command
+/// What `cargo test --workspace` builds as well: the same features and profile, so that nothing is compiled twice.
+fn build(what: &[&str]) -> Done {
+    run(cargo().args(["build", "--quiet", "--locked", "--workspace", "--profile", "test"]).args(what))
+}
+
+fn example(name: &str) -> Result<Command, String> {
+    build(&["--example", name])?;
+    Ok(Command::new(target().join("debug/examples").join(format!("{name}{}", env::consts::EXE_SUFFIX))))
 }
 
 fn target() -> PathBuf {
     env::var_os("CARGO_TARGET_DIR").map_or_else(|| "target".into(), PathBuf::from)
 }
 
-/// The program, built for release.
+/// The program that the tests of the command line run.
 fn program() -> Result<PathBuf, String> {
     if let Some(given) = env::var_os("MCKIBBEN") {
         return Ok(given.into());
     }
-    run(cargo().args(["build", "--quiet", "--release", "--locked", "-p", "mckibben-cli"]))?;
-    let name = format!("release/mckibben{}", env::consts::EXE_SUFFIX);
+    build(&["--bin", "mckibben"])?;
+    let name = format!("debug/mckibben{}", env::consts::EXE_SUFFIX);
     fs::canonicalize(target().join(name)).map_err(|e| e.to_string())
 }
 
@@ -222,7 +234,7 @@ fn made(task: &str) -> Result<PathBuf, String> {
 }
 
 /// Puts what was made in the place of what is kept, or compares the two.
-fn settle(made: &Path, kept: &Path, check: bool) -> Done {
+fn keep(made: &Path, kept: &Path, check: bool) -> Done {
     let read = |path: &Path| fs::read(path).map_err(|e| format!("{}: {e}", path.display()));
     let new = read(made)?;
     if check {

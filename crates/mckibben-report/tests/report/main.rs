@@ -1,7 +1,6 @@
 //! Tests of the public interface.
 #![allow(clippy::unwrap_used, reason = "helpers of tests may fail like tests")]
 
-#[path = "../../examples/figures/mod.rs"]
 mod figures;
 
 mod drawing;

@@ -6,7 +6,7 @@ use mckibben::progress::Silent;
 
 /// The goals for 500 random muscles (rms 0.6 %, 99 % of points within 2.3 %, worst 5 %) on fifty of them, and tighter ones
 /// that the formula meets by a factor of three; the short form meets the goals of the large one. The full number:
-/// `--example universal_errors`.
+/// `cargo study universal_errors`.
 #[test]
 fn the_goals_hold_on_random_muscles() {
     let samples = held_out_samples(50, 11);

@@ -1,6 +1,6 @@
 //! How far two campaigns of the same muscles and questions are apart, in % of the second one's blocked force at the highest pressure.
 //!
-//! `cargo run --release -p mckibben-campaign --example compare_tables -- paper-3d.parquet paper.parquet`, after
+//! `cargo study compare_tables -- paper-3d.parquet paper.parquet`, after
 //! `mckibben campaign plans/paper-3d.toml -o paper-3d.parquet` and `mckibben campaign plans/paper.toml -o paper.parquet`.
 
 use mckibben_campaign::Row;

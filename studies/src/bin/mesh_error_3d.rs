@@ -1,5 +1,5 @@
 //! What the program's own three-dimensional mesh errs by: pull against the axisymmetric limit over the blocked force, on random muscles
-//! and questions. `cargo run --release -p mckibben-fem --example mesh_error_3d 2000`
+//! and questions. `cargo study mesh_error_3d 2000`
 
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;

@@ -1,6 +1,6 @@
 //! How the strands of a muscle press and turn, over pressure and contraction: CSV of what friction between them grows with.
 //!
-//! `cargo run --release -p mckibben-fem --example friction -- examples/tondu2012.toml`
+//! `cargo study friction -- examples/tondu2012.toml`
 
 use mckibben::model::Workspace;
 use mckibben::muscle::file::read_muscle;

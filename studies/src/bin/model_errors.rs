@@ -1,6 +1,6 @@
 //! How far closed-form models are from axisymmetric finite elements on random muscles.
 //!
-//! `cargo run --release -p mckibben-fem --example model_errors -- 1000` prints, for each model, the error in the pull as a
+//! `cargo study model_errors -- 1000` prints, for each model, the error in the pull as a
 //! share of the blocked force at the same pressure: rms, mean, the share that 95 % of the points stay within, the
 //! largest, and the same share divided by D0/L0. Muscles: D0 10–60 mm, s/D0 .03–.15, L0/D0 5–20, θ0 20–35°,
 //! neo-Hookean, P/μ 0.1–5, strand strain up to 6 %, contractions where the finite elements pull.

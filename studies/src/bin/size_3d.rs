@@ -1,7 +1,7 @@
 //! Time and memory of one Newton iteration of the three-dimensional muscle against the size of its mesh, the exponents,
 //! and how far the factorisation is from what the processor can do.
 //!
-//! `cargo run --release -p mckibben-fem --example size_3d` goes up to 310 000 unknowns and takes two minutes.
+//! `cargo study size_3d` goes up to 310 000 unknowns and takes two minutes.
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};

@@ -1,5 +1,5 @@
 //! Why the program's mesh is what it is: errors in % of the blocked force over the paper's range, against
-//! meshes of 3 × 48 elements. `cargo run --release -p mckibben-fem --example mesh_study`.
+//! meshes of 3 × 48 elements. `cargo study mesh_study`.
 
 use mckibben_fem::axisymmetric::study::mesh_study;
 use std::process::ExitCode;

@@ -1,6 +1,6 @@
 //! Asks `universal` and `universal-small` at random points of random muscles of their box, and says what has no answer or looks wrong.
 //!
-//! `cargo run --release -p mckibben --example universal_everywhere -- 2000 1000 1` takes muscles, questions of each, and a seed.
+//! `cargo study universal_everywhere -- 2000 1000 1` takes muscles, questions of each, and a seed.
 //! Contractions go to the ideal muscle's largest and 5 % beyond, where it pushes. Looked at: every answer is there and finite; a second
 //! model asked in the opposite order answers the same bits; where it pulls, the pull falls with ε, and rises with P above a tenth of
 //! the blocked force (near the end of the pull more pressure only stretches the strands); a list of points is answered

@@ -1,6 +1,6 @@
 //! What a meshed terminal changes: pull and cavity of the prototype against the plane lid, in %.
 //!
-//! `cargo run --release -p mckibben-fem --example terminal_3d [mesh] [part of a case's name]`
+//! `cargo study terminal_3d [mesh] [part of a case's name]`
 
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;

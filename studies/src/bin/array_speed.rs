@@ -1,6 +1,6 @@
 //! How long Rust takes for what `benches/python.py` asks of the Python package: one line a case, its name and seconds (the best of several).
 //!
-//! `cargo run --release -p mckibben-app --example array_speed`
+//! `cargo study array_speed`
 
 use mckibben::model::{ForceModel, ModelError, ModelKind, Workspace};
 use mckibben::muscle::Muscle;

@@ -1,6 +1,6 @@
 //! Residuals of the finite elements against every measured muscle, by contraction: what the constants of the ± come from.
 //!
-//! `cargo run --release -p mckibben-fem --example calibration`
+//! `cargo study calibration`
 
 use mckibben::progress::Silent;
 use mckibben_fem::validation::case::muscles;

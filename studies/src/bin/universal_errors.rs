@@ -1,6 +1,6 @@
 //! Errors of the models on random muscles that no fit has seen, in % of each muscle's blocked force where it pulls.
 //!
-//! `cargo run --release -p mckibben-campaign --example universal_errors -- 500 7` takes the number of muscles and a seed.
+//! `cargo study universal_errors -- 500 7` takes the number of muscles and a seed.
 
 use mckibben::model::{ForceModel, ModelKind, Workspace};
 use mckibben::rubber::RubberLaw;

@@ -1,4 +1,4 @@
-//! Cost against the number of elements along the muscle: `cargo run --release -p mckibben-fem --example linear`.
+//! Cost against the number of elements along the muscle: `cargo study linear`.
 
 use mckibben::model::Workspace;
 use mckibben::muscle::Muscle;

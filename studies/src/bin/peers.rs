@@ -1,6 +1,6 @@
 //! An exported deck's test, increment by increment, for the comparison with other programs (`benches/peers/compare.py`).
 //!
-//! `cargo run --release -p mckibben-fem --example peers -- muscle.toml 0.1 2x12 deck.inp` writes the deck of an isometric test at that
+//! `cargo study peers -- muscle.toml 0.1 2x12 deck.inp` writes the deck of an isometric test at that
 //! contraction (P by 0.01 to 0.25 MPa), walks the same increments from rest on one thread and prints pulls, time and
 //! work as JSON. A mesh that ends in `:quadratic` has no deck.
 

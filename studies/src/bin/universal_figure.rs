@@ -1,6 +1,6 @@
 //! Draws how errors of models are spread on random muscles that no fit has seen: the share of points within an error.
 //!
-//! `cargo run --release -p mckibben-cli --example universal_figure -- docs/figures/universal.svg 150` takes the file and the number of muscles.
+//! `cargo study universal_figure -- docs/figures/universal.svg 150` takes the file and the number of muscles.
 
 use mckibben::model::{ModelKind, Workspace};
 use mckibben_campaign::fit::universal::held_out_samples;

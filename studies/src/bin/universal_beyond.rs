@@ -1,7 +1,7 @@
 //! How far `universal` is from finite elements outside of its box, where `design` lets it look for muscles that finite elements then
 //! judge.
 //!
-//! `cargo run --release -p mckibben-fem --example universal_beyond -- 300` prints, for each range of L0/D0, θ0 and s/D0 with all else
+//! `cargo study universal_beyond -- 300` prints, for each range of L0/D0, θ0 and s/D0 with all else
 //! inside of the box, the error in the pull as a share of the blocked force: the share that 95 % of the points stay within, the largest,
 //! and how many answers of the finite elements it has none for. D0 10–60 mm, neo-Hookean, P/μ 0.2–5, strand strain up to 6 %,
 //! contractions where the finite elements pull.

@@ -1,5 +1,5 @@
 //! The figure of `docs/finite-elements-3d.md`: one muscle by three-dimensional and axisymmetric elements, by the ideal formula, and by
-//! other programs (`data/peers`). `cargo run --release -p mckibben-cli --example peers_figure -- FILE.svg`, from the root of the repository.
+//! other programs (`data/peers`). `cargo study peers_figure -- FILE.svg`, from the root of the repository.
 
 use mckibben::compare::read_measured;
 use mckibben::model::{ForceModel, Ideal, Workspace};
