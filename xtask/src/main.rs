@@ -180,7 +180,7 @@ fn script(program: &str, path: &str) -> Done {
 }
 
 fn benches(_: bool) -> Done {
-    run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem", "-p", "mckibben-motion"]))
+    run(cargo().args(["bench", "--locked", "--manifest-path", "studies/Cargo.toml", "--target-dir", "target/studies"]))
 }
 
 fn peers(check: bool) -> Done {
