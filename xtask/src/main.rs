@@ -180,7 +180,14 @@ fn script(program: &str, path: &str) -> Done {
 }
 
 fn benches(_: bool) -> Done {
-    run(cargo().args(["bench", "--locked", "--manifest-path", "studies/Cargo.toml", "--target-dir", "target/studies"]))
+    run(cargo().args([
+        "bench",
+        "--locked",
+        "--manifest-path",
+        "studies/Cargo.toml",
+        "--target-dir",
+        "target/studies",
+    ]))
 }
 
 fn peers(check: bool) -> Done {

@@ -22,6 +22,8 @@ mod labels;
 mod layout;
 mod legend;
 mod line_labels;
+#[cfg(feature = "png")]
+mod outlines;
 mod palette;
 #[cfg(feature = "png")]
 mod png;
@@ -40,4 +42,6 @@ mod xml;
 pub use document::{Body, Document, Part};
 pub use error::FigureError;
 pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+#[cfg(feature = "png")]
+pub use outlines::texts_as_outlines;
 pub use scene::{Face, Scene, Thread, View};
