@@ -225,7 +225,7 @@ fn program() -> Result<PathBuf, String> {
 
 /// Python with packages, in an environment of its own.
 fn python(packages: &str) -> Result<PathBuf, String> {
-    let folder = env::temp_dir().join("mckibben-checks");
+    let folder = target().join("venv");
     run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
     let python = folder.join("bin/python");
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages.split(' ')))?;
