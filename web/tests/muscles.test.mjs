@@ -1,5 +1,5 @@
 // One muscle on every page: what the pages ask about random muscles has the command line's numbers, after download, reload and by a link.
-// Without a browser: the state of the page, and the two engines. MUSCLES: how many; ENGINES: serve, static or all; FROM: the first.
+// Without a browser: the state of the page, and the two engines. MUSCLES: how many; FROM: the first.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
@@ -11,12 +11,9 @@ import { meant, takeUnits, typed } from "../page/js/units.js";
 import { served } from "./browser.mjs";
 import { inWasm, overHttp } from "./engines.mjs";
 import { dice, muscle } from "./random.mjs";
+import { dist, engines, program, root } from "./sites.mjs";
 
-const root = new URL("../..", import.meta.url).pathname;
-const program = process.env.MCKIBBEN ?? `${root}target/release/mckibben`;
-const dist = process.env.DIST ?? `${root}web/dist`;
 const COUNT = Number(process.env.MUSCLES ?? 100), FROM = Number(process.env.FROM ?? 1);
-const chosen = process.env.ENGINES ?? "all";
 
 /** The command line's answer as JSON, or nothing where it has none. @param {string[]} line @returns {Promise<any>} */
 const ask = (...line) => new Promise((resolve) => execFile(program, [...line, "--format", "json"], { cwd: root, maxBuffer: 1e8 }, (error, out) => resolve(error ? undefined : JSON.parse(out))));
@@ -39,12 +36,13 @@ function same(a, b, within, where) {
   assert.deepEqual(a ?? null, b ?? null, where);
 }
 
-for (const [name, start, within] of /** @type {[string, () => Promise<{ ask: import("./engines.mjs").Ask, end: () => void }>, number][]} */ ([
-  ["serve", async () => { const site = await served(program); return { ask: overHttp(site.url), end: site.end }; }, 0],
-  ["static", async () => ({ ask: await inWasm(dist), end: () => {} }), 1e-6],
-]).filter(([name]) => ["all", name].includes(chosen))) {
+/** @typedef {{ ask: import("./engines.mjs").Ask, end: () => void }} Engine */
+for (const [name, { start, within }] of engines({
+  static: { start: async () => ({ ask: await inWasm(dist), end: () => {} }), within: 1e-6 },
+  serve: { start: async () => { const site = await served(program); return { ask: overHttp(site.url), end: site.end }; }, within: 0 },
+})) {
   describe(name, () => {
-    /** @type {{ ask: import("./engines.mjs").Ask, end: () => void }} */ let engine;
+    /** @type {Engine} */ let engine;
     /** @type {string} */ let folder;
     let moves = 0;
     before(async () => {

@@ -97,6 +97,15 @@ pub struct JointRow {
     /// Pressure of the second muscle, MPa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_2_mpa: Option<f64>,
+    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_uncertainty_deg: Option<f64>,
+    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_1_uncertainty_mpa: Option<f64>,
+    /// That of the second muscle, likewise, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_2_uncertainty_mpa: Option<f64>,
     /// Torque of muscles, spring and weight towards +, N m.
     pub torque_nm: f64,
     /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
@@ -322,7 +331,15 @@ impl Asked<'_> {
                     };
                     let wanted = WantedOfJoint { angle_deg, torque_nm, stiffness_nm_per_rad };
                     let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
-                    rows.push(self.row(point, None)?);
+                    let halves = self.model.pressure_uncertainties_mpa(&mut self.workspaces, &point);
+                    let half = |i: usize| halves.get(i).copied().flatten();
+                    let row = self.row(point, None)?;
+                    let (first, second) = (half(0), half(1));
+                    rows.push(JointRow {
+                        pressure_1_uncertainty_mpa: first,
+                        pressure_2_uncertainty_mpa: second,
+                        ..row
+                    });
                 }
             }
             (false, Some(angles)) => {
@@ -343,7 +360,10 @@ impl Asked<'_> {
                     for rest in self.model.rests(&mut self.workspaces, pressures, outside)? {
                         let angle = rest.angle_deg();
                         let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
-                        rows.push(self.row(point, Some(word(&rest)))?);
+                        let balance = matches!(rest, Rest::Balance { .. });
+                        let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
+                        let row = self.row(point, Some(word(&rest)))?;
+                        rows.push(JointRow { angle_uncertainty_deg: half, ..row });
                     }
                 }
             }
@@ -370,6 +390,9 @@ impl Asked<'_> {
             angle_deg: point.angle_deg,
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
+            angle_uncertainty_deg: None,
+            pressure_1_uncertainty_mpa: None,
+            pressure_2_uncertainty_mpa: None,
             torque_nm: point.torque_nm,
             uncertainty_nm: point.uncertainty_nm,
             torque_turning_plus_nm: plus,
