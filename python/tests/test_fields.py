@@ -99,7 +99,7 @@ def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
         lambda: mk.Muscle().replace(end_factor="1 mm"),
         lambda: mk.force(pressure_mpa=0.2, end_factor="1 mm"),
         lambda: mk.ask("force", {"pressure_mpa": 0.2, "end_factor": "1 mm"}),
-        lambda: mk.curve("isobaric", pressures_mpa=[0.2], end_factor="1 mm"),
+        lambda: mk.curve(test="isobaric", pressures_mpa=[0.2], end_factor="1 mm"),
     ]
     for call in calls:
         with pytest.raises(mk.UsageError) as caught:

@@ -21,9 +21,15 @@ const ask = (...line) => new Promise((resolve) => execFile(program, [...line, "-
 const maybe = (answer) => answer.then((said) => said, (problem) => { if (!problem.kind) throw problem; return undefined; });
 
 /**
- * The same answers: in one process of one machine to the last bit; WebAssembly has its own sines and square roots of a vector, and what is
- * iterated to a tolerance of 1e-9 then ends elsewhere within it. @param {any} a @param {any} b @param {number} within @param {string} where
+ * By how much answers may differ, relative, numbers below 1e-3 by this share of 1e-3. The server is the command line's program: points agree to
+ * the last bit; a motion is asked with a muscle file that somebody wrote against one that was saved, and its events are found to 1e-9 of their
+ * scale. WebAssembly has its own sines and no lanes, which differ in the last bits, and what is iterated ends elsewhere within its tolerance:
+ * Newton's method at a residual of 1e-10 of the forces, with a stiffness or P′ up to ten times as far from it (of 400 muscles the worst is
+ * 1.0e-10, a P′), a motion's events at 1e-9 of their scale, likewise (the worst 2.1e-9, a rise time).
  */
+const WITHIN = { serve: { point: 0, motion: 1e-9 }, static: { point: 1e-9, motion: 1e-8 } };
+
+/** The same answers. @param {any} a @param {any} b @param {number} within @param {string} where */
 function same(a, b, within, where) {
   if (typeof a === "number" && typeof b === "number") {
     if (a !== b) assert.ok(within > 0 && Math.abs(a - b) <= within * Math.max(1e-3, Math.abs(a), Math.abs(b)), `${where}: ${a}, on the command line ${b}`);
@@ -37,9 +43,9 @@ function same(a, b, within, where) {
 }
 
 /** @typedef {{ ask: import("./engines.mjs").Ask, end: () => void }} Engine */
-for (const [name, { start, within }] of engines({
-  static: { start: async () => ({ ask: await inWasm(dist), end: () => {} }), within: 1e-6 },
-  serve: { start: async () => { const site = await served(program); return { ask: overHttp(site.url), end: site.end }; }, within: 0 },
+for (const [name, { start, point: within, motion }] of engines({
+  static: { start: async () => ({ ask: await inWasm(dist), end: () => {} }), ...WITHIN.static },
+  serve: { start: async () => { const site = await served(program); return { ask: overHttp(site.url), end: site.end }; }, ...WITHIN.serve },
 })) {
   describe(name, () => {
     /** @type {Engine} */ let engine;
@@ -128,8 +134,8 @@ for (const [name, { start, within }] of engines({
         ask("motion", "--muscle", whole, "-p", p, "--load", step.load, "--valve", step.valve, "--damping", step.damping, "--until", step.until, "--model", model),
         maybe(engine.ask("motion", page.motion(text, { model, pressure_mpa: state.p, supply_mpa: 0.6, load: step.load, valve: step.valve, damping_n_s_per_m: 300, until_s: 0.3 }))),
       ]);
-      for (const key of ["rise_time_s", "largest_speed", "air_normal_litres", "overshoot"]) same(moved?.[key], run?.[key], Math.max(1e3 * within, 1e-9), `Motion ${seed}, ${key}`);
-      same(moved?.series.contraction.at(-1), run?.series.contraction.at(-1), Math.max(1e2 * within, 1e-9), `Motion ${seed}`);
+      for (const key of ["rise_time_s", "largest_speed", "air_normal_litres", "overshoot"]) same(moved?.[key], run?.[key], motion, `Motion ${seed}, ${key}`);
+      same(moved?.series.contraction.at(-1), run?.series.contraction.at(-1), motion, `Motion ${seed}`);
 
       // Compare: the muscle itself, and with a length and stiffness of the side's own.
       const [length, k] = [d.between(150, 300), d.pick(["inextensible", 400])];
@@ -153,8 +159,9 @@ for (const [name, { start, within }] of engines({
       await Promise.all(Array.from({ length: availableParallelism() }, work));
       assert.deepEqual(wrong.map((error) => error.message), []);
       // The others are refused alike by both, which has been compared.
-      assert.ok(answered >= 0.9 * COUNT, `${answered} of ${COUNT} muscles have all answers`);
-      assert.ok(moves >= 0.3 * COUNT, `${moves} of ${COUNT} muscles move`);
+      // Of the first 400 all but one have all answers, and 374 move: of each hundred 99 and 90 at least.
+      assert.ok(answered >= 0.97 * COUNT, `${answered} of ${COUNT} muscles have all answers`);
+      assert.ok(moves >= 0.85 * COUNT, `${moves} of ${COUNT} muscles move`);
     });
 
     test("what is typed into a field has the value of the command line, and so has its link", async () => {
