@@ -97,15 +97,6 @@ pub struct JointRow {
     /// Pressure of the second muscle, MPa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_2_mpa: Option<f64>,
-    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub angle_uncertainty_deg: Option<f64>,
-    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pressure_1_uncertainty_mpa: Option<f64>,
-    /// That of the second muscle, likewise, MPa.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pressure_2_uncertainty_mpa: Option<f64>,
     /// Torque of muscles, spring and weight towards +, N m.
     pub torque_nm: f64,
     /// 95 % half-width of the torque against a measured joint, as far as the muscles' pulls make it, N m.
@@ -148,6 +139,15 @@ pub struct JointRow {
     /// Pressure below which the second muscle is slack at this angle, MPa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start_pressure_2_mpa: Option<f64>,
+    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_uncertainty_deg: Option<f64>,
+    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_1_uncertainty_mpa: Option<f64>,
+    /// That of the second muscle, likewise, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_2_uncertainty_mpa: Option<f64>,
 }
 
 /// How a joint rests.
@@ -390,9 +390,6 @@ impl Asked<'_> {
             angle_deg: point.angle_deg,
             pressure_1_mpa: point.pressures_mpa.first().copied().unwrap_or(0.0),
             pressure_2_mpa: point.pressures_mpa.get(1).copied(),
-            angle_uncertainty_deg: None,
-            pressure_1_uncertainty_mpa: None,
-            pressure_2_uncertainty_mpa: None,
             torque_nm: point.torque_nm,
             uncertainty_nm: point.uncertainty_nm,
             torque_turning_plus_nm: plus,
@@ -409,6 +406,9 @@ impl Asked<'_> {
             slack_2: second.map(|m| m.answer.slack),
             start_pressure_1_mpa: first.and_then(|m| m.answer.start_pressure_mpa),
             start_pressure_2_mpa: second.and_then(|m| m.answer.start_pressure_mpa),
+            angle_uncertainty_deg: None,
+            pressure_1_uncertainty_mpa: None,
+            pressure_2_uncertainty_mpa: None,
         })
     }
 }
