@@ -109,7 +109,7 @@ fn where_nothing_fits_the_answer_says_what_burst_has_to_do_with_it() {
     assert_eq!(early, 2, "{margins:?}");
     let words = |force: f64, margin: f64| {
         format!(
-            "design hose.toml -F {force}N -e 2% -p 6bar -s 2 -D 12,14,16,18 --model thick-wall --burst-margin {margin}"
+            "design hose.toml -F {force}N -e 2% -p 6bar -s 2 -D 12,14,16,18 --model thick-wall --safety {margin}"
         )
     };
     let refused = |words: &str| {
