@@ -49,7 +49,8 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
     let wanted = Wanted { angle_deg: 10.0, torque_nm: 2.0, stiffness_nm_per_rad: Some(8.0) };
     let found = model.pressures(w, wanted, 0.3).unwrap();
     let halves = model.pressure_uncertainties_mpa(w, &found);
-    for i in 0..2 {
+    assert_eq!(halves.len(), 2);
+    for (i, sought) in halves.into_iter().enumerate() {
         let mut torque = |step: f64| {
             let mut pressures = found.pressures_mpa.clone();
             pressures[i] += step;
@@ -57,7 +58,7 @@ fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
         };
         let slope = (torque(1e-5) - torque(-1e-5)) / 2e-5;
         let half = found.uncertainty_nm.unwrap() / slope.abs();
-        assert!((halves[i].unwrap() / half - 1.0).abs() < 1e-6, "{halves:?}, by differences {half}");
+        assert!((sought.unwrap() / half - 1.0).abs() < 1e-6, "{sought:?}, by differences {half}");
     }
     let pressures = [0.2, 0.15];
     let rest = model.rests(w, &pressures, 0.0).unwrap()[0].angle_deg();
