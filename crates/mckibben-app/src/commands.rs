@@ -3,6 +3,8 @@
 #[cfg(feature = "schema")]
 use crate::annotate::annotate;
 use crate::border::within;
+#[cfg(feature = "schema")]
+use crate::by_name::{ListForObject, list_for_object};
 use crate::json_size::JsonSize;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
@@ -33,9 +35,9 @@ pub struct CommandEntry {
     understood: fn(&Value) -> Result<(), Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
-    /// Fields of its request, from the schema, which is made once.
+    /// The schema of its request, which is made once.
     #[cfg(feature = "schema")]
-    fields: OnceLock<Vec<String>>,
+    request: OnceLock<Value>,
 }
 
 impl CommandEntry {
@@ -57,22 +59,25 @@ impl CommandEntry {
         (self.schema)()
     }
 
+    /// The schema of its request.
+    #[cfg(feature = "schema")]
+    fn request(&self) -> &Value {
+        self.request.get_or_init(|| {
+            let mut schema = self.schema();
+            schema["request"].take()
+        })
+    }
+
     /// The fields of its request.
     #[cfg(feature = "schema")]
-    fn fields(&self) -> &[String] {
-        self.fields.get_or_init(|| {
-            let schema = self.schema();
-            let properties = schema["request"]["properties"].as_object();
-            properties.into_iter().flat_map(|p| p.keys().cloned()).collect()
-        })
+    fn fields(&self) -> impl Iterator<Item = &str> {
+        self.request()["properties"].as_object().into_iter().flat_map(|p| p.keys().map(String::as_str))
     }
 
     /// Whether its request may carry tables of measured or computed points, which may be long.
     #[cfg(feature = "schema")]
     pub fn takes_tables(&self) -> bool {
-        self.fields()
-            .iter()
-            .any(|field| ["data", "table", "tables", "load_tables", "cases"].contains(&field.as_str()))
+        self.fields().any(|field| ["data", "table", "tables", "load_tables", "cases"].contains(&field))
     }
 
     /// Whether a request is one of this command, before any work is done for it: what is said at once of what begins later.
@@ -85,22 +90,23 @@ impl CommandEntry {
         (self.understood)(request)
     }
 
-    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default. So is a list of values in the place of
+    /// an object.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
         if !request.is_object() {
             let message = "a request is an object of fields";
             return Err(Problem::new(ProblemKind::Usage, message, "such as {\"pressure_mpa\": 0.2}"));
         }
-        let known = self.fields();
-        let given = request.as_object().into_iter().flat_map(|fields| fields.keys());
-        let Some(field) = given.into_iter().find(|field| !known.is_empty() && !known.contains(field)) else {
-            return Ok(());
-        };
-        let hint = nearest(field, known.iter().map(String::as_str))
-            .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
-        let message = format!("there is no field \"{field}\" in this request");
-        Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()))
+        let known: Vec<&str> = self.fields().collect();
+        let mut given = request.as_object().into_iter().flat_map(|fields| fields.keys());
+        if let Some(field) = given.find(|field| !known.is_empty() && !known.contains(&field.as_str())) {
+            let hint = nearest(field, known.iter().copied())
+                .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+            let message = format!("there is no field \"{field}\" in this request");
+            return Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()));
+        }
+        list_for_object(request, self.request()).map_or(Ok(()), |list| Err(list.into()))
     }
 }
 
@@ -118,7 +124,7 @@ macro_rules! command {
             #[cfg(feature = "schema")]
             understood: |value| <$request>::deserialize(value).map(drop).map_err(|e| not_understood(&e)),
             #[cfg(feature = "schema")]
-            fields: OnceLock::new(),
+            request: OnceLock::new(),
             long: false,
         }
     };
@@ -298,6 +304,16 @@ fn schemas<Q: JsonSchema, A: JsonSchema>() -> Value {
     let mut all = serde_json::json!({ "request": requests, "answer": answers, "error": problems });
     annotate(&mut all);
     all
+}
+
+#[cfg(feature = "schema")]
+impl From<ListForObject> for Problem {
+    fn from(ListForObject { field, place, names }: ListForObject) -> Self {
+        let message = format!("`{place}` is a list, and should be an object");
+        let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+        let hint = format!("name its fields: {}", names.join(", "));
+        Self::new(ProblemKind::Usage, message, hint).in_field(field)
+    }
 }
 
 fn not_understood(error: &serde_json::Error) -> Problem {

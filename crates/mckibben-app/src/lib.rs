@@ -29,6 +29,8 @@ mod annotate;
 mod border;
 mod braid;
 mod burst;
+#[cfg(feature = "schema")]
+mod by_name;
 #[cfg(feature = "files")]
 mod campaign;
 mod commands;

@@ -22,6 +22,7 @@ mod labels;
 mod layout;
 mod legend;
 mod line_labels;
+mod mark;
 mod palette;
 #[cfg(feature = "png")]
 mod png;
@@ -40,4 +41,5 @@ mod xml;
 pub use document::{Body, Document, Part};
 pub use error::FigureError;
 pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+pub use mark::{is_figure, is_page};
 pub use scene::{Face, Scene, Thread, View};
