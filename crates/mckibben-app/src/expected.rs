@@ -23,7 +23,9 @@ pub(crate) enum Expected {
     List(Box<Self>),
     /// An object with these fields.
     Fields(Vec<(String, Self)>),
-    /// One of several, or what no schema says.
+    /// One of several.
+    OneOf(Vec<Self>),
+    /// What no schema says.
     Any,
 }
 
@@ -39,20 +41,21 @@ impl Expected {
         if let Some(of) = named(&schema["$ref"]) {
             return Self::at(of, defs, deeper);
         }
-        // A field that may be left out is what it is or null.
-        let there = |list: &[Value], null: &dyn Fn(&Value) -> bool| {
-            let mut rest: Vec<Value> = list.iter().filter(|v| !null(v)).cloned().collect();
-            rest.pop().filter(|_| rest.is_empty())
-        };
-        if let Some(list) = schema["anyOf"].as_array() {
-            let one = there(list, &|v| v["type"] == "null");
-            return one.map_or(Self::Any, |of| Self::at(&of, defs, deeper));
+        if let Some(list) = ["anyOf", "oneOf"].iter().find_map(|key| schema[*key].as_array()) {
+            // A field that may be left out is what it is or null.
+            let kinds = list.iter().filter(|of| of["type"] != "null").map(|of| Self::at(of, defs, deeper));
+            let mut kinds: Vec<Self> = kinds.collect();
+            return match kinds.pop() {
+                None => Self::Any,
+                Some(one) if kinds.iter().all(|of| *of == one) => one,
+                Some(last) => Self::OneOf(kinds.into_iter().chain([last]).collect()),
+            };
         }
-        let kind = match &schema["type"] {
-            Value::Array(list) => there(list, &|v| v == "null"),
-            one => Some(one.clone()),
+        let mut types = match &schema["type"] {
+            Value::Array(list) => list.iter().filter_map(Value::as_str).filter(|t| *t != "null").collect(),
+            one => Vec::from_iter(one.as_str()),
         };
-        match kind.as_ref().and_then(Value::as_str) {
+        match types.pop().filter(|_| types.is_empty()) {
             Some("number") => Self::Number(schema["x-unit"].as_str().map(str::to_owned)),
             Some("integer") => Self::Whole,
             Some("string") => Self::Text,
@@ -87,7 +90,7 @@ impl Expected {
     }
 
     fn within(&self, field: &str, value: &Value) -> Result<(), Problem> {
-        let wanted = match (self, value) {
+        match (self, value) {
             (Self::Fields(fields), Value::Object(given)) => {
                 return given.iter().try_for_each(|(name, value)| {
                     let known = fields.iter().find(|(known, _)| known == name);
@@ -101,14 +104,14 @@ impl Expected {
             (Self::Number(_), Value::Number(_)) => return Ok(()),
             (Self::Whole, Value::Number(number)) if !number.is_f64() => return Ok(()),
             (Self::Text, Value::String(_)) | (Self::Truth, Value::Bool(_)) => return Ok(()),
-            (Self::Number(Some(unit)), _) => format!("a number in {unit}"),
-            (Self::Number(None), _) => "a number without a unit".to_owned(),
-            (Self::Whole, _) => "a whole number".to_owned(),
-            (Self::Text, _) => "a text".to_owned(),
-            (Self::Truth, _) => "true or false".to_owned(),
-            (Self::List(_), _) => "a list".to_owned(),
-            (Self::Fields(_), _) => "an object of fields".to_owned(),
-        };
+            (Self::OneOf(kinds), _) => {
+                if kinds.iter().any(|of| of.within(field, value).is_ok()) {
+                    return Ok(());
+                }
+            }
+            _ => {}
+        }
+        let wanted = self.words();
         let given = match value {
             Value::String(text) => {
                 let start: String = text.chars().take(LONGEST).collect();
@@ -131,11 +134,31 @@ impl Expected {
         let problem = Problem::new(ProblemKind::Usage, format!("{what} is {wanted}, not {given}"), hint);
         Err(if field.is_empty() { problem } else { problem.in_field(field) })
     }
+
+    /// What it is, in words.
+    fn words(&self) -> String {
+        match self {
+            Self::Number(Some(unit)) => format!("a number in {unit}"),
+            Self::Number(None) => "a number without a unit".to_owned(),
+            Self::Whole => "a whole number".to_owned(),
+            Self::Text => "a text".to_owned(),
+            Self::Truth => "true or false".to_owned(),
+            Self::List(_) => "a list".to_owned(),
+            Self::Fields(_) => "an object of fields".to_owned(),
+            Self::OneOf(kinds) => {
+                let mut words: Vec<String> = kinds.iter().map(Self::words).collect();
+                words.dedup();
+                words.join(" or ")
+            }
+            Self::Any => "a value".to_owned(),
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::COMMANDS;
     use serde_json::json;
 
     fn said(command: &str, request: &Value) -> (String, Option<String>) {
@@ -211,5 +234,66 @@ mod tests {
         assert_eq!(force.check(&json!({"pressure_mpa": 0.2, "end_factor": null})), Ok(()));
         let (words, _) = said("force", &json!({"pressure_mpa": "é".repeat(100_000)}));
         assert!(words.len() < 200 && words.ends_with("é…\""), "{words}");
+    }
+
+    /// What a schema may be: itself, or each of those that it refers to.
+    fn kinds<'s>(schema: &'s Value, defs: &'s Value, out: &mut Vec<&'s Value>) {
+        if let Some(name) = schema["$ref"].as_str().and_then(|path| path.rsplit('/').next()) {
+            return kinds(&defs[name], defs, out);
+        }
+        match ["anyOf", "oneOf"].iter().find_map(|key| schema[*key].as_array()) {
+            Some(list) => list.iter().for_each(|one| kinds(one, defs, out)),
+            None => out.push(schema),
+        }
+    }
+
+    /// Places of a schema that hold an object, or a list of them, as a request with a list there; each with its field.
+    fn with_lists(schema: &Value) -> Vec<(String, Value)> {
+        let mut out = vec![];
+        for (field, own) in schema["properties"].as_object().into_iter().flatten() {
+            let mut all = vec![];
+            kinds(own, &schema["$defs"], &mut all);
+            let takes = |kind: &str| all.iter().any(|k| k["type"].to_string().contains(kind));
+            if all.iter().any(|kind| kind["properties"].is_object()) && !takes("array") {
+                out.push((field.clone(), json!({ field.as_str(): ["a", "b"] })));
+            }
+            for items in all.iter().filter_map(|kind| kind.get("items")) {
+                let mut inner = vec![];
+                kinds(items, &schema["$defs"], &mut inner);
+                if inner.iter().any(|kind| kind["properties"].is_object()) {
+                    out.push((field.clone(), json!({ field.as_str(): [["a", "b"]] })));
+                }
+            }
+        }
+        out
+    }
+
+    #[test]
+    fn no_command_takes_a_list_for_an_object() {
+        let mut asked = 0;
+        for command in COMMANDS.iter() {
+            for (field, request) in with_lists(&command.schema()["request"]) {
+                asked += 1;
+                let problem =
+                    crate::ask_value(command.name, request.clone(), &mckibben::progress::Silent).unwrap_err();
+                let said = format!("{} {request}: {problem} {:?}", command.name, problem.field);
+                assert!(
+                    problem.kind == ProblemKind::Usage && problem.message.ends_with("not a list"),
+                    "{said}"
+                );
+                assert_eq!(problem.field.as_deref(), Some(field.as_str()), "{said}");
+                assert_eq!(command.check(&request).unwrap_err(), problem, "{said}");
+            }
+        }
+        assert!(asked > 50, "{asked}");
+    }
+
+    #[test]
+    fn lists_and_numbers_are_taken_where_the_schema_has_them() {
+        let design = COMMANDS.iter().find(|c| c.name == "design").unwrap();
+        for angle in [json!(20.0), json!([20.0, 25.0]), json!({ "low": 20.0, "high": 30.0 })] {
+            let request = json!({ "points": [{ "force_n": 300.0, "contraction": 0.1 }], "angle_deg": angle });
+            assert_eq!(design.check(&request), Ok(()));
+        }
     }
 }

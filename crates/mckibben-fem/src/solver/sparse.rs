@@ -94,6 +94,7 @@ impl std::fmt::Debug for Analysis {
 /// A factorised sparse symmetric matrix.
 pub struct SparseCholesky {
     analysis: Arc<Analysis>,
+    /// Has room for all entries; filled as far as the last factorisation came.
     factor: Vec<f64>,
     numeric: Numeric,
     memory: MemBuffer,
@@ -106,7 +107,7 @@ impl std::fmt::Debug for SparseCholesky {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("SparseCholesky")
             .field("analysis", &self.analysis)
-            .field("factor", &self.factor.len())
+            .field("factor", &self.factor_entries())
             .finish_non_exhaustive()
     }
 }
@@ -154,13 +155,12 @@ impl SparseCholesky {
         let memory = memory.map_err(|_| too_large)?;
         let mut factor = Vec::new();
         factor.try_reserve_exact(symbolic.len_val()).map_err(|_| too_large)?;
-        factor.resize(symbolic.len_val(), 0.0);
         Ok(Self { analysis, factor, numeric, memory, form: None, negative: 0 })
     }
 
     /// Numbers in the factor, zeros that pad it included.
     pub fn factor_entries(&self) -> usize {
-        self.factor.len()
+        self.analysis.symbolic.len_val()
     }
 
     /// Floating-point operations of one factorisation: Σ over the columns of (entries of the column)².

@@ -119,25 +119,27 @@ impl Numeric {
         Some(Self { local: vec![0; unknowns], product: vec![], scaled: vec![], memory, work: 0 })
     }
 
-    /// Fills `factor`. `go_on` is asked after every piece of work.
+    /// Fills `factor`, supernode after supernode: its memory comes as it is needed, since zeros for all of it take a second and more.
+    /// `go_on` is asked after every piece of work.
     pub fn factorise(
         &mut self,
         form: Form,
         (s, updates): (&SymbolicSupernodalCholesky<u32>, &Updates),
         lower: Lower<'_>,
-        factor: &mut [f64],
+        factor: &mut Vec<f64>,
         go_on: &dyn Fn() -> Result<(), Exceeded>,
     ) -> Result<(), Ended> {
         let place = |i: usize| s.col_ptr_for_val()[i] as usize;
+        factor.clear();
         for i in 0..s.n_supernodes() {
             let (begin, end) = (s.supernode_begin()[i] as usize, s.supernode_end()[i] as usize);
             let (width, pattern) = (end - begin, s.supernode(i).pattern());
             let height = width + pattern.len();
             let all = (begin..end).chain(pattern.iter().map(|r| *r as usize));
             all.enumerate().for_each(|(k, row)| self.local[row] = k as u32);
+            factor.resize(place(i) + width * height, 0.0);
+            self.worked(width * height, go_on)?;
             let (head, own) = factor.split_at_mut(place(i));
-            let own = &mut own[..width * height];
-            own.fill(0.0);
             for (j, column) in (begin..end).zip(own.chunks_exact_mut(height)) {
                 for k in lower.columns[j] as usize..lower.columns[j + 1] as usize {
                     column[self.local[lower.rows[k] as usize] as usize] += lower.values[k];
