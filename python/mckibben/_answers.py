@@ -1420,10 +1420,17 @@ class JointRow(Record):
         Pressure below which the first muscle is slack at this angle, MPa.
     start_pressure_2_mpa : MPa
         Pressure below which the second muscle is slack at this angle, MPa.
+    angle_uncertainty_deg : deg
+        Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    pressure_1_uncertainty_mpa : MPa
+        Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for
+        that of the torque, MPa.
+    pressure_2_uncertainty_mpa : MPa
+        That of the second muscle, likewise, MPa.
     """
 
     __slots__ = ()
-    _fields_ = ('angle_deg', 'pressure_1_mpa', 'pressure_2_mpa', 'torque_nm', 'uncertainty_nm', 'torque_turning_plus_nm', 'torque_turning_minus_nm', 'stiffness_nm_per_rad', 'rest', 'force_1_n', 'force_2_n', 'contraction_1', 'contraction_2', 'arm_1_mm', 'arm_2_mm', 'slack_1', 'slack_2', 'start_pressure_1_mpa', 'start_pressure_2_mpa')
+    _fields_ = ('angle_deg', 'pressure_1_mpa', 'pressure_2_mpa', 'torque_nm', 'uncertainty_nm', 'torque_turning_plus_nm', 'torque_turning_minus_nm', 'stiffness_nm_per_rad', 'rest', 'force_1_n', 'force_2_n', 'contraction_1', 'contraction_2', 'arm_1_mm', 'arm_2_mm', 'slack_1', 'slack_2', 'start_pressure_1_mpa', 'start_pressure_2_mpa', 'angle_uncertainty_deg', 'pressure_1_uncertainty_mpa', 'pressure_2_uncertainty_mpa')
     angle_deg: float
     pressure_1_mpa: float
     pressure_2_mpa: float | None
@@ -1443,6 +1450,9 @@ class JointRow(Record):
     slack_2: bool | None
     start_pressure_1_mpa: float | None
     start_pressure_2_mpa: float | None
+    angle_uncertainty_deg: float | None
+    pressure_1_uncertainty_mpa: float | None
+    pressure_2_uncertainty_mpa: float | None
 
 
 class KindOfQuantity(Record):
@@ -3581,6 +3591,8 @@ class SureAnswer(Record):
         Pulls at contractions; of a load those that it takes.
     torques
         Torques at angles, of a joint.
+    load_factor
+        Of a load on muscles whose length is searched: how many times as heavy a load to ask for.
     outer_diameter_mm : mm
         Outer diameter D0 of the muscle that answers, mm.
     uncertainty_n : N
@@ -3588,10 +3600,11 @@ class SureAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('points', 'torques', 'outer_diameter_mm', 'uncertainty_n')
+    _fields_ = ('points', 'torques', 'load_factor', 'outer_diameter_mm', 'uncertainty_n')
     _nested_ = {'points': 'Wanted', 'torques': 'TorqueWanted'}
     points: list[Wanted] | None
     torques: list[TorqueWanted] | None
+    load_factor: float | None
     outer_diameter_mm: float
     uncertainty_n: float | None
 
@@ -4143,6 +4156,11 @@ class DesignAnswer(Record):
         Muscles that were looked at.
     fitting
         How many of them fit.
+    excluded_by_burst
+        How many of those that were looked at burst too early for the margin that is asked for; of strands whose
+        strength is not stated nobody can say.
+    excluded_by_burst_alone
+        How many of these meet every other limit.
     candidates
         The best, best first.
     rejected
@@ -4150,7 +4168,7 @@ class DesignAnswer(Record):
     verification
         Where another model was named: the winner by finite elements.
     warnings
-        What the user should know of the winner.
+        What the user should know of the winner; where nothing fits, whether burst was checked.
     tolerance
         Spread of the winner's pull under the tolerances, point by point.
     to_be_sure
@@ -4162,7 +4180,7 @@ class DesignAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'searched_with', 'max_pressure_mpa', 'load', 'assumptions', 'looked_at', 'fitting', 'candidates', 'rejected', 'verification', 'warnings', 'tolerance', 'to_be_sure', 'closest', 'figure')
+    _fields_ = ('model', 'searched_with', 'max_pressure_mpa', 'load', 'assumptions', 'looked_at', 'fitting', 'excluded_by_burst', 'excluded_by_burst_alone', 'candidates', 'rejected', 'verification', 'warnings', 'tolerance', 'to_be_sure', 'closest', 'figure')
     _nested_ = {'candidates': 'CandidateAnswer', 'rejected': 'RejectedAnswer', 'verification': 'Verified', 'tolerance': 'SpreadAnswer', 'to_be_sure': 'SureAnswer', 'closest': 'ClosestAnswer', 'figure': 'Figure'}
     _rows_ = 'candidates'
     model: str
@@ -4172,6 +4190,8 @@ class DesignAnswer(Record):
     assumptions: list[str] | None
     looked_at: int
     fitting: int
+    excluded_by_burst: int
+    excluded_by_burst_alone: int
     candidates: list[CandidateAnswer]
     rejected: list[RejectedAnswer]
     verification: Verified | None

@@ -180,7 +180,14 @@ fn script(program: &str, path: &str) -> Done {
 }
 
 fn benches(_: bool) -> Done {
-    run(cargo().args(["bench", "--locked", "-p", "mckibben", "-p", "mckibben-fem", "-p", "mckibben-motion"]))
+    run(cargo().args([
+        "bench",
+        "--locked",
+        "--manifest-path",
+        "studies/Cargo.toml",
+        "--target-dir",
+        "target/studies",
+    ]))
 }
 
 fn peers(check: bool) -> Done {
@@ -218,7 +225,7 @@ fn program() -> Result<PathBuf, String> {
 
 /// Python with packages, in an environment of its own.
 fn python(packages: &str) -> Result<PathBuf, String> {
-    let folder = env::temp_dir().join("mckibben-checks");
+    let folder = target().join("venv");
     run(Command::new("python3").args(["-m", "venv"]).arg(&folder))?;
     let python = folder.join("bin/python");
     run(Command::new(&python).args(["-m", "pip", "install", "--quiet"]).args(packages.split(' ')))?;

@@ -35,6 +35,8 @@ mod commands;
 mod compare;
 mod curve;
 mod design;
+#[cfg(feature = "schema")]
+mod expected;
 mod fields;
 mod figure;
 mod fit;
@@ -72,9 +74,9 @@ pub use border::{guarded, panics_are_problems, within};
 pub use braid::*;
 #[cfg(feature = "files")]
 pub use campaign::*;
-#[cfg(feature = "schema")]
-pub use commands::schema;
 pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find, packed, parsed};
+#[cfg(feature = "schema")]
+pub use commands::{RequestFields, schema, understood};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;

@@ -305,7 +305,7 @@ impl OutputFlags {
 /// everywhere.
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteFlag {
-    /// Replace whatever stands there [only a file of the same kind]
+    /// Overwrite an existing file, whoever wrote it [only one that this program wrote]
     #[arg(long, help_heading = "Output")]
     pub overwrite: bool,
 }
@@ -313,7 +313,7 @@ pub struct OverwriteFlag {
 /// The same, of commands in which `--force` means nothing else.
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteOrForceFlag {
-    /// Replace whatever stands there [only a file of the same kind]
+    /// Overwrite an existing file, whoever wrote it [only one that this program wrote]
     #[arg(long, visible_alias = "force", help_heading = "Output")]
     pub overwrite: bool,
 }

@@ -1,11 +1,9 @@
-//! The figure as pixels: the very SVG, rendered with the embedded font.
+//! The figure as pixels: the same SVG, rendered with the embedded font.
 
-use std::sync::Arc;
-
-use resvg::usvg::fontdb;
 use resvg::{tiny_skia, usvg};
 
-use crate::{Figure, FigureError, Scene};
+use crate::mark::PNG_TEXT;
+use crate::{Figure, FigureError, Scene, texts_as_outlines};
 
 /// Pixels for each unit of the drawing (a millimetre has four units): 254 dots per inch.
 const SCALE: f32 = 2.5;
@@ -32,20 +30,11 @@ impl Scene {
     }
 }
 
-/// A font collection that holds the embedded font and nothing of the machine.
-fn fonts() -> Arc<fontdb::Database> {
-    let mut fonts = fontdb::Database::new();
-    fonts.load_font_source(fontdb::Source::Binary(Arc::new(dejavu::sans::regular())));
-    fonts.set_sans_serif_family("DejaVu Sans");
-    Arc::new(fonts)
-}
-
 /// Pixels of a drawing.
 fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
     let raster = |reason: String| FigureError::Raster { reason };
-    let options =
-        usvg::Options { fontdb: fonts(), font_family: "DejaVu Sans".to_owned(), ..usvg::Options::default() };
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| raster(e.to_string()))?;
+    let tree = usvg::Tree::from_str(&texts_as_outlines(svg)?, &usvg::Options::default())
+        .map_err(|e| raster(e.to_string()))?;
     // the tree is in CSS pixels (96 to the inch); a unit of the drawing is a quarter millimetre
     let size = tree.size();
     let units = 4.0 * 25.4 / 96.0;
@@ -57,5 +46,9 @@ fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
     pixels.fill(tiny_skia::Color::WHITE);
     let to = tiny_skia::Transform::from_scale(scale, scale);
     resvg::render(&tree, to, &mut pixels.as_mut());
-    pixels.encode_png().map_err(|e| raster(e.to_string()))
+    let mut png = pixels.encode_png().map_err(|e| raster(e.to_string()))?;
+    // Behind the signature and the first chunk, which have a fixed length.
+    let place = 33.min(png.len());
+    png.splice(place..place, PNG_TEXT.iter().copied());
+    Ok(png)
 }

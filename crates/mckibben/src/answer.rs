@@ -235,7 +235,7 @@ pub fn pressure<M: ForceModel + ?Sized>(
 }
 
 /// A ± of a pressure above this, in MPa, and above the pressure itself is none.
-const FLAT_MPA: f64 = 0.1;
+pub(crate) const FLAT_MPA: f64 = 0.1;
 
 /// What is said where the pull hardly changes with what is sought.
 fn flat(sought: &str, half_n: f64) -> String {
@@ -245,7 +245,7 @@ fn flat(sought: &str, half_n: f64) -> String {
 }
 
 /// ∂F/∂P in mm²: the model's, or by differences of its pull.
-fn slope_by_pressure<M: ForceModel + ?Sized>(
+pub(crate) fn slope_by_pressure<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     response: &Response,

@@ -35,6 +35,11 @@ pub struct DesignAnswer {
     pub looked_at: usize,
     /// How many of them fit.
     pub fitting: usize,
+    /// How many of those that were looked at burst too early for the margin that is asked for; of strands whose strength is not stated
+    /// nobody can say.
+    pub excluded_by_burst: usize,
+    /// How many of these meet every other limit.
+    pub excluded_by_burst_alone: usize,
     /// The best, best first.
     pub candidates: Vec<CandidateAnswer>,
     /// Muscles that just miss, or come closest.
@@ -42,7 +47,7 @@ pub struct DesignAnswer {
     /// Where another model was named: the winner by finite elements.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verification: Option<Verified>,
-    /// What the user should know of the winner.
+    /// What the user should know of the winner; where nothing fits, whether burst was checked.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// Spread of the winner's pull under the tolerances, point by point.
@@ -147,6 +152,9 @@ pub struct SureAnswer {
     /// Torques at angles, of a joint.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub torques: Vec<TorqueWanted>,
+    /// Of a load on muscles whose length is searched: how many times as heavy a load to ask for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub load_factor: Option<f64>,
     /// Outer diameter D0 of the muscle that answers, mm.
     pub outer_diameter_mm: f64,
     /// Its largest 95 % half-width, N.
@@ -300,6 +308,8 @@ impl DesignAnswer {
             assumptions: vec![],
             looked_at: outcome.looked_at.0,
             fitting: outcome.looked_at.1,
+            excluded_by_burst: outcome.too_weak.0,
+            excluded_by_burst_alone: outcome.too_weak.1,
             candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
@@ -307,7 +317,7 @@ impl DesignAnswer {
                 .candidates
                 .first()
                 .map(|c| warnings(c, spec.max_pressure_mpa))
-                .unwrap_or_default()
+                .unwrap_or_else(|| not_checked(&outcome, spec.max_pressure_mpa))
                 .into_iter()
                 .chain(model.seal_warning().map(Warning::from))
                 .collect(),
@@ -363,7 +373,8 @@ impl From<&Sure> for SureAnswer {
             other => (other.points(muscle.length_mm()).iter().map(|&q| q.into()).collect(), vec![]),
         };
         let uncertainty_n = sure.candidate.largest(|q| q.uncertainty_n);
-        Self { points, torques, outer_diameter_mm: muscle.outer_diameter_mm(), uncertainty_n }
+        let load_factor = sure.load_factor;
+        Self { points, torques, load_factor, outer_diameter_mm: muscle.outer_diameter_mm(), uncertainty_n }
     }
 }
 
@@ -446,6 +457,12 @@ impl ClosestAnswer {
             hint: out_of_reach(spec),
         }
     }
+}
+
+/// What is said of a burst where nothing fits: that it was not checked, of strands whose strength is not stated.
+fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
+    let missing = outcome.closest.as_ref().and_then(|closest| Burst::missing(&closest.muscle));
+    missing.and_then(|why| said_of(&Burst::Unknown(why), max_pressure_mpa, 0.0)).into_iter().collect()
 }
 
 /// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.

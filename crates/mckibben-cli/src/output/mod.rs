@@ -63,14 +63,6 @@ pub fn show<T: Serialize + JsonSchema>(
         Ok(rows::Table { columns: columns::with_others(columns::of::<T>(rows), &list), rows: list })
     };
     let form = form(target.path, format)?;
-    check(
-        target,
-        &match form {
-            Form::Json => Content::Json,
-            Form::Parquet => Content::Parquet,
-            Form::Text | Form::Csv => Content::Other,
-        },
-    )?;
     let out = match form {
         Form::Text => {
             to_mind().into_iter().for_each(warn);
@@ -86,6 +78,13 @@ pub fn show<T: Serialize + JsonSchema>(
         let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
         all.filter_map(Value::as_str).filter(|w| w.starts_with("BURST")).for_each(warn);
     }
+    let content = match form {
+        Form::Text => Content::text(&out),
+        Form::Json => Content::json(&out),
+        Form::Csv => Content::table(&out),
+        Form::Parquet => Content::Parquet,
+    };
+    check(target, &content)?;
     emit(&out, target.path)?;
     warn_behind();
     Ok(())

@@ -66,6 +66,7 @@ impl std::fmt::Debug for Analysis {
 /// A factorised sparse symmetric matrix.
 pub struct SparseCholesky {
     analysis: Arc<Analysis>,
+    /// Has room for all entries; filled as far as the last factorisation came.
     factor: Vec<f64>,
     numeric: Numeric,
     width: Width,
@@ -79,7 +80,7 @@ impl std::fmt::Debug for SparseCholesky {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("SparseCholesky")
             .field("analysis", &self.analysis)
-            .field("factor", &self.factor.len())
+            .field("factor", &self.factor_entries())
             .finish_non_exhaustive()
     }
 }
@@ -106,13 +107,12 @@ impl SparseCholesky {
         let numeric = Numeric::new(analysis.pattern.dimension(), width).ok_or(too_large)?;
         let mut factor = Vec::new();
         factor.try_reserve_exact(entries).map_err(|_| too_large)?;
-        factor.resize(entries, 0.0);
         Ok(Self { analysis, factor, numeric, width, memory: vec![], form: None, negative: 0 })
     }
 
     /// Numbers in the factor, zeros that pad it included.
     pub fn factor_entries(&self) -> usize {
-        self.factor.len()
+        self.analysis.symbolic.entries()
     }
 
     /// Floating-point operations of one factorisation: Σ over the columns of (entries of the column)².

@@ -69,22 +69,24 @@ impl Numeric {
         Some(Self { kernel: Kernel::new(width), local, places: vec![], product: vec![], work: 0 })
     }
 
-    /// Fills `factor`. `go_on` is asked after every piece of work.
+    /// Fills `factor`, supernode after supernode: its memory comes as it is needed, since zeros for all of it take a second and more.
+    /// `go_on` is asked after every piece of work.
     pub fn factorise(
         &mut self,
         form: Form,
         s: &Symbolic,
         lower: Lower<'_>,
-        factor: &mut [f64],
+        factor: &mut Vec<f64>,
         go_on: &dyn Fn() -> Result<(), Exceeded>,
     ) -> Result<(), Ended> {
+        factor.clear();
         for i in 0..s.count() {
             let (columns, height) = (s.columns(i), s.height(i));
             let all = columns.clone().chain(s.below(i).iter().map(|r| *r as usize));
             all.enumerate().for_each(|(k, row)| self.local[row] = k as u32);
+            factor.resize(s.values(i).end, 0.0);
+            self.worked(columns.len() * height, go_on)?;
             let (head, own) = factor.split_at_mut(s.values(i).start);
-            let own = &mut own[..columns.len() * height];
-            own.fill(0.0);
             for (j, column) in columns.clone().zip(own.chunks_exact_mut(height)) {
                 for k in lower.columns[j] as usize..lower.columns[j + 1] as usize {
                     column[self.local[lower.rows[k] as usize] as usize] += lower.values[k];

@@ -31,6 +31,8 @@ pub struct Outcome {
     pub rejected: Vec<Rejected>,
     /// How many muscles were looked at, and how many of them fit.
     pub looked_at: (usize, usize),
+    /// How many of them burst too early, and how many of these meet every other limit.
+    pub too_weak: (usize, usize),
     /// Where nothing fits: the muscle that comes closest, and what would have to give.
     pub closest: Option<Closest>,
 }
@@ -102,7 +104,13 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
         relaxations: relaxations(spec, decides, misses.iter().map(|m| &m.0)),
     });
     let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
-    Ok(Outcome { candidates, rejected, looked_at: (harvest.looked_at, harvest.fitted), closest })
+    Ok(Outcome {
+        candidates,
+        rejected,
+        looked_at: (harvest.looked_at, harvest.fitted),
+        too_weak: harvest.too_weak,
+        closest,
+    })
 }
 
 /// The muscles that hold by the model that decides, best first.

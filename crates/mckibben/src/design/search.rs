@@ -80,6 +80,8 @@ pub(super) struct Harvest {
     pub(super) invalid: Option<MuscleError>,
     pub(super) looked_at: usize,
     pub(super) fitted: usize,
+    /// How many burst too early, and how many of these meet every other limit.
+    pub(super) too_weak: (usize, usize),
 }
 
 impl Harvest {
@@ -113,6 +115,8 @@ impl Harvest {
     fn add(&mut self, other: Harvest, most: usize) {
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
+        self.too_weak.0 += other.too_weak.0;
+        self.too_weak.1 += other.too_weak.1;
         other.fits.into_iter().for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, most));
         other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, most));
         self.invalid = self.invalid.take().or(other.invalid);
@@ -175,6 +179,11 @@ impl<'a> Search<'a> {
         let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
         let sample = Sample { x: pick.d0, excess, score: probe.score };
         harvest.fitted += usize::from(sample.fits());
+        if probe.checks.iter().any(|c| c.limit == Limit::BurstMargin && c.excess() > 0.0) {
+            let mut others = probe.checks.iter().filter(|c| c.limit != Limit::BurstMargin);
+            harvest.too_weak.0 += 1;
+            harvest.too_weak.1 += usize::from(others.all(|c| c.excess() <= 0.0));
+        }
         sample
     }
 

@@ -8,7 +8,7 @@ use mckibben::design::{
     BraidChoice, Candidate, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Way,
 };
 use mckibben::muscle::BraidStiffness;
-use mckibben_app::{DesignAnswer, SpreadAnswer, TorqueWanted, Wanted};
+use mckibben_app::{DesignAnswer, SpreadAnswer, SureAnswer, TorqueWanted, Wanted};
 use std::path::Path;
 
 /// The design for people.
@@ -38,6 +38,7 @@ pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     out.push('\n');
     if let Some(closest) = &outcome.closest {
         out.push_str(&nothing_fits(closest, u));
+        out.push_str(&too_weak(answer));
         if let Some(hint) = answer.closest.as_ref().and_then(|c| c.hint.as_ref()) {
             out.push_str(&format!("{}\n", in_flags(hint)));
         }
@@ -268,6 +269,9 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
             let torque = |t: &TorqueWanted| format!("{} N m", number(t.torque_nm, 5));
             format!("ask for {}", joined(sure.torques.iter().map(torque).collect()))
         }
+        Some(SureAnswer { load_factor: Some(factor), .. }) => {
+            format!("ask for {} times the load", number(*factor, 4))
+        }
         Some(sure) => format!("ask for {}", joined(sure.points.iter().map(force).collect())),
         None => "no muscle of this search is strong enough".to_owned(),
     };
@@ -323,6 +327,22 @@ fn spread_text(spreads: &[SpreadAnswer], u: &Units) -> String {
         return String::new();
     }
     format!("\nTolerances of the first candidate\n{}", spreads.iter().map(line).collect::<String>())
+}
+
+/// What burst has to do with it that nothing fits.
+fn too_weak(answer: &DesignAnswer) -> String {
+    let (count, alone) = (answer.excluded_by_burst, answer.excluded_by_burst_alone);
+    let Some(margin) = answer.spec.limits.burst_margin.filter(|_| count > 0) else { return String::new() };
+    let rest = match alone {
+        0 => "each of them also misses another limit".to_owned(),
+        all if all == count => "they meet every other limit".to_owned(),
+        some => format!("{some} of them meet every other limit"),
+    };
+    format!(
+        "Of {} muscles {count} burst below {} times the maximum pressure; {rest}.\n",
+        answer.looked_at,
+        number(margin, 4)
+    )
 }
 
 fn nothing_fits(closest: &Closest, u: &Units) -> String {

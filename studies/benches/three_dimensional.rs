@@ -13,7 +13,7 @@ use std::hint::black_box;
 
 /// The muscle of the comparison with other programs.
 fn peers() -> Muscle {
-    read_muscle(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/peers.toml")).unwrap()
+    read_muscle(concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/peers.toml")).unwrap()
 }
 
 fn muscle(through: usize, around: usize) -> Continuation<MuscleInBricks> {

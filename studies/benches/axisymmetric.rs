@@ -1,6 +1,6 @@
 //! What a curve, an answer and a campaign cost, and what it is made of.
 //!
-//! `cargo bench -p mckibben-fem`. Newton iterations and factorisations per point are printed before the times, with a
+//! `cargo speed axisymmetric`. Newton iterations and factorisations per point are printed before the times, with a
 //! floor from the flops of one tangent.
 
 #![allow(missing_docs, clippy::unwrap_used)]

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Long checks of what changes seldom. Each part guards some files, and runs when they have changed since it last passed.
+
+    python3 checks/long.py              parts whose files have changed; a part that passes is recorded in checks/long.json
+    python3 checks/long.py --all        all parts (nightly, before a release)
+    python3 checks/long.py NAME ...     parts by name
+    python3 checks/long.py --list       parts, and whether their files have changed
+
+`checks/long.json` holds a digest of the files of each part as they were when it passed. It is committed with the change: a fresh clone then
+has nothing to do here.
+"""
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+RECORD = ROOT / "checks/long.json"
+MANIFESTS = [r"(.*/)?Cargo\.toml", r"Cargo\.lock"]
+
+# Name: what it checks, files that it guards (patterns of whole paths), text that a file must hold as well, commands.
+PARTS = {
+    "release": ("the release build and README's first command", MANIFESTS, None, [
+        "cargo build --release --locked",
+        "cargo run --release --locked -- design --force 700N --contraction 15% --max-pressure 2.5bar",
+    ]),
+    "packages": ("every crate as it would be published", [*MANIFESTS, r"checks/package\.sh"], None, ["bash checks/package.sh"]),
+    "targets": ("the program on other systems", [*MANIFESTS, r"crates/.*\.rs"], r"cfg(_attr|!)?\(.*(unix|windows|target_)|std::os::", [
+        "bash checks/targets.sh",
+    ]),
+    "processors": ("lanes of the finite elements on lesser processors", [
+        r"crates/mckibben-fem/src/(element|solver)/.*", r"crates/mckibben-fem/src/lanes.*", r"crates/mckibben/src/.*lanes.*",
+    ], r"target_feature|lanes", ["bash checks/processors.sh"]),
+    "wheel": ("the Python package from its wheel: types, stubs, tests, notebooks", [
+        r"pyproject\.toml", r"python/.*", r"crates/mckibben-python/.*", r"checks/wheel\.sh",
+    ], None, ["bash checks/wheel.sh"]),
+    "engine": ("the page on its engine as WebAssembly", [
+        r"web/(build|test)\.sh", r"web/page/js/engine/.*", r"crates/mckibben-wasm/.*", r"web/tests/engines\.mjs",
+    ], None, ["bash web/build.sh", "bash web/test.sh static"]),
+    "studies": ("research scripts and benches build, and their figures", [r"studies/.*"], None, [
+        "cargo clippy --manifest-path studies/Cargo.toml --target-dir target/studies --all-targets --locked -- -D warnings",
+        "cargo xtask study-figures --check",
+    ]),
+    "peers": ("finite elements beside FElupe and CalculiX", [
+        r"crates/mckibben-fem/src/(three_dimensional|element|output)/.*", r"benches/peers/.*", r"data/peers/.*",
+    ], None, ["cargo xtask peers --check"]),
+    "mutations": ("made-up and damaged input at length", [
+        r"crates/mckibben/src/(table|muscle/file)/.*", r"crates/mckibben-(server|files)/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*",
+    ], None, ["MCKIBBEN_ROUNDS=2000 cargo test --workspace --locked --test all mutat"]),
+}
+
+
+def guarded(part):
+    """A digest of the files of a part, by path and content."""
+    _, patterns, text, _ = PARTS[part]
+    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+    digest = hashlib.sha256()
+    for path in sorted(listed):
+        if not any(re.fullmatch(pattern, path) for pattern in patterns) or not (ROOT / path).is_file():
+            continue
+        content = (ROOT / path).read_bytes()
+        if text and path.endswith(".rs") and not re.search(text.encode(), content):
+            continue
+        digest.update(path.encode() + b"\0" + hashlib.sha256(content).digest())
+    return digest.hexdigest()
+
+
+def main():
+    asked = [word for word in sys.argv[1:] if not word.startswith("-")]
+    unknown = [word for word in asked if word not in PARTS]
+    if unknown:
+        raise SystemExit(f"no such part: {', '.join(unknown)}; there are {', '.join(PARTS)}")
+    record = json.loads(RECORD.read_text()) if RECORD.exists() else {}
+    changed = [part for part in PARTS if record.get(part) != guarded(part)]
+    if "--list" in sys.argv:
+        for part, (about, *_) in PARTS.items():
+            print(f"{part:<11} {'changed' if part in changed else 'passed '}  {about}")
+        return
+    for part in asked or (list(PARTS) if "--all" in sys.argv else changed):
+        about, *_, commands = PARTS[part]
+        print(f"\n== {part}: {about}{'' if asked or '--all' in sys.argv else ' (its files have changed)'}", flush=True)
+        begun, digest = time.monotonic(), guarded(part)
+        for command in commands:
+            subprocess.run(command, shell=True, cwd=ROOT, check=True, env=os.environ)
+        record[part] = digest
+        ordered = {name: record[name] for name in PARTS if name in record}
+        RECORD.write_text(json.dumps(ordered, indent=1) + "\n")
+        print(f"{part}: passed in {time.monotonic() - begun:.0f} s", flush=True)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        raise SystemExit(f"failed: {error.cmd}")

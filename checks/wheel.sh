@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# The Python package as its users get it: a wheel, in a fresh environment, against the oracles of the Rust tests; its types, generated files and
+# notebooks. Says how long each step took.
+#
+#   checks/wheel.sh             builds and checks
+#   PYTHON=python3.13 checks/wheel.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+PYTHON=${PYTHON:-python3}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+step() { printf '== %s (%d s)\n' "$*" "$SECONDS"; }
+
+step "tools"
+"$PYTHON" -m venv "$work/venv"
+export PATH="$work/venv/bin:$PATH"
+python -m pip install --quiet "maturin>=1.12,<2" mypy pytest numpy pandas polars pyarrow pint matplotlib plotly scipy tqdm jax \
+    nbclient nbformat ipykernel pandas-stubs types-tqdm
+
+step "wheel"
+maturin build --quiet --release --features stubs -o "$work/dist"
+python/stubs.sh --check
+
+step "types"
+mypy python/mckibben python/tests python/examples/*.py python/*.py
+
+step "tests from the wheel, in an environment of its own"
+python -m pip install --quiet --no-index --no-deps "$work"/dist/*.whl
+# The wheel is what is tested: the sources are not on the path, and a library that was built beside them is not there.
+cp -r python/tests "$work/tests"
+# The program of the command line, with which the package is compared.
+cargo build --quiet --workspace --profile test --locked
+program=${CARGO_TARGET_DIR:-$PWD/target}/debug/mckibben
+MCKIBBEN=$program MCKIBBEN_ROOT=$PWD PYTHONSAFEPATH=1 python -m pytest -q -p no:cacheprovider "$work/tests"
+"$PYTHON" -m venv "$work/bare"
+"$work/bare/bin/python" -m pip install --quiet "$work"/dist/*.whl
+(cd "$work" && "$work/bare/bin/python" -c 'import mckibben as mk; assert mk.Muscle().model().force(0.2, [0.0, 0.1])[0] > 0')
+version=$(sed -n '/^\[workspace.package\]/,/^\[/s/^version = "\(.*\)"/\1/p' Cargo.toml)
+test "$(cd "$work" && python -c 'import mckibben; print(mckibben.__version__)')" = "$version"
+
+step "notebooks"
+(cd "$work" && python "$OLDPWD/python/notebooks.py" 2>&1 | grep -v 'IPKernelApp')
+
+step done
