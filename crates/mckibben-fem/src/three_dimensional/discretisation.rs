@@ -277,7 +277,7 @@ impl Discretisation {
 
 /// Looks at the budget now and then.
 fn look(number: usize, budget: &Budget) -> Result<(), Exceeded> {
-    if number % PIECE == 0 { budget.check() } else { Ok(()) }
+    if number.is_multiple_of(PIECE) { budget.check() } else { Ok(()) }
 }
 
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over height of a brick.
