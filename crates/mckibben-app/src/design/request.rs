@@ -1,6 +1,6 @@
 //! What is wanted, and what may be varied.
 
-use crate::fields::{ModelFields, MuscleFields, Stiffness, TextFile};
+use crate::fields::{ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::load::LoadFields;
 use crate::model::{Model, Purpose};
 use crate::muscle::{rubber, sleeve};
@@ -13,6 +13,7 @@ use mckibben::design::{
     VALIDATED_STRAND_STRAIN, Way,
 };
 use mckibben::model::{ForceModel, ModelError};
+use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
 use schemars::JsonSchema;
@@ -338,13 +339,13 @@ impl DesignRequest {
             return Ok(if own { vec![base.braid().clone()] } else { vec![] });
         }
         let braid = |name: &String| {
-            let fields = MuscleFields {
+            let fields = MuscleFields::from(NamedFields {
                 braid: Some(name.clone()),
                 stiffness: self.stiffness,
                 strand_diameter_mm: self.strand_diameter_mm,
                 strand_modulus_mpa: self.strand_modulus_mpa,
-                ..MuscleFields::default()
-            };
+                ..NamedFields::default()
+            });
             // Laid on any tube that it fits; the search lays it on others.
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };
@@ -446,12 +447,12 @@ impl DesignRequest {
             }
             _ => None,
         };
-        let fields = MuscleFields {
+        let mut fields = MuscleFields::from(NamedFields {
             muscle: self.muscle.clone(),
             stiffness: self.stiffness,
-            length_mm,
-            ..MuscleFields::default()
-        };
+            ..NamedFields::default()
+        });
+        length_mm.into_iter().for_each(|length| fields.measures.set(&LENGTH, length));
         let base = fields.resolve()?;
         let length = base.length_mm();
         let stroke = self.stroke_mm;

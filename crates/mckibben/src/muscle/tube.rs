@@ -1,6 +1,6 @@
 //! The rubber tube.
 
-use super::error::{MuscleError, positive};
+use super::error::MuscleError;
 use super::rubber::Rubber;
 
 /// A tube at rest, between the terminals.
@@ -17,15 +17,17 @@ pub struct Tube {
 }
 
 impl Tube {
+    /// A tube by its outer diameter, wall and length in mm, and its rubber.
+    pub fn new(outer_diameter_mm: f64, wall_mm: f64, length_mm: f64, rubber: Rubber) -> Self {
+        Self { outer_diameter_mm, wall_mm, length_mm, rubber }
+    }
+
     /// The tube of the paper's prototype.
     pub fn prototype() -> Self {
-        Self { outer_diameter_mm: 30.0, wall_mm: 3.0, length_mm: 285.0, rubber: Rubber::paper() }
+        Self::new(30.0, 3.0, 285.0, Rubber::paper())
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
-        positive("tube.outer_diameter", self.outer_diameter_mm, "mm")?;
-        positive("tube.wall_thickness", self.wall_mm, "mm")?;
-        positive("tube.length", self.length_mm, "mm")?;
         let radius_mm = self.outer_radius_mm();
         if self.wall_mm >= radius_mm {
             return Err(MuscleError::WallTooThick { wall_mm: self.wall_mm, radius_mm });
