@@ -282,7 +282,7 @@ fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
         count: usize,
     ) -> Result<Vec<Modes>, FemError> {
         let element = |(e, nodes): (usize, &Vec<u32>)| {
-            let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.nodes[nodes[a] as usize]);
+            let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
             modes(points, &places, count).ok_or(FemError::Element { element: e })
         };
         problem.bricks.iter().enumerate().map(element).collect()
