@@ -286,6 +286,7 @@ impl Eq for Measure {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::muscle::file::{parse_muscle, to_toml};
 
     /// An identity: what is put in comes out, of every measure of a muscle that states all of them, and nothing else changes.
     #[test]
@@ -303,6 +304,26 @@ mod tests {
             for rest in MEASURES.iter().filter(|r| **r != *m && r.key != "braid.stiffness") {
                 assert_eq!((rest.get)(&other), (rest.get)(&full), "{} changed {}", m.key, rest.key);
             }
+        }
+    }
+
+    /// An identity: the text of a muscle file says every measure that is stated, to the last bit.
+    #[test]
+    fn every_measure_is_written_and_read_again() {
+        let mut parts = Muscle::prototype().parts.clone();
+        for m in MEASURES.iter().filter(|m| m.written != Written::Special) {
+            let other = match m.key {
+                "braid.diameter" => 31.0,
+                "braid.strand_length" => 400.0,
+                _ => 0.75,
+            };
+            (m.set)(&mut parts, (m.get)(&parts).unwrap_or(other));
+        }
+        let muscle = Muscle::from_parts(parts).unwrap();
+        let text = to_toml(&muscle);
+        assert_eq!(parse_muscle(&text).unwrap(), muscle, "{text}");
+        for m in MEASURES.iter().filter(|m| m.written != Written::Special) {
+            assert!(text.contains(&format!("\n{} = ", m.name())), "{} in\n{text}", m.key);
         }
     }
 
