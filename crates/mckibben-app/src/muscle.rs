@@ -179,6 +179,9 @@ pub struct MuscleSummary {
     /// Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<String>,
+    /// Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rubber_mass_g: Option<f64>,
 }
 
 impl From<&Muscle> for MuscleSummary {
@@ -191,6 +194,7 @@ impl From<&Muscle> for MuscleSummary {
             rubber: words::rubber_name(m),
             braid: words::braid_name(m),
             sleeve: m.braid().sleeve.as_ref().map(|s| s.name.clone()),
+            rubber_mass_g: m.tube().rubber_mass_g(),
         }
     }
 }

@@ -117,7 +117,7 @@ fn as_text(answer: &MuscleShowAnswer, u: &Units) -> String {
             },
         ));
     }
-    let derived = [
+    let mut derived = vec![
         ("inner diameter", mm(m.inner_diameter_mm())),
         ("strand length", mm(m.strand_length_mm())),
         ("turns of a strand", number(m.turns(), 4)),
@@ -125,6 +125,8 @@ fn as_text(answer: &MuscleShowAnswer, u: &Units) -> String {
         ("largest ideal contraction", percent(m.max_ideal_contraction())),
         ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
     ];
+    let mass = |g: f64| ("mass of the rubber", format!("{} g, without braid and terminals", number(g, 4)));
+    derived.extend(answer.summary.rubber_mass_g.map(mass));
     let sheet = m.build_sheet();
     let assumed = if m.terminals().insertion_mm.is_none() { ", assumed" } else { "" };
     let clamp = mm(m.terminals().insertion_mm()) + assumed;

@@ -47,6 +47,8 @@ pub enum Dimension {
     AngularDamping,
     /// Volumes, in mm³.
     Volume,
+    /// Densities, in kg/m³.
+    Density,
 }
 
 /// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it into the unit used
@@ -159,6 +161,10 @@ const VOLUMES: &[Spelled] = &[
     (&["L", "l", "dm3", "dm³"], 1_000_000.0, 1.0),
     (&["m3", "m³"], 1_000_000_000.0, 1.0),
 ];
+const DENSITIES: &[Spelled] = &[
+    (&["kg/m3", "kg/m³", "kg/m^3"], 1.0, 1.0),
+    (&["g/cm3", "g/cm³", "g/cm^3", "kg/L", "kg/l", "kg/dm3", "g/mL", "g/ml"], 1_000.0, 1.0),
+];
 
 /// A dimension with its units, and how people speak of it.
 struct Kind {
@@ -170,7 +176,7 @@ struct Kind {
 }
 
 /// One entry a dimension, in their order.
-const KINDS: [Kind; 19] = [
+const KINDS: [Kind; 20] = [
     Kind {
         dimension: Dimension::Length,
         units: LENGTHS,
@@ -303,6 +309,13 @@ const KINDS: [Kind; 19] = [
         noun: "a volume",
         expectation: "a volume such as 10cm3 or 0.2L (a bare number is mm³)",
         end_of_name: Some("mm3"),
+    },
+    Kind {
+        dimension: Dimension::Density,
+        units: DENSITIES,
+        noun: "a density",
+        expectation: "a density such as 930kg/m3 or 0.93g/cm3 (a bare number is kg/m³)",
+        end_of_name: Some("kg_per_m3"),
     },
 ];
 

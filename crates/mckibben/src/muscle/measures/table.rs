@@ -12,6 +12,7 @@ pub static MEASURES: &[&Measure] = &[
     &OUTER_DIAMETER,
     &WALL,
     &LENGTH,
+    &DENSITY,
     &ANGLE,
     &INSERTION,
     &SEATING,
@@ -90,6 +91,20 @@ pub static LENGTH: Measure = Measure {
     identify: Some(Identify { is_geometry: true, ..IDENTIFY }),
     get: |p| Some(p.tube.length_mm),
     set: |p, v| p.tube.length_mm = v,
+    ..Measure::BASE
+};
+
+/// ρ
+pub static DENSITY: Measure = Measure {
+    key: "tube.density",
+    field: Some("density_kg_per_m3"),
+    dimension: Dimension::Density,
+    symbol: "ρ",
+    about: "Density ρ of the rubber",
+    comment: "of the rubber; only its mass follows from it",
+    label: "density of the rubber",
+    get: |p| p.tube.density_kg_per_m3,
+    set: |p, v| p.tube.density_kg_per_m3 = Some(v),
     ..Measure::BASE
 };
 
