@@ -25,7 +25,7 @@ pub fn muscle_text(
     let request = value::request(request)?;
     Ok(run::quick(py, |_| {
         let request: MuscleFields = understood(request)?;
-        let base = match &request.muscle {
+        let base = match &request.named.muscle {
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
         };

@@ -1,7 +1,7 @@
 //! What is wanted, and what may be varied.
 
 use super::policy::ModelPolicy;
-use crate::fields::{ModelFields, MuscleFields, Stiffness, TextFile};
+use crate::fields::{ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::load::LoadFields;
 use crate::model::{Model, Purpose};
 use crate::muscle::{rubber, sleeve};
@@ -12,6 +12,7 @@ use mckibben::design::{
     BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
 };
 pub use mckibben::design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
+use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
 use schemars::JsonSchema;
@@ -239,13 +240,13 @@ impl DesignRequest {
             return Ok(if own { vec![base.braid().clone()] } else { vec![] });
         }
         let braid = |name: &String| {
-            let fields = MuscleFields {
+            let fields = MuscleFields::from(NamedFields {
                 braid: Some(name.clone()),
                 stiffness: self.stiffness,
                 strand_diameter_mm: self.strand_diameter_mm,
                 strand_modulus_mpa: self.strand_modulus_mpa,
-                ..MuscleFields::default()
-            };
+                ..NamedFields::default()
+            });
             // Laid on any tube that it fits; the search lays it on others.
             fields.braid_on(sleeve(name)?.diameters().0, base)
         };
@@ -345,12 +346,12 @@ impl DesignRequest {
             }
             _ => None,
         };
-        let fields = MuscleFields {
+        let mut fields = MuscleFields::from(NamedFields {
             muscle: self.muscle.clone(),
             stiffness: self.stiffness,
-            length_mm,
-            ..MuscleFields::default()
-        };
+            ..NamedFields::default()
+        });
+        length_mm.into_iter().for_each(|length| fields.measures.set(&LENGTH, length));
         let base = fields.resolve()?;
         let length = base.length_mm();
         let stroke = self.stroke_mm;

@@ -180,6 +180,10 @@ fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
     if burst {
         found.push((u.pressure.heading("bursts"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
     }
+    let mass = |c: &One| c.muscle.rubber_mass_g;
+    if list.iter().any(|c| mass(c).is_some()) {
+        found.push(("rubber [g]".into(), aligned(&maybe(&mass), 4)));
+    }
     if several_rubbers {
         found.push(("rubber".into(), list.iter().map(|c| c.muscle.rubber.clone()).collect()));
     }
