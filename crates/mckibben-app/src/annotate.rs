@@ -35,6 +35,7 @@ pub(crate) fn annotate(schema: &mut Value) {
 mod tests {
     use super::*;
     use crate::COMMANDS;
+    use mckibben::muscle::Measure;
     use std::collections::BTreeSet;
 
     /// Last words of names of plain numbers: what has a unit ends with it. A new word here is one more kind of plain number.
@@ -82,10 +83,11 @@ mod tests {
                 each(&schema[side], &schema[side]["$defs"], &mut |name, field| {
                     if field.get(UNIT).is_some() || field.get(QUANTITY).is_some() {
                         units.insert(name.to_owned());
-                    } else if !name
-                        .split('_')
-                        .rfind(|word| word.chars().all(|c| c.is_ascii_alphabetic()))
-                        .is_some_and(|word| PLAIN.split_whitespace().any(|plain| plain == word))
+                    } else if !Measure::of_field(name).is_some_and(Measure::is_plain)
+                        && !name
+                            .split('_')
+                            .rfind(|word| word.chars().all(|c| c.is_ascii_alphabetic()))
+                            .is_some_and(|word| PLAIN.split_whitespace().any(|plain| plain == word))
                     {
                         unknown.insert(format!("{}: {name}", command.name));
                     }

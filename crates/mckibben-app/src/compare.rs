@@ -19,6 +19,7 @@ use mckibben::least_squares::Loss;
 use mckibben::measured::{PointOptions, read_points};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
+use mckibben::muscle::measures::END_FACTOR;
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
@@ -86,7 +87,7 @@ impl FitConstant {
     fn target(self) -> Target {
         match self {
             Self::Modulus => Target::Modulus,
-            Self::EndFactor => Target::EndFactor,
+            Self::EndFactor => Target::Measure(&END_FACTOR),
             Self::Stiffness => Target::Stiffness,
         }
     }

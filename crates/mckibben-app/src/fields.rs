@@ -1,5 +1,6 @@
 //! Fields that requests share.
 
+pub use crate::muscle_fields::{MeasureValues, MuscleFields, NamedFields};
 pub use mckibben::muscle::Direction;
 pub use mckibben::table::{Columns, Understood, UnderstoodColumn};
 use schemars::JsonSchema;
@@ -29,64 +30,6 @@ impl UnderstoodTable {
     pub fn line(&self) -> String {
         format!("{}: {}", self.data, self.table.line())
     }
-}
-
-/// A muscle: a muscle file, and values that take the place of what it says. What nobody says is that of the paper's
-/// prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct MuscleFields {
-    /// Muscle file (TOML); the other fields override what it says.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub muscle: Option<TextFile>,
-    /// Outer diameter D0 of the tube at rest, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outer_diameter_mm: Option<f64>,
-    /// Wall thickness s of the tube at rest, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub wall_mm: Option<f64>,
-    /// Length L0 between the terminals at rest, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub length_mm: Option<f64>,
-    /// Angle θ0 of the strands to the axis at rest, degrees.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub angle_deg: Option<f64>,
-    /// A rubber of the library, as NAME or NAME:LAW.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rubber: Option<String>,
-    /// A sleeve of the library: its angle on this diameter, its strands.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub braid: Option<String>,
-    /// Diameter of one strand of that sleeve, mm, where its source does not state it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub strand_diameter_mm: Option<f64>,
-    /// Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub strand_modulus_mpa: Option<f64>,
-    /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stiffness: Option<Stiffness>,
-    /// What both ends together give way under a pull, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seating_mm: Option<f64>,
-    /// What both ends together slip under the load of a clamp, mm/N.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub slip_mm_per_n: Option<f64>,
-    /// Length at each end, within that of the muscle, in which tube and braid are held, mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub grip_mm: Option<f64>,
-    /// Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub end_factor: Option<f64>,
-    /// Cone factor kc, for the model conical-ends.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub cone_factor: Option<f64>,
-    /// Length of one strand measured on the muscle, mm, for the model belforte.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub strand_length_mm: Option<f64>,
-    /// Turns of that strand.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub turns: Option<f64>,
 }
 
 /// Stiffness of one strand family.

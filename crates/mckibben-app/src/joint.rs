@@ -51,7 +51,7 @@ impl JointFields {
                 let message = format!("{}: its muscle file {name} is not there", text.name);
                 Problem::new(ProblemKind::File, message, "").in_field("muscles")
             })?;
-            MuscleFields { muscle: Some(of.clone()), ..MuscleFields::default() }.resolve()
+            MuscleFields::of_file(of.clone()).resolve()
         };
         let muscles = file.files().map(muscle).collect::<Result<Vec<_>, _>>()?;
         file.with(muscles).map_err(|e| Problem::new(ProblemKind::File, format!("{}: {e}", text.name), ""))

@@ -51,6 +51,7 @@ mod model;
 mod models;
 mod motion;
 mod muscle;
+mod muscle_fields;
 mod plan;
 mod point;
 mod problem;

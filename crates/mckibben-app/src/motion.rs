@@ -1,7 +1,7 @@
 //! `motion`: a muscle or a joint on a valve, over time.
 
 use crate::burst::{burst_of, least, put_first, said_of};
-use crate::fields::{ModelFields, MuscleFields, TextFile};
+use crate::fields::{ModelFields, MuscleFields, NamedFields, TextFile};
 use crate::figure;
 use crate::joint::JointFields;
 use crate::model::{Model, Purpose};
@@ -335,7 +335,8 @@ impl MotionRequest {
         };
         match subject {
             Subject::Muscle(_) => {
-                let muscle = MuscleFields { muscle: self.muscle.clone(), ..MuscleFields::default() };
+                let muscle = NamedFields { muscle: self.muscle.clone(), ..NamedFields::default() };
+                let muscle = MuscleFields::from(muscle);
                 if self.muscle.is_none() {
                     return Err(Problem::missing("muscle", "the muscle file that the drive names"));
                 }

@@ -1,11 +1,12 @@
 //! From fields to a muscle, and a muscle in a few words.
 
-use crate::fields::{MuscleFields, NamedStiffness, Stiffness, TextFile};
+use crate::fields::{MuscleFields, NamedFields, NamedStiffness, Stiffness, TextFile};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
 use crate::words;
 use mckibben::muscle::file::parse_muscle;
-use mckibben::muscle::{Braid, BraidStiffness, EndFactor, MeasuredStrand, Muscle, Rubber};
+use mckibben::muscle::measures::{ANGLE, END_FACTOR, fields};
+use mckibben::muscle::{Braid, BraidStiffness, EndFactor, Measure, Muscle, Rubber};
 use mckibben::rubber::library;
 use mckibben::sleeve::{self, Sleeve, SleeveError};
 use schemars::JsonSchema;
@@ -19,7 +20,7 @@ impl MuscleFields {
     /// # Errors
     /// [`Problem`] of kind `file`, `rubber` or `muscle`.
     pub fn resolve(&self) -> Result<Muscle, Problem> {
-        self.over(&match &self.muscle {
+        self.over(&match &self.named.muscle {
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
         })
@@ -30,47 +31,30 @@ impl MuscleFields {
     /// # Errors
     /// As [`MuscleFields::resolve`].
     pub fn over(&self, base: &Muscle) -> Result<Muscle, Problem> {
-        let mut tube = base.tube().clone();
-        let mut terminals = base.terminals().clone();
-        tube.outer_diameter_mm = self.outer_diameter_mm.unwrap_or(tube.outer_diameter_mm);
-        tube.wall_mm = self.wall_mm.unwrap_or(tube.wall_mm);
-        tube.length_mm = self.length_mm.unwrap_or(tube.length_mm);
-        let mut braid = self.braid_on(tube.outer_diameter_mm, base)?;
-        if let Some(name) = &self.rubber {
-            tube.rubber = rubber(name)?;
+        let mut parts = base.parts().clone();
+        let (tube, others): (Vec<_>, Vec<_>) =
+            self.measures.iter().filter(|v| *v.0 != ANGLE).partition(|v| v.0.section() == "tube");
+        tube.into_iter().for_each(|(measure, value)| (measure.set)(&mut parts, value));
+        if let Some(name) = &self.named.rubber {
+            parts.tube.rubber = rubber(name)?;
         }
-        terminals.seating_mm = self.seating_mm.or(terminals.seating_mm);
-        terminals.slip_mm_per_n = self.slip_mm_per_n.or(terminals.slip_mm_per_n);
-        terminals.grip_mm = self.grip_mm.or(terminals.grip_mm);
-        if let Some(k) = self.end_factor {
-            terminals.end_factor = Some(EndFactor::Constant(k));
-        }
-        if let Some(kc) = self.cone_factor {
-            terminals.cone_factor = Some(kc);
-        }
-        match (self.strand_length_mm, self.turns) {
-            (Some(strand_length_mm), Some(turns)) => {
-                braid.measured = Some(MeasuredStrand { strand_length_mm, turns });
+        parts.braid = self.braid_on(parts.tube.outer_diameter_mm, base)?;
+        for (measure, value) in others {
+            let beside = measure.beside.and_then(|(key, _)| Measure::of_key(key));
+            if let Some(beside) = beside.filter(|other| self.measures.get(other).is_none()) {
+                return Err(together(measure, beside));
             }
-            (None, None) => {}
-            _ => {
-                let message = "`strand_length_mm` and `turns` belong together: give both";
-                return Err(Problem::new(ProblemKind::Usage, message, ""));
-            }
+            (measure.set)(&mut parts, value);
         }
-        Ok(Muscle::new(tube, braid, terminals, base.friction().copied())?.with_bench_of(base))
+        Ok(Muscle::from_parts(parts)?.with_bench_of(base))
     }
 
     /// What the fields are of a muscle, each as it may be given; none where it has none of a name or a number.
     pub fn of(muscle: &Muscle) -> Self {
-        let (tube, braid, terminals) = (muscle.tube(), muscle.braid(), muscle.terminals());
+        let (tube, braid) = (muscle.tube(), muscle.braid());
         let section = braid.strands.and_then(|strands| strands.section);
-        Self {
+        let mut out = Self::from(NamedFields {
             muscle: None,
-            outer_diameter_mm: Some(tube.outer_diameter_mm),
-            wall_mm: Some(tube.wall_mm),
-            length_mm: Some(tube.length_mm),
-            angle_deg: Some(braid.angle_deg),
             rubber: tube.rubber.name.clone(),
             braid: braid.sleeve.as_ref().map(|sleeve| sleeve.name.clone()),
             strand_diameter_mm: section.map(|(area, _)| (4.0 * area / PI).sqrt()),
@@ -81,30 +65,29 @@ impl MuscleFields {
                 BraidStiffness::Paper => Some(Stiffness::Named(NamedStiffness::Paper)),
                 BraidStiffness::OfStrands => muscle.family_stiffness_n_per_mm().map(Stiffness::NewtonPerMm),
             },
-            seating_mm: terminals.seating_mm,
-            slip_mm_per_n: terminals.slip_mm_per_n,
-            grip_mm: terminals.grip_mm,
-            end_factor: match terminals.end_factor {
-                Some(EndFactor::Constant(k)) => Some(k),
-                Some(EndFactor::OfPressure { .. }) | None => None,
-            },
-            cone_factor: terminals.cone_factor,
-            strand_length_mm: braid.measured.map(|strand| strand.strand_length_mm),
-            turns: braid.measured.map(|strand| strand.turns),
+        });
+        // A factor that changes with the pressure is no number.
+        let varies = matches!(muscle.terminals().end_factor, Some(EndFactor::OfPressure { .. }));
+        for (_, measure) in fields().filter(|(_, m)| !(varies && **m == END_FACTOR)) {
+            if let Some(value) = muscle.measure(measure) {
+                out.measures.set(measure, value);
+            }
         }
+        out
     }
 
     /// The braid on a tube of a diameter: the named sleeve, or the muscle's own braid, with the angle and stiffness that are stated.
     pub(crate) fn braid_on(&self, outer_diameter_mm: f64, base: &Muscle) -> Result<Braid, Problem> {
-        let strands = self.strand_diameter_mm.is_some() || self.strand_modulus_mpa.is_some();
-        if strands && (self.braid.is_none() || self.stiffness.is_some()) {
+        let strands = self.named.strand_diameter_mm.is_some() || self.named.strand_modulus_mpa.is_some();
+        if strands && (self.named.braid.is_none() || self.named.stiffness.is_some()) {
             let message = "`strand_diameter_mm` and `strand_modulus_mpa` complete a named `braid`, in place of a `stiffness`";
             return Err(Problem::new(ProblemKind::Usage, message, "other strands stand in a muscle file"));
         }
-        let mut braid = match self.braid.as_deref().map(sleeve).transpose()? {
+        let mut braid = match self.named.braid.as_deref().map(sleeve).transpose()? {
             Some(sleeve) => {
-                let sleeve = sleeve.with_strands(self.strand_diameter_mm, self.strand_modulus_mpa)?;
-                let (stiffness, strands) = match self.stiffness {
+                let sleeve =
+                    sleeve.with_strands(self.named.strand_diameter_mm, self.named.strand_modulus_mpa)?;
+                let (stiffness, strands) = match self.named.stiffness {
                     Some(stiffness) => (stiffness.into(), sleeve.strands_beside_stiffness()),
                     None => (BraidStiffness::OfStrands, Some(sleeve.of_strands()?)),
                 };
@@ -114,10 +97,10 @@ impl MuscleFields {
             }
             None => base.braid_on(outer_diameter_mm)?,
         };
-        if let Some(angle_deg) = self.angle_deg {
+        if let Some(angle_deg) = self.measures.get(&ANGLE) {
             braid = braid.with_stated_angle(angle_deg, outer_diameter_mm)?;
         }
-        if let Some(stiffness) = self.stiffness {
+        if let Some(stiffness) = self.named.stiffness {
             braid.stiffness = stiffness.into();
         }
         Ok(braid)
@@ -132,6 +115,15 @@ impl From<Stiffness> for BraidStiffness {
             Stiffness::Named(NamedStiffness::Paper) => Self::Paper,
         }
     }
+}
+
+/// A measure that was given without the one that belongs to it.
+fn together(one: &Measure, other: &Measure) -> Problem {
+    let place = |m: &Measure| fields().position(|(_, other)| other == m);
+    let (a, b) = if place(one) < place(other) { (one, other) } else { (other, one) };
+    let name = |m: &Measure| m.field.unwrap_or(m.key);
+    let message = format!("`{}` and `{}` belong together: give both", name(a), name(b));
+    Problem::new(ProblemKind::Usage, message, "")
 }
 
 /// The muscle of a muscle file.
@@ -187,6 +179,9 @@ pub struct MuscleSummary {
     /// Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sleeve: Option<String>,
+    /// Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rubber_mass_g: Option<f64>,
 }
 
 impl From<&Muscle> for MuscleSummary {
@@ -199,6 +194,7 @@ impl From<&Muscle> for MuscleSummary {
             rubber: words::rubber_name(m),
             braid: words::braid_name(m),
             sleeve: m.braid().sleeve.as_ref().map(|s| s.name.clone()),
+            rubber_mass_g: m.tube().rubber_mass_g(),
         }
     }
 }

@@ -255,6 +255,7 @@ fn build(shown: &MuscleShowAnswer, u: &Units) -> Vec<Part> {
         ("tube to cut", mm(sheet.tube_cut_mm)),
         ("length between the terminals", mm(m.length_mm())),
         ("rubber", Some(format!("{}: {}", shown.summary.rubber, law_text(&m.tube().rubber.law)))),
+        ("rubber between the terminals", shown.summary.rubber_mass_g.map(|g| format!("{} g", number(g, 4)))),
         ("braid", Some(format!("{}, {}°", shown.summary.braid, number(m.braid().angle_deg, 4)))),
         ("braid to cut", mm(sheet.braid_cut_mm)),
         ("strand in it", mm(sheet.strand_cut_mm)),

@@ -4,6 +4,7 @@ use crate::burst::{burst_of, said_of};
 use crate::fields::{AskFields, MeshFields, ModelFields, MuscleFields};
 use crate::model::{Model, Purpose};
 use crate::muscle::MuscleSummary;
+use crate::muscle_fields::Stated;
 use crate::point::finite;
 use crate::problem::Problem;
 use mckibben::analysis::{Burst, air_per_stroke, blocked_force_n, free_contraction, work_per_stroke_j};
@@ -54,15 +55,9 @@ pub struct MuscleShowAnswer {
     pub bulk_modulus_mpa: Option<f64>,
     /// Stiffness k of one strand family, N/mm; none for inextensible strands.
     pub stiffness_n_per_mm: Option<f64>,
-    /// What both ends together give way under a pull, mm, where it is stated.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seating_mm: Option<f64>,
-    /// What both ends together slip under the load of a clamp, mm/N, where it is stated.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub slip_mm_per_n: Option<f64>,
-    /// Length at each end, within that of the muscle, in which tube and braid are held, mm, where it is stated.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub grip_mm: Option<f64>,
+    /// Measures that need not be stated.
+    #[serde(flatten)]
+    pub stated: Stated,
     /// What follows from the measures.
     pub derived: Derived,
     /// What to cut.
@@ -179,9 +174,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             Bulk::Modulus(k) => Some(k),
         },
         stiffness_n_per_mm: muscle.family_stiffness_n_per_mm(),
-        seating_mm: muscle.terminals().seating_mm,
-        slip_mm_per_n: muscle.terminals().slip_mm_per_n,
-        grip_mm: muscle.terminals().grip_mm,
+        stated: (&muscle).into(),
         derived: Derived {
             inner_diameter_mm: muscle.inner_diameter_mm(),
             strand_length_mm: muscle.strand_length_mm(),

@@ -9,6 +9,7 @@ use crate::problem::Problem;
 use crate::units::Units;
 use crate::warnings;
 use mckibben::curve::Test;
+use mckibben::muscle::measures::{LENGTH, OUTER_DIAMETER, WALL, fields};
 use mckibben::progress::Progress;
 use mckibben::study::{Finding, Study, thickness};
 use mckibben::warning::Warning;
@@ -89,11 +90,10 @@ pub struct StudyRow {
 /// [`Problem`] where the model does not take the muscles at all.
 pub fn study(request: &StudyRequest, progress: &dyn Progress) -> Result<StudyAnswer, Problem> {
     let m = &request.muscle;
-    let own = [
-        ("outer_diameter_mm", m.outer_diameter_mm.is_some()),
-        ("wall_mm", m.wall_mm.is_some()),
-        ("length_mm", m.length_mm.is_some()),
-    ];
+    let own = fields()
+        .filter(|(_, measure)| [&OUTER_DIAMETER, &WALL, &LENGTH].contains(measure))
+        .map(|(field, measure)| (field, m.measures.get(measure).is_some()));
+    let own: Vec<(&str, bool)> = own.collect();
     Problem::refuse_unused(&own, "the study has the diameter, walls and length of the paper")
         .map_err(|p| p.with_hint("leave it out, or draw other muscles with `test`"))?;
     let base = m.resolve()?;

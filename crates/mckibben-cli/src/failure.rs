@@ -2,6 +2,7 @@
 
 use crate::output::clean;
 use crate::{shown, typed};
+use mckibben::muscle::Measure;
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_files::ReadError;
 use std::path::Path;
@@ -37,7 +38,6 @@ const FLAGS: &[(&str, &[&str])] = &[
     ("supply_mpa", &["supply"]),
     ("until_s", &["until"]),
     ("damping_n_s_per_m", &["damping"]),
-    ("slip_mm_per_n", &["slip"]),
     ("up_to_stretch", &["up-to"]),
     ("fit_modes", &["fit-mode"]),
     ("laws", &["law", "laws"]),
@@ -47,10 +47,6 @@ const FLAGS: &[(&str, &[&str])] = &[
 
 /// Fields of requests that have a flag of their name, with or without their unit.
 const FIELDS: &[&str] = &[
-    "outer_diameter_mm",
-    "wall_mm",
-    "length_mm",
-    "angle_deg",
     "rubber",
     "braid",
     "strand_diameter_mm",
@@ -65,12 +61,6 @@ const FIELDS: &[&str] = &[
     "slack_rule",
     "latex",
     "terms",
-    "seating_mm",
-    "grip_mm",
-    "end_factor",
-    "cone_factor",
-    "strand_length_mm",
-    "turns",
     "model",
     "load",
     "radius_mm",
@@ -129,6 +119,9 @@ const FIELDS: &[&str] = &[
 fn flag(field: &str) -> Option<String> {
     if let Some((_, flags)) = FLAGS.iter().find(|f| f.0 == field) {
         let flag = flags.iter().find(|flag| typed::flag(flag)).or(flags.first())?;
+        return Some(format!("--{flag}"));
+    }
+    if let Some(flag) = Measure::of_field(field).and_then(Measure::flag) {
         return Some(format!("--{flag}"));
     }
     if !FIELDS.contains(&field) {

@@ -2,17 +2,18 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::names::{MODELS, RUBBERS, SLEEVES};
+pub use crate::muscle_flags::MuscleFlags;
+use crate::names::MODELS;
 use crate::output::Target;
-use crate::quantities::{quantity, ratio};
+use crate::quantities::quantity;
 use crate::word::word;
 use clap::{Args, ValueEnum};
 use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::units::Units;
 use mckibben_app::{
-    AskFields, Columns, Direction, Keep, LoadFields, MeshFields, ModelFields, MuscleFields, NamedStiffness,
-    ProblemKind, Stiffness, Terminal, TerminalMaterial, TextFile,
+    AskFields, Columns, Direction, Keep, LoadFields, MeshFields, ModelFields, NamedStiffness, ProblemKind,
+    Stiffness, Terminal, TerminalMaterial, TextFile,
 };
 use std::path::{Path, PathBuf};
 
@@ -33,59 +34,6 @@ impl LoadFlag {
         };
         Ok(LoadFields { load: self.load.clone(), load_tables: names.map(read).collect::<Result<_, _>>()? })
     }
-}
-
-/// The muscle: a file, and flags that override it.
-#[derive(Debug, Clone, Default, Args)]
-#[command(next_help_heading = "Muscle")]
-pub struct MuscleFlags {
-    /// Muscle file; flags override what it says
-    #[arg(value_name = "MUSCLE.toml", conflicts_with = "muscle", help_heading = "Arguments")]
-    pub file: Option<PathBuf>,
-    /// Muscle file, as [MUSCLE.toml]
-    #[arg(long, value_name = "FILE")]
-    pub muscle: Option<PathBuf>,
-    /// Outer diameter of the tube at rest [30mm]
-    #[arg(short = 'D', long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub outer_diameter: Option<String>,
-    /// Wall thickness of the tube at rest [3mm]
-    #[arg(short = 's', long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub wall: Option<String>,
-    /// Length between the terminals at rest [285mm]
-    #[arg(short = 'L', long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub length: Option<String>,
-    /// Angle of the strands to the axis at rest [28deg]
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
-    pub angle: Option<String>,
-    /// Rubber from the library, as NAME or NAME:LAW (see `mckibben rubber list`) [paper]
-    #[arg(long, value_name = "NAME", value_parser = RUBBERS, hide_possible_values = true)]
-    pub rubber: Option<String>,
-    /// Sleeve from the library, which gives angle and strands (see `mckibben braid list`) [none]
-    #[arg(long, value_name = "NAME", value_parser = SLEEVES, hide_possible_values = true)]
-    pub braid: Option<String>,
-    #[command(flatten)]
-    pub strands: StrandFlags,
-    /// What both ends together give way under a pull [0mm]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub seating: Option<String>,
-    /// What both ends together slip under the load of a clamp [0mm/N]
-    #[arg(long, value_name = "COMPLIANCE", allow_hyphen_values = true)]
-    pub slip: Option<String>,
-    /// Length at each end, within that of the muscle, in which tube and braid are held [0mm]
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub grip: Option<String>,
-    /// Empirical end factor k of Tondu & Lopez, for tondu-lopez and thick-wall
-    #[arg(long, value_name = "K", allow_hyphen_values = true)]
-    pub end_factor: Option<String>,
-    /// Cone factor kc, for conical-ends
-    #[arg(long, value_name = "KC", allow_hyphen_values = true)]
-    pub cone_factor: Option<String>,
-    /// Length of one strand measured on the muscle, for belforte
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub strand_length: Option<String>,
-    /// Turns of that strand, for belforte
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
-    pub turns: Option<String>,
 }
 
 /// What the strands of a braid are.
@@ -170,33 +118,6 @@ pub struct AskFlags {
     /// Branch of the friction's hysteresis: of the model ([friction] in the muscle file), and of measured points
     #[arg(long, alias = "motion", value_parser = word::<Direction>(), default_value = "mean")]
     pub branch: Direction,
-}
-
-impl MuscleFlags {
-    /// The muscle's fields.
-    pub fn fields(&self) -> Result<MuscleFields, Failure> {
-        let length = |flag, text: &Option<String>| quantity(flag, text.as_deref(), Dimension::Length);
-        let file = self.file.as_deref().or(self.muscle.as_deref());
-        Ok(MuscleFields {
-            muscle: file.map(files::text).transpose()?,
-            outer_diameter_mm: length("--outer-diameter", &self.outer_diameter)?,
-            wall_mm: length("--wall", &self.wall)?,
-            length_mm: length("--length", &self.length)?,
-            angle_deg: quantity("--angle", self.angle.as_deref(), Dimension::Angle)?,
-            rubber: self.rubber.clone(),
-            braid: self.braid.clone(),
-            strand_diameter_mm: self.strands.diameter_mm()?,
-            strand_modulus_mpa: self.strands.modulus_mpa()?,
-            stiffness: self.strands.stiffness()?,
-            seating_mm: length("--seating", &self.seating)?,
-            slip_mm_per_n: quantity("--slip", self.slip.as_deref(), Dimension::Compliance)?,
-            grip_mm: length("--grip", &self.grip)?,
-            end_factor: ratio("--end-factor", self.end_factor.as_deref())?,
-            cone_factor: ratio("--cone-factor", self.cone_factor.as_deref())?,
-            strand_length_mm: length("--strand-length", &self.strand_length)?,
-            turns: ratio("--turns", self.turns.as_deref())?,
-        })
-    }
 }
 
 /// A stiffness: a quantity or a word.

@@ -8,6 +8,7 @@ mod commands;
 mod failure;
 mod files;
 mod flags;
+mod muscle_flags;
 mod names;
 mod output;
 mod overlap;

@@ -25,7 +25,7 @@ pub fn muscle_text(
     let request = value::request(request)?;
     Ok(run::quick(py, |_| {
         let request: MuscleFields = understood(request)?;
-        let base = match &request.muscle {
+        let base = match &request.named.muscle {
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
         };
@@ -87,7 +87,7 @@ pub fn design<'py>(
     let (answer, muscles) = run::long(py, progress, |progress| {
         let request: DesignRequest = understood(request)?;
         let answer = designed(&request, progress)?;
-        let muscles = answer.outcome.candidates.iter().map(|c| to_toml(&c.muscle)).collect();
+        let muscles = answer.muscle_files.iter().map(|file| file.text.clone()).collect();
         let wrong = |e: serde_json::Error| Problem::new(ProblemKind::Internal, e.to_string(), "");
         Ok::<(_, Vec<String>), Wrong>((serde_json::to_value(&answer).map_err(wrong)?, muscles))
     })?;

@@ -87,12 +87,7 @@ where
     B: Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>,
 {
     let with = |d0: f64, s: f64| {
-        base.with_tube(Tube {
-            outer_diameter_mm: d0,
-            wall_mm: s,
-            length_mm: 285.0,
-            rubber: base.tube().rubber.clone(),
-        })
+        base.with_tube(Tube { outer_diameter_mm: d0, wall_mm: s, length_mm: 285.0, ..base.tube().clone() })
     };
     let models: Vec<Box<dyn ForceModel>> =
         WALLS_MM.iter().map(|&s| Ok(build(&with(30.0, s)?)?)).collect::<Result<_, StudyError>>()?;

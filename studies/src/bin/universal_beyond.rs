@@ -37,7 +37,7 @@ fn muscle(r: &mut Random, (slender, angles, walls): (Range, Range, Range)) -> Op
     // Blocked: k · strain = P Ro/(2 sin²θ0).
     let k = p * 0.5 * d0 / (2.0 * sin * sin * r.log(0.001, 0.06));
     let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: mu }));
-    let tube = Tube { outer_diameter_mm: d0, wall_mm, length_mm, rubber };
+    let tube = Tube::new(d0, wall_mm, length_mm, rubber);
     let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
     Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))
 }

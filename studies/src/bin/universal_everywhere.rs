@@ -40,7 +40,7 @@ fn muscle(r: &mut Random) -> Option<Muscle> {
         true => BraidStiffness::Inextensible,
         false => BraidStiffness::NewtonPerMm(outer_diameter_mm * r.log(3.0, 300.0)),
     };
-    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber: Rubber::of(law(r, mu)) };
+    let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, Rubber::of(law(r, mu)));
     Muscle::new(tube, Braid { angle_deg, stiffness, ..Braid::paper() }, Terminals::default(), None).ok()
 }
 

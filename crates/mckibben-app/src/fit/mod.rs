@@ -5,7 +5,7 @@ pub(crate) mod table;
 
 pub use report::{FitReportAnswer, FitReportRequest, fit_report};
 
-use crate::fields::{MuscleFields, Stiffness, TextFile};
+use crate::fields::{MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::figure;
 use crate::model::Model;
 use crate::point::finite;
@@ -268,12 +268,12 @@ impl FitRequest {
 
     /// Rubber and braid of the table's muscles.
     fn made_for(&self) -> Result<Made, Problem> {
-        let fields = MuscleFields {
+        let fields = MuscleFields::from(NamedFields {
             muscle: self.muscle.clone(),
             rubber: self.rubber.clone(),
             stiffness: self.stiffness,
-            ..MuscleFields::default()
-        };
+            ..NamedFields::default()
+        });
         Ok(Made::of(&fields.resolve()?))
     }
 

@@ -1,10 +1,11 @@
 use super::*;
 use crate::{ForceRequest, MuscleFields, force};
 use mckibben::budget::Budget;
+use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
 use mckibben::progress::Silent;
 
 fn fields() -> MuscleFields {
-    MuscleFields { outer_diameter_mm: Some(50.0), wall_mm: Some(2.0), ..Default::default() }
+    [(&OUTER_DIAMETER, 50.0), (&WALL, 2.0)].into()
 }
 
 fn named(model: &str) -> ModelFields {

@@ -14,7 +14,6 @@ use crate::quantities::{contraction as contraction_ratio, quantity, ratio, value
 use crate::shown;
 use crate::word::word;
 use clap::Args;
-use mckibben::muscle::file::to_toml;
 use mckibben::units::{Dimension, Values};
 use mckibben_app::{
     Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields,
@@ -201,9 +200,9 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
     let figure = answer.figure.take();
-    let winner = answer.outcome.candidates.first().map(|c| &c.muscle);
+    let winner = answer.muscle_files.first();
     if let Some(winner) = winner {
-        save(target, Content::Muscle, to_toml(winner).as_bytes())?;
+        save(target, Content::Muscle, winner.text.as_bytes())?;
     }
     let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
     show(&answer, format, "candidates", text, Target::STDOUT)?;

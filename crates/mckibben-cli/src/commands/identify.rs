@@ -10,11 +10,12 @@ use crate::output::text::place;
 use crate::output::{Content, Target, check, save, show};
 use crate::plot;
 use crate::progress::Bar;
-use crate::quantities::{contractions, pressures, ratio, values};
+use crate::quantities::{contractions, pressures, ratio};
 use crate::shown;
 use crate::word::word;
 use clap::Args;
-use mckibben::units::Dimension;
+use mckibben::muscle::Measure;
+use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
 use mckibben_app::{Branches, IdentifyRequest, LossWord, MeshFields, ModelFields};
 use std::path::PathBuf;
 
@@ -150,17 +151,10 @@ pub fn run(args: &IdentifyArgs, format: Format) -> Result<u8, Failure> {
 fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
     // -D and -s may be lists of a formula's muscles.
     let mut muscle = args.muscle.clone();
-    let list = |flag: &str, text: &mut Option<String>| -> Result<Option<Vec<f64>>, Failure> {
-        if args.formula.is_none() {
-            return Ok(None);
-        }
-        let several =
-            values(flag, text.as_deref(), Dimension::Length)?.map(|v| v.sampled(4)).filter(|v| v.len() > 1);
-        text.take_if(|_| several.is_some());
-        Ok(several)
+    let mut list = |measure: &'static Measure| -> Result<Option<Vec<f64>>, Failure> {
+        if args.formula.is_none() { Ok(None) } else { muscle.take_list(measure, 4) }
     };
-    let outer_diameters_mm = list("--outer-diameter", &mut muscle.outer_diameter)?;
-    let walls_mm = list("--wall", &mut muscle.wall)?;
+    let (outer_diameters_mm, walls_mm) = (list(&OUTER_DIAMETER)?, list(&WALL)?);
     let words = [&args.model, &args.formula].into_iter().flatten();
     let formulas = words.map(|word| files::formula(word)).collect::<Result<Vec<_>, _>>()?;
     let weight = |text: &String| Ok(ratio("--weights", Some(text))?.unwrap_or(1.0));

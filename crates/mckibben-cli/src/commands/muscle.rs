@@ -10,7 +10,7 @@ use clap::Args;
 use mckibben::muscle::{Bulk, EndFactor, Muscle};
 use mckibben::rubber::RubberLaw;
 use mckibben::units::Dimension;
-use mckibben_app::{Characteristics, MuscleShowRequest, muscle_show};
+use mckibben_app::{Characteristics, MuscleShowAnswer, MuscleShowRequest, muscle_show};
 
 /// `muscle show`.
 #[derive(Debug, Args)]
@@ -40,7 +40,7 @@ pub fn show(args: &MuscleShowArgs, format: Format) -> Result<u8, Failure> {
         let burst = burst_first(&answer.warnings);
         let u = shown::units();
         let does = answer.characteristics.as_ref().map(|c| characteristics(c, &u));
-        burst + &as_text(&answer.muscle, &u) + &does.unwrap_or_default()
+        burst + &as_text(&answer, &u) + &does.unwrap_or_default()
     };
     print(&answer, format, FLAT, text, path)?;
     Ok(0)
@@ -65,7 +65,8 @@ fn reach_text(m: &Muscle) -> String {
     format!("to {} at the bore{known}", number(m.reach(), 3))
 }
 
-fn as_text(m: &Muscle, u: &Units) -> String {
+fn as_text(answer: &MuscleShowAnswer, u: &Units) -> String {
+    let m = &answer.muscle;
     let mm = |v: f64| u.length.show(v);
     let rubber = &m.tube().rubber;
     let bulk = match rubber.bulk {
@@ -102,15 +103,8 @@ fn as_text(m: &Muscle, u: &Units) -> String {
         }
         None => {}
     }
-    if let Some(seating) = m.terminals().seating_mm {
-        understood.push(("give of both ends", mm(seating)));
-    }
-    if let Some(slip) = m.terminals().slip_mm_per_n {
-        understood.push(("slip of both ends", format!("{} mm/N", number(slip, 3))));
-    }
-    if let Some(grip) = m.terminals().grip_mm {
-        understood.push(("held at each end", mm(grip)));
-    }
+    let stated = answer.stated.iter().map(|(measure, v)| (measure.label, u.show(measure.dimension, v)));
+    understood.extend(stated);
     if let Some(f) = m.friction() {
         let rule = format!("± {} · (P/MPa)^{}", u.force.show(f.coefficient), number(f.exponent, 3));
         let contact = format!("of the strands' contact, μw {}", mm(f.lever_mm));
@@ -123,7 +117,7 @@ fn as_text(m: &Muscle, u: &Units) -> String {
             },
         ));
     }
-    let derived = [
+    let mut derived = vec![
         ("inner diameter", mm(m.inner_diameter_mm())),
         ("strand length", mm(m.strand_length_mm())),
         ("turns of a strand", number(m.turns(), 4)),
@@ -131,6 +125,8 @@ fn as_text(m: &Muscle, u: &Units) -> String {
         ("largest ideal contraction", percent(m.max_ideal_contraction())),
         ("cavity at rest", u.volume.show(m.rest_volume_mm3())),
     ];
+    let mass = |g: f64| ("mass of the rubber", format!("{} g, without braid and terminals", number(g, 4)));
+    derived.extend(answer.summary.rubber_mass_g.map(mass));
     let sheet = m.build_sheet();
     let assumed = if m.terminals().insertion_mm.is_none() { ", assumed" } else { "" };
     let clamp = mm(m.terminals().insertion_mm()) + assumed;

@@ -4,7 +4,7 @@ use super::layout::Layout;
 use super::memory::Memory;
 use super::mesh::Mesh;
 use crate::FemError;
-use crate::element::q2::{Geometry, NODES};
+use crate::element::q2::{Geometry, NODES, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::State;
 use mckibben::muscle::{Bulk, Crimp, Muscle, StrandLay};
@@ -57,7 +57,12 @@ impl Problem {
             compression: muscle.braid().compression,
         };
         let rubber = &muscle.tube().rubber;
-        Self { law: rubber.law.clone(), bulk: rubber.bulk, braid: Some(braid), ends: Ends::Bonded }
+        Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded)
+    }
+
+    /// Of its parts.
+    pub fn new(law: Law, bulk: Bulk, braid: Option<BraidSpec>, ends: Ends) -> Self {
+        Self { law, bulk, braid, ends }
     }
 }
 
@@ -153,6 +158,11 @@ impl Discretisation {
         let k = self.problem.braid.and_then(|b| b.stiffness).unwrap_or(0.0);
         let inside = std::f64::consts::PI * self.radius * self.radius;
         pressure.abs() * inside + self.shear * self.section + 1e-4 * k * self.radius
+    }
+
+    /// Gradients at local coordinates of an element with these nodes.
+    pub fn point(&self, nodes: &[[f64; 2]; NODES], xi: f64, eta: f64) -> Option<Point> {
+        point(nodes, xi, eta, 1.0)
     }
 
     /// Half length at rest in mm.

@@ -4,7 +4,7 @@ use super::body::Body;
 use super::discretisation::{Discretisation, nodes};
 use super::sensitivity;
 use crate::FemError;
-use crate::element::q2::{MODES, NODES, point};
+use crate::element::q2::{MODES, NODES};
 use crate::element::solid::{Unknowns, gradient};
 use crate::element::strand::{STRAND_POINTS, Stretch};
 use crate::results::{Energies, ProfilePoint, Solution, StrandState, StretchAt, StretchOf, largest_of_most};
@@ -138,7 +138,7 @@ fn largest_stretch(d: &Discretisation, s: &State) -> StretchAt {
     for (rest, u) in elements(d, s) {
         for i in 0..through {
             for j in 0..along {
-                let Some(p) = point(&rest, middle(i, through), middle(j, along), 1.0) else { continue };
+                let Some(p) = d.point(&rest, middle(i, through), middle(j, along)) else { continue };
                 let value = gradient(&p, &u).principal().into_iter().fold(0.0, f64::max);
                 // ψ of a single point still holds 1 + its place.
                 let at = StretchAt { value, rest_mm: [p.psi[1], p.psi[2]] };
@@ -152,7 +152,7 @@ fn largest_stretch(d: &Discretisation, s: &State) -> StretchAt {
 /// The largest stretch in the middle plane of the muscle.
 fn middle_stretch(d: &Discretisation, s: &State) -> f64 {
     let of = |(rest, u): ([[f64; 2]; NODES], Unknowns), xi: f64| {
-        let p = point(&rest, xi, -1.0, 1.0)?;
+        let p = d.point(&rest, xi, -1.0)?;
         Some(gradient(&p, &u).principal().into_iter().fold(0.0, f64::max))
     };
     let first = elements(d, s).take(d.layout.through);

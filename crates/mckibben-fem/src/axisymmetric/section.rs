@@ -9,7 +9,7 @@ use super::model::Axisymmetric;
 use super::results::{strands, unknowns};
 use crate::FemError;
 use crate::element::plane::{self, AnyPlaneLaw, Gradient};
-use crate::element::q2::{GAUSS2, GAUSS3, Geometry, NODES, POINTS, Point, point, quadratic};
+use crate::element::q2::{GAUSS2, GAUSS3, NODES, POINTS, Point, quadratic};
 use crate::element::softened::soften;
 use crate::element::solid::{Unknowns, gradient};
 use crate::results::StrandState;
@@ -151,10 +151,10 @@ fn section(law: &dyn AnyPlaneLaw, d: &Discretisation, s: &State) -> Vec<SectionN
             let u = unknowns(d, s, slab, e);
             let index = slab * l.through + e;
             let seen = d.memory.as_ref().map(|m| (m.softening, &m.seen_mpa[index]));
-            let stress = stresses(&d.elements[index], &rest, &u, law, seen);
+            let stress = stresses(d, index, &rest, &u, law, seen);
             for a in 0..NODES {
                 let (x, y) = ([-1.0, 0.0, 1.0][a % 3], [0.0, -1.0, 1.0][a / 3]);
-                let Some(p) = point(&rest, x, y, 1.0) else { continue };
+                let Some(p) = d.point(&rest, x, y) else { continue };
                 let f = gradient(&p, &u);
                 let k = [2 * slab + 1, 2 * slab, 2 * slab + 2][a / 3] * per_station + 2 * e + a % 3;
                 let node = &mut out[k];
@@ -197,7 +197,8 @@ fn between(values: impl Iterator<Item = f64>, xi: f64, eta: f64) -> f64 {
 
 /// Cauchy stress at the 2 × 2 points, ξ running first.
 fn stresses(
-    geometry: &Geometry,
+    d: &Discretisation,
+    index: usize,
     rest: &[[f64; 2]; NODES],
     u: &Unknowns,
     law: &dyn AnyPlaneLaw,
@@ -205,9 +206,9 @@ fn stresses(
 ) -> [[f64; 4]; 4] {
     std::array::from_fn(|k| {
         let (xi, eta) = (GAUSS2[k % 2].0, GAUSS2[k / 2].0);
-        let Some(at) = point(rest, xi, eta, 1.0) else { return [0.0; 4] };
+        let Some(at) = d.point(rest, xi, eta) else { return [0.0; 4] };
         let f = gradient(&at, u);
-        let p = pressure(&geometry.points, u, xi, eta);
+        let p = pressure(&d.elements[index].points, u, xi, eta);
         let first = match seen {
             None => law.stress_at(&f, p),
             Some((softening, seen_mpa)) => {

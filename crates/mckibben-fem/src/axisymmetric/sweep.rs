@@ -116,7 +116,7 @@ pub fn case(seed: u64, index: usize) -> Option<SweepCase> {
     } else {
         BraidStiffness::NewtonPerMm(outer_diameter_mm * r.log(5.0, 100.0))
     };
-    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber };
+    let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, rubber);
     let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
     let muscle = Muscle::new(tube, braid, Terminals::default(), None).ok()?;
     let pressure_mpa = r.between(0.0, 0.8);

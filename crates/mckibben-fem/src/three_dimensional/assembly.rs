@@ -212,8 +212,9 @@ fn all<R: Real, const NN: usize, const NM: usize, const TANGENT: bool>(
             for a in 0..NN {
                 let node = d.connectivity[e * NN + a] as usize;
                 let (x, u) = (&d.problem.nodes[node], &s.u[3 * node..3 * node + 3]);
+                let rest = d.problem.rest(e, node as u32);
                 for i in 0..3 {
-                    input.rest[a][i].set_lane(lane, x[i]);
+                    input.rest[a][i].set_lane(lane, rest[i]);
                     input.now[a][i].set_lane(lane, x[i] + u[i]);
                 }
             }

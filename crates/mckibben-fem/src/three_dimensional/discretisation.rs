@@ -299,7 +299,7 @@ fn rest_modes(problem: &Problem, count: usize, budget: &Budget) -> Result<Vec<Mo
     ) -> Result<Vec<Modes>, FemError> {
         let element = |(e, nodes): (usize, &Vec<u32>)| {
             look(e, budget)?;
-            let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.nodes[nodes[a] as usize]);
+            let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
             modes(points, &places, count).ok_or(FemError::Element { element: e })
         };
         problem.bricks.iter().enumerate().map(element).collect()

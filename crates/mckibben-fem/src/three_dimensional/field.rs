@@ -174,7 +174,7 @@ fn middles<const NN: usize>(
     let mut shares = vec![0.0; out.len()];
     for e in bricks {
         let nodes = &problem.bricks[e];
-        let Some((f, at)) = gradient(body, nodes, p) else { continue };
+        let Some((f, at)) = gradient(body, e, nodes, p) else { continue };
         let stress = stress(body, law, e, nodes, p);
         let one = NodeField { stress_mpa: stress, ..stretches(&f, at) };
         for node in nodes {
@@ -250,7 +250,7 @@ fn fill<const NN: usize>(
         let stress: Vec<[f64; 6]> = at_points.iter().map(|p| stress(body, law, e, nodes, p)).collect();
         for (a, node) in nodes.iter().enumerate() {
             let k = *node as usize;
-            let Some((f, _)) = gradient(body, nodes, &at_nodes[a]) else { continue };
+            let Some((f, _)) = gradient(body, e, nodes, &at_nodes[a]) else { continue };
             let rest = d.problem.nodes[k];
             let here = NodeField { stress_mpa: carried(&stress, places[a]), ..stretches(&f, rest) };
             let field = &mut out[k];
@@ -286,15 +286,16 @@ fn inverse(m: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
     (det != 0.0).then(|| [0, 1, 2].map(|i| [0, 1, 2].map(|j| minor(j, i) / det)))
 }
 
-/// F at a point of a brick, and the place at rest.
+/// F at a point of a brick, and its place in the reference configuration.
 pub(super) fn gradient<const NN: usize>(
     body: &Body,
+    brick: usize,
     nodes: &[u32],
     p: &ShapePoint<NN>,
 ) -> Option<([[f64; 3]; 3], [f64; 3])> {
     let (mut rest, mut here, mut at) = ([[0.0; 3]; 3], [[0.0; 3]; 3], [0.0; 3]);
     for (a, node) in nodes.iter().enumerate() {
-        let (x, y) = (body.discretisation.problem.nodes[*node as usize], now(body, *node as usize));
+        let (x, y) = (body.discretisation.problem.rest(brick, *node), now(body, *node as usize));
         for i in 0..3 {
             at[i] += p.n[a] * x[i];
             for j in 0..3 {
@@ -315,7 +316,7 @@ fn stress<const NN: usize>(
     nodes: &[u32],
     p: &ShapePoint<NN>,
 ) -> [f64; 6] {
-    let Some((f, at)) = gradient(body, nodes, p) else { return [0.0; 6] };
+    let Some((f, at)) = gradient(body, e, nodes, p) else { return [0.0; 6] };
     let j: f64 = (0..3)
         .map(|k| {
             let (a, b) = ((k + 1) % 3, (k + 2) % 3);

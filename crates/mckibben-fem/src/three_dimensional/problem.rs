@@ -69,6 +69,35 @@ pub struct Other {
 }
 
 impl Problem {
+    /// A body without strands, cavity, dead loads and supports.
+    pub fn free(
+        nodes: Vec<[f64; 3]>,
+        (brick, bricks): (Brick, Vec<Vec<u32>>),
+        order: Vec<u32>,
+        (law, bulk): (Law, Bulk),
+    ) -> Self {
+        Self {
+            brick,
+            bricks,
+            trusses: vec![],
+            faces: vec![],
+            cap_mm2: 0.0,
+            dead: vec![],
+            freedom: vec![[Freedom::Free; 3]; nodes.len()],
+            order,
+            law,
+            bulk,
+            others: vec![],
+            length_mm: None,
+            nodes,
+        }
+    }
+
+    /// Place in mm of a node in the reference configuration of a brick.
+    pub fn rest(&self, _brick: usize, node: u32) -> [f64; 3] {
+        self.nodes[node as usize]
+    }
+
     /// One eighth of a muscle between bonded rigid terminals.
     pub fn of(muscle: &Muscle, mesh: &BrickMesh) -> Self {
         let ([ni, nj, nk], rubber) = (mesh.grid(), &muscle.tube().rubber);

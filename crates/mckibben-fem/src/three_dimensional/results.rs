@@ -186,9 +186,12 @@ fn middle_stretch(body: &Body, mesh: &BrickMesh) -> f64 {
 fn look<const NN: usize>(body: &Body, points: &[ShapePoint<NN>]) -> Vec<StretchOf> {
     let d = &body.discretisation;
     let mut list = vec![];
-    for nodes in &d.problem.bricks[d.materials[0].bricks.clone()] {
+    for (e, nodes) in d.problem.bricks[d.materials[0].bricks.clone()].iter().enumerate() {
         for p in points {
-            let Some((f, at)) = gradient(body, nodes, p) else { continue };
+            let Some((f, _)) = gradient(body, e, nodes, p) else { continue };
+            let places =
+                nodes.iter().zip(p.n).map(|(n, share)| d.problem.nodes[*n as usize].map(|x| share * x));
+            let at = places.fold([0.0; 3], |sum: [f64; 3], x| [0, 1, 2].map(|i| sum[i] + x[i]));
             let at = StretchAt { value: largest_principal(&f), rest_mm: [at[0].hypot(at[1]), at[2]] };
             list.push(StretchOf { at, volume: rest_volume_at(body, nodes, p) });
         }

@@ -27,6 +27,7 @@ use mckibben::identify::{Parameter, Request, Target, identify};
 use mckibben::least_squares::Loss;
 use mckibben::measured::{DataPoint, MeasuredPoint, mean_of_branches, read_measured};
 use mckibben::model::{ForceModel, Ideal, ModelError, ThickWall, Workspace};
+use mckibben::muscle::measures::END_FACTOR;
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Rubber, Terminals, Tube};
 use mckibben::progress::Progress;
 use mckibben::rubber::{Law, NeoHookean};
@@ -39,7 +40,7 @@ type Build = fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError>;
 /// The measured muscle with a neo-Hookean rubber of 0.5 MPa, and strands that do not stretch.
 fn muscle() -> Option<Muscle> {
     let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.5 }));
-    let tube = Tube { outer_diameter_mm: 14.0, wall_mm: 0.49, length_mm: 300.0, rubber };
+    let tube = Tube::new(14.0, 0.49, 300.0, rubber);
     let braid = Braid { angle_deg: 20.0, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }
@@ -56,7 +57,7 @@ pub fn cases(progress: &dyn Progress) -> Result<Vec<Row>, FemError> {
     };
     let thick: Build = |m| Ok(Box::new(ThickWall::new(m)));
     let ideal: Build = |m| Ok(Box::new(Ideal::new(m)));
-    let (modulus, ends) = (Target::Modulus, Target::EndFactor);
+    let (modulus, ends) = (Target::Modulus, Target::Measure(&END_FACTOR));
     let cases: [(&str, Build, &[Target], f64); 4] = [
         ("ideal, nothing fitted", ideal, &[], 0.10),
         ("thick-wall, modulus fitted", thick, &[modulus], 0.03),

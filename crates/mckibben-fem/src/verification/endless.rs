@@ -39,7 +39,7 @@ fn slice(
 fn muscle(length_mm: f64, stiffness: BraidStiffness) -> Option<Muscle> {
     let (inner, outer, angle_deg, _) = SECTION;
     let rubber = Rubber::of(rubber());
-    let tube = Tube { outer_diameter_mm: 2.0 * outer, wall_mm: outer - inner, length_mm, rubber };
+    let tube = Tube::new(2.0 * outer, outer - inner, length_mm, rubber);
     let braid = Braid { angle_deg, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }

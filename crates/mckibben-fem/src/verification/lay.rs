@@ -34,7 +34,7 @@ fn slice(
     let mesh = Mesh::tube(INNER, OUTER, 5.0, (THROUGH, 1, 1.0));
     let braid = Some(BraidSpec { lay, crimp, stiffness, compression: false });
     let law = Law::NeoHookean(NeoHookean { mu_mpa: mu });
-    let problem = Problem { law, bulk: Bulk::Incompressible, braid, ends: Ends::Sliding };
+    let problem = Problem::new(law, Bulk::Incompressible, braid, Ends::Sliding);
     Some(at_rest(Discretisation::new(mesh, problem).ok()?))
 }
 

@@ -83,7 +83,7 @@ fn rubber() -> Law {
 
 /// A body of that rubber.
 fn body(mesh: Mesh, braid: Option<BraidSpec>, ends: Ends) -> Result<Continuation<Body>, FemError> {
-    let problem = Problem { law: rubber(), bulk: Bulk::Incompressible, braid, ends };
+    let problem = Problem::new(rubber(), Bulk::Incompressible, braid, ends);
     Ok(at_rest(Discretisation::new(mesh, problem)?))
 }
 

@@ -42,7 +42,7 @@ fn balloon() -> Row {
             [rho * if y < 1.0 { cos } else { 0.0 }, rho * sin]
         });
         let law = Law::NeoHookean(NeoHookean { mu_mpa: mu });
-        let problem = Problem { law, bulk: Bulk::Incompressible, braid: None, ends: Ends::Pole };
+        let problem = Problem::new(law, Bulk::Incompressible, None, Ends::Pole);
         let mut path = super::at_rest(Discretisation::new(mesh, problem).ok()?);
         let mut low = 0.5 * exact;
         path.walk(low, 0.0, 1.0).ok()?;

@@ -55,7 +55,7 @@ fn lame() -> Row {
     let ratio = b * b / (a * a);
     let exact = p * a / (2.0 * g) * ((1.0 - 2.0 * nu) + ratio) / (ratio - 1.0);
     let law = Law::NeoHookean(NeoHookean { mu_mpa: g });
-    let problem = Problem { law, bulk: Bulk::Modulus(k), braid: None, ends: Ends::Sliding };
+    let problem = Problem::new(law, Bulk::Modulus(k), None, Ends::Sliding);
     let ours = Discretisation::new(slice(a, b, 16), problem).ok().and_then(|d| {
         let mut path = super::at_rest(d);
         path.walk(p, 0.0, 1.0).ok()?;
@@ -74,7 +74,7 @@ fn lame() -> Row {
 fn finite_bulk() -> Row {
     let (inner, outer, stretch, _, pressure, ..) = ROWS[0];
     let swell = |bulk: Bulk| {
-        let problem = Problem { law: super::rubber(), bulk, braid: None, ends: Ends::Sliding };
+        let problem = Problem::new(super::rubber(), bulk, None, Ends::Sliding);
         let mut path = super::at_rest(Discretisation::new(slice(inner, outer, 4), problem).ok()?);
         path.newton.tolerance = 1e-13;
         path.walk(pressure, (stretch - 1.0) * path.body.discretisation.half_length(), 1.0).ok()?;

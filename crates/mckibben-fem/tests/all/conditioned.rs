@@ -97,8 +97,7 @@ fn at_the_state_that_was_seen_the_muscle_is_that_of_the_first_inflation() {
 fn a_bar_bears_eta_times_the_stress_of_the_first_loading() {
     for seen in [0.0, 0.05, 0.3, 2.0] {
         for law in [yeoh(), Law::Ogden(Ogden { terms: vec![(0.15, 1.6), (0.01, 3.0)] })] {
-            let problem =
-                Problem { law: law.clone(), bulk: Bulk::Incompressible, braid: None, ends: Ends::Sliding };
+            let problem = Problem::new(law.clone(), Bulk::Incompressible, None, Ends::Sliding);
             let mut d = Discretisation::new(Mesh::tube(1.0, 2.0, 3.0, (2, 3, 1.0)), problem).unwrap();
             let seen_mpa = vec![[seen; 9]; d.elements.len()];
             d.memory = Some(Memory { softening: SOFTENING, seen_mpa });

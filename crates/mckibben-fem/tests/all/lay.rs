@@ -11,7 +11,7 @@ use mckibben_fem::axisymmetric::Axisymmetric;
 
 fn muscle(change: impl FnOnce(&mut Braid)) -> Muscle {
     let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.2 }));
-    let tube = Tube { outer_diameter_mm: 14.0, wall_mm: 1.5, length_mm: 150.0, rubber };
+    let tube = Tube::new(14.0, 1.5, 150.0, rubber);
     let stiffness = BraidStiffness::NewtonPerMm(100.0);
     let mut braid = Braid { angle_deg: 20.0, stiffness, ..Braid::paper() };
     change(&mut braid);

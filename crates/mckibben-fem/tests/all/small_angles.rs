@@ -26,7 +26,7 @@ fn muscle(
     stiffness: BraidStiffness,
 ) -> Option<Muscle> {
     let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
-    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber };
+    let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, rubber);
     Muscle::new(tube, Braid { angle_deg, stiffness, ..Braid::paper() }, Terminals::default(), None).ok()
 }
 

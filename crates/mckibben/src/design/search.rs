@@ -10,7 +10,7 @@ use super::reason::Reason;
 use super::run::Models;
 use super::spec::{BraidChoice, Build, Objective, Spec};
 use crate::analysis::golden;
-use crate::muscle::{Braid, Muscle, MuscleError, Rubber, Tube};
+use crate::muscle::{Braid, Muscle, MuscleError, Parts, Rubber, Tube};
 use crate::progress::Progress;
 use crate::threads;
 use crate::units::Values;
@@ -157,8 +157,9 @@ impl<'a> Search<'a> {
             wall_mm: pick.s,
             length_mm: pick.choice.length_mm,
             rubber: self.rubbers[pick.choice.rubber].clone(),
+            ..base.tube().clone()
         };
-        Muscle::new(tube, braid, base.terminals().clone(), base.friction().copied())
+        Muscle::from_parts(Parts { tube, braid, ..base.parts().clone() })
     }
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.

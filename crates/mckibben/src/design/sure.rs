@@ -11,7 +11,7 @@
 use super::candidate::Candidate;
 use super::demand::{Demand, JointDemand};
 use super::run::Outcome;
-use super::spec::{BraidChoice, OperatingPoint, Spec, SpecError};
+use super::spec::{BraidChoice, OperatingPoint, Spec, SpecError, TorqueWanted};
 use crate::muscle::Muscle;
 use crate::units::Values;
 
@@ -39,7 +39,7 @@ pub type Searcher<'a> = dyn Fn(&Spec) -> Result<Outcome, SpecError> + 'a;
 /// Whether a muscle has less to spare than its ± at one of its points.
 pub fn is_doubtful(candidate: &Candidate) -> bool {
     let tight = |q: &super::CandidatePoint| {
-        q.uncertainty_n.is_some_and(|half| q.available_n - q.wanted.force_n < half)
+        q.uncertainty_n.is_some_and(|half| q.force_at_max_pressure_n - q.wanted().force_n < half)
     };
     candidate.points.iter().any(tight)
 }
@@ -102,7 +102,7 @@ pub fn to_be_sure(
 fn doubt(spec: &Spec, demand: &Demand, candidate: &Candidate) -> Option<f64> {
     let ratios = ratios(spec, demand, candidate.muscle.length_mm());
     let each = candidate.points.iter().zip(ratios);
-    let all = each.map(|(q, ratio)| Some(q.uncertainty_n? * ratio / q.wanted.force_n));
+    let all = each.map(|(q, ratio)| Some(q.uncertainty_n? * ratio / q.wanted().force_n));
     all.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
 }
 
@@ -110,7 +110,7 @@ fn doubt(spec: &Spec, demand: &Demand, candidate: &Candidate) -> Option<f64> {
 fn ratios(spec: &Spec, demand: &Demand, length_mm: f64) -> Vec<f64> {
     match (&spec.wanted, demand) {
         (Demand::Joint(wanted), Demand::Joint(asked)) => {
-            asked.torques.iter().zip(&wanted.torques).map(|(a, w)| a.0 / w.0).collect()
+            asked.torques.iter().zip(&wanted.torques).map(|(a, w)| a.torque_nm / w.torque_nm).collect()
         }
         (wanted, asked) => {
             let (wanted, asked) = (wanted.points(length_mm), asked.points(length_mm));
@@ -129,7 +129,9 @@ fn times(spec: &Spec, factor: f64, length_mm: f64) -> Demand {
     match &spec.wanted {
         Demand::Points(list) => points(list),
         Demand::Joint(joint) => {
-            let torques = joint.torques.iter().map(|(t, angle)| (rounded_up(factor * t), *angle)).collect();
+            let heavier =
+                |t: &TorqueWanted| TorqueWanted { torque_nm: rounded_up(factor * t.torque_nm), ..*t };
+            let torques = joint.torques.iter().map(heavier).collect();
             Demand::Joint(JointDemand { torques, ..joint.clone() })
         }
         Demand::Load { load, way } if spec.length_mm.is_some() => {
@@ -192,8 +194,8 @@ mod tests {
         let sure = to_be_sure(&spec, &outcome, &search, &search).unwrap().unwrap();
         let factor = sure.load_factor.unwrap();
         let q = &sure.candidate.points[0];
-        assert!((q.wanted.force_n / (40.0 * GRAVITY_M_PER_S2) - factor).abs() < 1e-9, "{factor}");
-        let spare = (q.wanted.force_n - q.uncertainty_n.unwrap()) / (40.0 * GRAVITY_M_PER_S2) - 1.0;
+        assert!((q.wanted().force_n / (40.0 * GRAVITY_M_PER_S2) - factor).abs() < 1e-9, "{factor}");
+        let spare = (q.wanted().force_n - q.uncertainty_n.unwrap()) / (40.0 * GRAVITY_M_PER_S2) - 1.0;
         assert!((0.0..=ENOUGH).contains(&spare), "{factor}: {spare}");
     }
 
@@ -221,7 +223,7 @@ mod tests {
                     .points
                     .iter()
                     .zip(wanted)
-                    .all(|(q, w)| q.wanted.force_n - q.uncertainty_n.unwrap() >= w.0)
+                    .all(|(q, w)| q.wanted().force_n - q.uncertainty_n.unwrap() >= w.0)
             };
             assert!(holds(&sure.demand), "{:?}", sure.demand);
             let Demand::Points(points) = &sure.demand else { panic!("{:?}", sure.demand) };

@@ -213,7 +213,7 @@ impl Make {
     fn muscle(self, outer_diameter_mm: f64, wall_mm: f64) -> Option<Muscle> {
         let law = Law::NeoHookean(NeoHookean { mu_mpa: self.shear_modulus_mpa });
         let rubber = Rubber { law, bulk: Bulk::Incompressible, ..Muscle::prototype().tube().rubber.clone() };
-        let tube = Tube { outer_diameter_mm, wall_mm, length_mm: self.length_mm, rubber };
+        let tube = Tube::new(outer_diameter_mm, wall_mm, self.length_mm, rubber);
         let stiffness = BraidStiffness::NewtonPerMm(self.stiffness_n_per_mm);
         let braid = Braid { angle_deg: self.angle_deg, stiffness, ..Braid::paper() };
         Muscle::prototype().with_tube(tube).ok()?.with_braid(braid).ok()

@@ -9,6 +9,7 @@ use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
 use crate::model::{Ideal, Workspace};
 use crate::muscle::Muscle;
+use crate::muscle::measures::{ANGLE, GRIP, SEATING, SLIP};
 
 /// `line 3`, `lines 3, 4, 7`, `lines 3, 4, 7, 9, 12 and 5 more`.
 pub(super) fn lines(list: &[u64]) -> String {
@@ -52,9 +53,13 @@ pub(super) fn before(
         );
     }
     let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
-    let ends = [Target::Seating, Target::Slip, Target::Grip].into_iter().find(|t| free.contains(t));
+    let ends = [&SEATING, &SLIP, &GRIP].into_iter().map(Target::Measure).find(|t| free.contains(t));
     if let Some(end) = ends.filter(|_| distinct(lengths) == 1) {
-        let look = if end == Target::Seating { "the zero of the length" } else { "length, angle or modulus" };
+        let look = if end == Target::Measure(&SEATING) {
+            "the zero of the length"
+        } else {
+            "length, angle or modulus"
+        };
         notes.push(format!(
             "all points are of one length: {} can then hardly be told from an error in {look}; measure muscles of other lengths",
             end.name(muscle)
@@ -117,7 +122,7 @@ fn units(muscle: &Muscle, points: &[DataPoint]) -> Option<String> {
 
 /// Pulls past the contraction at which the ideal muscle ends.
 fn too_short(muscle: &Muscle, free: &[Target], points: &[DataPoint]) -> Option<String> {
-    if free.iter().any(|t| matches!(t, Target::Angle | Target::ContractionOffset)) {
+    if free.iter().any(|t| [Target::Measure(&ANGLE), Target::ContractionOffset].contains(t)) {
         return None;
     }
     let end = muscle.max_ideal_contraction();

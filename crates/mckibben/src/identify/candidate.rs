@@ -2,7 +2,8 @@
 
 use super::parameter::Target;
 use crate::measured::Section;
-use crate::muscle::{BraidStiffness, Crimp, EndFactor, Friction, Muscle, MuscleError};
+use crate::muscle::measures::{END_FACTOR, FRICTION_COEFFICIENT, FRICTION_EXPONENT};
+use crate::muscle::{BraidStiffness, Muscle, MuscleError};
 
 /// k = k₀ (D0/D0₀)ⁿ of one strand family.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,9 +15,6 @@ pub(super) struct Family {
     /// n
     pub exponent: f64,
 }
-
-/// β where nothing is known: between the 0.57 and 0.82 seen by Tondu (2012) \[tondu2012\].
-const FRICTION_EXPONENT: f64 = 0.6;
 
 /// A muscle that is tried.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +28,6 @@ pub struct Candidate {
 /// The muscle's own value of a parameter; `None` where it has none.
 pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
     let tube = muscle.tube();
-    let friction = muscle.friction();
     Some(match target {
         Target::Law(i) => *tube.rubber.law.values().get(i)?,
         Target::Modulus => 1.0,
@@ -42,20 +39,10 @@ pub fn own_value(muscle: &Muscle, target: Target) -> Option<f64> {
             let twice = muscle.braid().family_stiffness_n_per_mm(&wide)?;
             (twice / muscle.family_stiffness_n_per_mm()?).log2()
         }
-        Target::Angle => muscle.braid().angle_deg,
-        Target::Thickness => Some(muscle.braid().thickness_mm).filter(|t| *t > 0.0)?,
-        Target::SleeveDiameter => muscle.braid().diameter_mm?,
-        Target::Crimp => muscle.braid().crimp?.strain,
-        Target::OuterDiameter => tube.outer_diameter_mm,
-        Target::Wall => tube.wall_mm,
-        Target::Length => tube.length_mm,
-        Target::Seating => muscle.terminals().seating_mm?,
-        Target::Slip => muscle.terminals().slip_mm_per_n?,
-        Target::Grip => muscle.terminals().grip_mm?,
-        Target::EndFactor => muscle.terminals().end_factor.map_or(1.0, |k| k.at(0.0)),
-        Target::FrictionCoefficient => friction?.coefficient,
-        Target::FrictionLever => Some(friction?.lever_mm).filter(|l| *l > 0.0)?,
-        Target::FrictionExponent => friction.map_or(FRICTION_EXPONENT, |f| f.exponent),
+        Target::Measure(m) if *m == END_FACTOR || *m == FRICTION_EXPONENT => {
+            muscle.measure(m).or(target.identify().and_then(|i| (i.start)(muscle)))?
+        }
+        Target::Measure(m) => muscle.measure(m)?,
         Target::ContractionOffset => 0.0,
     })
 }
@@ -66,9 +53,7 @@ impl Candidate {
     /// # Errors
     /// [`MuscleError`] where they make none.
     pub fn new(base: &Muscle, values: &[(Target, f64)]) -> Result<Self, MuscleError> {
-        let (mut tube, mut braid) = (base.tube().clone(), base.braid().clone());
-        let mut terminals = base.terminals().clone();
-        let mut friction = base.friction().copied();
+        let mut parts = base.parts().clone();
         let mut family = Family {
             stiffness: own_value(base, Target::Stiffness).unwrap_or(f64::INFINITY),
             reference_mm: base.outer_diameter_mm(),
@@ -78,50 +63,37 @@ impl Candidate {
         for &(target, v) in values {
             match target {
                 Target::Law(i) => {
-                    tube.rubber.law = tube.rubber.law.with_constants(|k, old| if k == i { v } else { old });
+                    let law = &mut parts.tube.rubber.law;
+                    *law = law.with_constants(|k, old| if k == i { v } else { old });
                 }
                 Target::Modulus => factor = v,
                 Target::Stiffness => (family.stiffness, has_family) = (v, true),
                 Target::StiffnessExponent => (family.exponent, has_family) = (v, true),
-                Target::Angle => braid.angle_deg = v,
-                Target::OuterDiameter => tube.outer_diameter_mm = v,
-                Target::Thickness => braid.thickness_mm = v,
-                Target::SleeveDiameter => braid.diameter_mm = Some(v),
-                Target::Crimp => {
-                    let stiffness_ratio = braid.crimp.map_or(Crimp::STIFFNESS_RATIO, |c| c.stiffness_ratio);
-                    braid.crimp = Some(Crimp { strain: v, stiffness_ratio });
-                }
-                Target::Wall => tube.wall_mm = v,
-                Target::Length => tube.length_mm = v,
-                Target::Seating => terminals.seating_mm = Some(v),
-                Target::Slip => terminals.slip_mm_per_n = Some(v),
-                Target::Grip => terminals.grip_mm = Some(v),
-                Target::EndFactor => terminals.end_factor = Some(EndFactor::Constant(v)),
-                Target::FrictionCoefficient | Target::FrictionExponent | Target::FrictionLever => {
-                    let mut f = friction.unwrap_or(Friction::power_law(0.0, FRICTION_EXPONENT));
-                    match target {
-                        Target::FrictionCoefficient => f.coefficient = v,
-                        Target::FrictionLever => f.lever_mm = v,
-                        _ => f.exponent = v,
+                Target::Measure(m) => {
+                    // C alone has the exponent that a search for it starts from.
+                    if *m == FRICTION_COEFFICIENT && base.measure(&FRICTION_EXPONENT).is_none() {
+                        let exponent = own_value(base, Target::Measure(&FRICTION_EXPONENT));
+                        exponent.into_iter().for_each(|v| (FRICTION_EXPONENT.set)(&mut parts, v));
                     }
-                    friction = Some(f);
+                    (m.set)(&mut parts, v);
                 }
                 Target::ContractionOffset => contraction_offset = v,
             }
         }
-        tube.rubber.law = tube.rubber.law.scaled(factor);
-        if tube.rubber.law != base.tube().rubber.law {
-            tube.rubber.fitted_to_stretch = None;
+        let rubber = &mut parts.tube.rubber;
+        rubber.law = rubber.law.scaled(factor);
+        if rubber.law != base.tube().rubber.law {
+            rubber.fitted_to_stretch = None;
         }
         // Constants that are sought are those of every row of the data; the law of a named rubber would follow its measures.
         if values.iter().any(|v| matches!(v.0, Target::Law(_) | Target::Modulus)) {
-            tube.rubber.name = None;
+            rubber.name = None;
         }
         let family = has_family.then_some(family);
         if let Some(family) = &family {
-            braid.stiffness = BraidStiffness::NewtonPerMm(family.at(tube.outer_diameter_mm));
+            parts.braid.stiffness = BraidStiffness::NewtonPerMm(family.at(parts.tube.outer_diameter_mm));
         }
-        Ok(Self { muscle: Muscle::new(tube, braid, terminals, friction)?, family, contraction_offset })
+        Ok(Self { muscle: Muscle::from_parts(parts)?, family, contraction_offset })
     }
 
     /// The muscle.

@@ -1,7 +1,7 @@
 //! What can be identified: named as in the muscle file.
 
-use crate::model::Ideal;
-use crate::muscle::Muscle;
+use crate::muscle::measures::{Identify, of_section};
+use crate::muscle::{Measure, Muscle};
 use crate::nearest::nearest;
 use crate::rubber::{ConstantValue, RubberLaw};
 use crate::units::{Dimension, QuantityError, parse_quantity};
@@ -18,73 +18,31 @@ pub enum Target {
     Stiffness,
     /// n of k = k₀ (D0/D0₀)ⁿ, for data on several diameters.
     StiffnessExponent,
-    /// θ0.
-    Angle,
-    /// D0.
-    OuterDiameter,
-    /// s.
-    Wall,
-    /// L0.
-    Length,
-    /// t of the braid.
-    Thickness,
-    /// Inner diameter of a sleeve wider than the tube.
-    SleeveDiameter,
-    /// Strain at which the strands are straight.
-    Crimp,
-    /// What both ends together give way.
-    Seating,
-    /// What both ends together slip under the load of a clamp.
-    Slip,
-    /// Length held at each end.
-    Grip,
-    /// k of Tondu & Lopez.
-    EndFactor,
-    /// C of the friction C·P^β.
-    FrictionCoefficient,
-    /// β of it.
-    FrictionExponent,
-    /// μw of friction from contact.
-    FrictionLever,
+    /// A measure of the muscle.
+    Measure(&'static Measure),
     /// What must be added to the contractions of the data: their zero is not the length at rest.
     ContractionOffset,
 }
 
-use Target::{
-    Angle, ContractionOffset, Crimp, EndFactor, FrictionCoefficient, FrictionExponent, FrictionLever, Grip,
-    Law, Length, Modulus, OuterDiameter, Seating, SleeveDiameter, Slip, Stiffness, StiffnessExponent,
-    Thickness, Wall,
-};
+use Target::{ContractionOffset, Law, Modulus, Stiffness, StiffnessExponent};
 
-/// Names that do not depend on the law; some have a second spelling.
-const NAMES: [(&str, Target); 26] = [
+/// Names that are neither of the law nor of a measure; some have a second spelling.
+const NAMES: [(&str, Target); 6] = [
     ("tube.material.modulus", Modulus),
     ("modulus", Modulus),
     ("braid.stiffness", Stiffness),
-    ("braid.stiffness_exponent", StiffnessExponent),
-    ("braid.angle", Angle),
-    ("braid.thickness", Thickness),
-    ("braid.diameter", SleeveDiameter),
-    ("braid.crimp", Crimp),
-    ("tube.outer_diameter", OuterDiameter),
-    ("tube.wall_thickness", Wall),
-    ("tube.length", Length),
-    ("terminals.seating", Seating),
-    ("seating", Seating),
-    ("terminals.slip", Slip),
-    ("slip", Slip),
-    ("terminals.grip", Grip),
-    ("grip", Grip),
-    ("terminals.end_factor", EndFactor),
-    ("friction.coefficient", FrictionCoefficient),
-    ("friction.c", FrictionCoefficient),
-    ("friction.exponent", FrictionExponent),
-    ("friction.beta", FrictionExponent),
-    ("friction.lever", FrictionLever),
-    ("contraction_offset", ContractionOffset),
     ("stiffness", Stiffness),
-    ("end-factor", EndFactor),
+    ("braid.stiffness_exponent", StiffnessExponent),
+    ("contraction_offset", ContractionOffset),
 ];
+
+/// The measures that can be identified, by the tables of the muscle file: the braid's are what a ruler does not tell.
+fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
+    ["braid", "tube", "terminals", "friction"]
+        .into_iter()
+        .flat_map(of_section)
+        .filter_map(|m| Some((m, m.identify.as_ref()?)))
+}
 
 /// Why a word names no parameter.
 #[derive(Debug, Clone, PartialEq, Error)]
@@ -135,19 +93,18 @@ impl Target {
     /// All that a muscle has.
     pub fn all(muscle: &Muscle) -> Vec<Target> {
         let laws = (0..muscle.tube().rubber.law.values().len()).map(Law);
-        let mut out: Vec<Target> = laws.collect();
-        for (_, target) in NAMES {
-            if !out.contains(&target) {
-                out.push(target);
-            }
-        }
-        out
+        let first = [Modulus, Stiffness, StiffnessExponent];
+        let measures = measures().map(|(m, _)| Target::Measure(m));
+        laws.chain(first).chain(measures).chain([ContractionOffset]).collect()
     }
 
     /// The name, as in the muscle file.
     pub fn name(self, muscle: &Muscle) -> String {
         if let Law(i) = self {
             return constant(muscle, i).map_or_else(String::new, |c| format!("tube.material.{}", c.name));
+        }
+        if let Target::Measure(measure) = self {
+            return measure.key.to_owned();
         }
         NAMES.iter().find(|n| n.1 == self).map_or_else(String::new, |n| n.0.to_owned())
     }
@@ -160,6 +117,9 @@ impl Target {
         let given = text.trim();
         if let Some((_, target)) = NAMES.iter().find(|n| n.0 == given) {
             return Ok(*target);
+        }
+        if let Some((m, _)) = measures().find(|(m, i)| m.key == given || i.also.contains(&given)) {
+            return Ok(Target::Measure(m));
         }
         let all = Target::all(muscle);
         let short = |t: &Target| t.name(muscle).trim_start_matches("tube.material.").to_owned();
@@ -179,12 +139,7 @@ impl Target {
         match self {
             Law(i) => constant(muscle, i).map_or("", |c| c.constant.unit()),
             Stiffness => "N/mm",
-            Angle => "deg",
-            OuterDiameter | Wall | Length | Seating | Grip | Thickness | SleeveDiameter | FrictionLever => {
-                "mm"
-            }
-            Slip => "mm/N",
-            FrictionCoefficient => "N/MPa^β",
+            Target::Measure(m) => m.unit(),
             _ => "",
         }
     }
@@ -193,12 +148,16 @@ impl Target {
         match self {
             Law(i) => constant(muscle, i).map_or(Dimension::Ratio, |c| c.constant.dimension),
             Stiffness => Dimension::Stiffness,
-            Angle => Dimension::Angle,
-            OuterDiameter | Wall | Length | Seating | Grip | Thickness | SleeveDiameter | FrictionLever => {
-                Dimension::Length
-            }
-            Slip => Dimension::Compliance,
+            Target::Measure(m) => m.dimension,
             _ => Dimension::Ratio,
+        }
+    }
+
+    /// How a measure is identified.
+    pub(super) fn identify(self) -> Option<&'static Identify> {
+        match self {
+            Target::Measure(m) => m.identify.as_ref(),
+            _ => None,
         }
     }
 
@@ -207,16 +166,8 @@ impl Target {
         match self {
             Law(i) => constant(muscle, i).map_or((f64::NEG_INFINITY, f64::INFINITY), |c| c.constant.bounds),
             StiffnessExponent => (-5.0, 5.0),
-            Angle => (1.0, crate::muscle::NEUTRAL_ANGLE_DEG - 0.5),
-            FrictionExponent => (0.0, 3.0),
             ContractionOffset => (-0.3, 0.3),
-            Wall => (0.0, 0.5 * muscle.outer_diameter_mm()),
-            Seating | Grip => (0.0, 0.2 * muscle.length_mm()),
-            Slip => (0.0, 0.2 * muscle.length_mm() / usual_pull_n(muscle)),
-            Thickness => (1e-6 * muscle.outer_diameter_mm(), 0.3 * muscle.outer_diameter_mm()),
-            SleeveDiameter => (muscle.outer_diameter_mm(), 1.5 * muscle.outer_diameter_mm()),
-            Crimp => (1e-6, 0.1),
-            _ => (0.0, f64::INFINITY),
+            other => other.identify().map_or((0.0, f64::INFINITY), |i| (i.bounds)(muscle)),
         }
     }
 
@@ -230,24 +181,15 @@ impl Target {
                 0.5 * muscle.tube().rubber.law.shear_modulus_mpa()
             }
             StiffnessExponent => 1.0,
-            FrictionExponent => 0.5,
             ContractionOffset => 0.02,
-            Angle => 3.0,
-            OuterDiameter | SleeveDiameter => 0.1 * v.abs(),
-            EndFactor => 0.2 * v.abs(),
-            _ => 0.5 * v.abs(),
+            other => other.identify().map_or(0.5 * v.abs(), |i| (i.limit)(v)),
         }
     }
 
     /// Whether it is a measure of the muscle, which a ruler tells.
     pub(super) fn is_geometry(self) -> bool {
-        matches!(self, Angle | OuterDiameter | Wall | Length)
+        self.identify().is_some_and(|i| i.is_geometry)
     }
-}
-
-/// Pull in N of the ideal muscle at 3 bar and rest length: the size of its pulls.
-pub(super) fn usual_pull_n(muscle: &Muscle) -> f64 {
-    Ideal::new(muscle).pull(0.3, 0.0)
 }
 
 /// Constant number `i` of the muscle's law.
@@ -322,6 +264,7 @@ fn numbers(target: Target, text: &str, muscle: &Muscle) -> Result<Vec<f64>, Para
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::muscle::measures::ANGLE;
 
     #[test]
     fn names_starts_and_bounds_are_read() {
@@ -330,7 +273,10 @@ mod tests {
         assert_eq!(p, Parameter { target: Law(0), start: Some(0.2), bounds: Some((0.05, 1.0)) });
         assert_eq!(Parameter::parse("c01", &m).unwrap(), Parameter::free(Law(1)));
         assert_eq!(Parameter::parse("friction.beta = 0.6", &m).unwrap().start, Some(0.6));
-        assert_eq!(Parameter::parse_bounds("braid.angle=20:30deg", &m).unwrap(), (Angle, (20.0, 30.0)));
+        assert_eq!(
+            Parameter::parse_bounds("braid.angle=20:30deg", &m).unwrap(),
+            (Target::Measure(&ANGLE), (20.0, 30.0))
+        );
         for target in Target::all(&m) {
             assert_eq!(Target::parse(&target.name(&m), &m).unwrap(), target);
         }

@@ -15,7 +15,8 @@ use crate::analysis::{force_on, response_on};
 use crate::least_squares::Residuals;
 use crate::measured::{DataPoint, Quantity, Section};
 use crate::model::{ForceModel, ModelError, Workspace};
-use crate::muscle::{BraidStiffness, Direction, Muscle};
+use crate::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, OUTER_DIAMETER};
+use crate::muscle::{BraidStiffness, Direction, Friction, Muscle};
 use crate::progress::Progress;
 use crate::threads;
 
@@ -262,16 +263,14 @@ impl<'a, B: Build> Problem<'a, B> {
                         .for_each(|c| add(format!("tube.material.{}", c.name)));
                 }
                 Target::StiffnessExponent => add("braid.stiffness".into()),
-                Target::OuterDiameter => {
-                    add("tube.outer_diameter".into());
+                Target::Measure(m) if **m == OUTER_DIAMETER => {
+                    add(m.key.into());
                     if candidate.family().is_some() {
                         add("braid.stiffness".into());
                     }
                 }
-                Target::FrictionCoefficient
-                | Target::FrictionExponent
-                | Target::FrictionLever
-                | Target::ContractionOffset => {}
+                Target::Measure(m) if m.section() == "friction" => {}
+                Target::ContractionOffset => {}
                 other => add(other.name(muscle)),
             }
         }
@@ -309,30 +308,23 @@ impl<'a, B: Build> Problem<'a, B> {
             Target::StiffnessExponent => {
                 candidate.family().map_or(0.0, |f| of("braid.stiffness") * f.at(d) * f.ratio(d).ln())
             }
-            Target::OuterDiameter if s.outer_diameter_mm.is_none() => {
+            Target::Measure(m) if s.states(m) => 0.0,
+            Target::Measure(m) if *m == OUTER_DIAMETER => {
                 let through = candidate.family().map_or(0.0, |f| f.exponent * f.at(d) / d);
-                of("tube.outer_diameter") + of("braid.stiffness") * through
+                of(m.key) + of("braid.stiffness") * through
             }
-            Target::Wall if s.wall_mm.is_none() => of("tube.wall_thickness"),
-            Target::Length if s.length_mm.is_none() => of("tube.length"),
-            Target::Angle if s.angle_deg.is_none() => of("braid.angle"),
-            Target::OuterDiameter | Target::Wall | Target::Length | Target::Angle => 0.0,
-            Target::FrictionCoefficient if p > 0.0 => friction.map_or(0.0, |f| sign * p.powf(f.exponent)),
-            Target::FrictionExponent if p > 0.0 => {
-                friction.map_or(0.0, |f| sign * f.coefficient * p.powf(f.exponent) * p.ln())
+            Target::Measure(m) if m.section() == "friction" => {
+                let by_law = |f: Friction| match m {
+                    m if *m == FRICTION_COEFFICIENT => sign * p.powf(f.exponent),
+                    m if *m == FRICTION_EXPONENT => sign * f.coefficient * p.powf(f.exponent) * p.ln(),
+                    // Its contact changes with everything: differences are taken.
+                    _ => 0.0,
+                };
+                friction.filter(|_| p > 0.0).map_or(0.0, by_law)
             }
-            // Its contact changes with everything: differences are taken.
-            Target::FrictionCoefficient | Target::FrictionExponent | Target::FrictionLever => 0.0,
             // Held against ε + offset: where ε is what is sought, only the pull's slope by it remains.
             Target::ContractionOffset => here.by_contraction,
-            Target::Law(_)
-            | Target::Seating
-            | Target::Slip
-            | Target::Grip
-            | Target::EndFactor
-            | Target::Thickness
-            | Target::SleeveDiameter
-            | Target::Crimp => of(&target.name(muscle)),
+            Target::Law(_) | Target::Measure(_) => of(&target.name(muscle)),
         };
         Ok(self.free.iter().zip(x).map(one).collect())
     }

@@ -4,7 +4,7 @@ use super::advice;
 use super::bench::{self, Found};
 use super::candidate::own_value;
 use super::error::IdentifyError;
-use super::parameter::{Parameter, Target, usual_pull_n};
+use super::parameter::{Parameter, Target};
 use super::problem::{Build, Problem};
 use super::result::{Fitted, Identification, Identified, spread, spreads};
 use super::signs;
@@ -13,6 +13,7 @@ use crate::measured::{DataPoint, Quantity};
 use crate::model::ModelError;
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
+use crate::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT, GRIP, SEATING, SLIP};
 use crate::progress::{Progress, Silent};
 use crate::rubber::RubberLaw;
 
@@ -67,19 +68,12 @@ fn unknowns(request: &Request<'_>) -> Result<Vec<Unknown>, IdentifyError> {
     let one = |p: &Parameter| {
         let name = || p.target.name(muscle);
         let own = own_value(muscle, p.target).or_else(|| match p.target {
-            Target::FrictionCoefficient => {
-                let exponent = own_value(muscle, Target::FrictionExponent)?;
+            Target::Measure(m) if *m == FRICTION_COEFFICIENT => {
+                let exponent = own_value(muscle, Target::Measure(&FRICTION_EXPONENT))?;
                 Some(friction_start(request.points, exponent))
             }
             // Inside of its bounds, and small beside the muscle.
-            Target::Seating => Some(2e-3 * muscle.length_mm()),
-            Target::Slip => Some(2e-3 * muscle.length_mm() / usual_pull_n(muscle)),
-            Target::Grip => Some(5e-3 * muscle.length_mm()),
-            Target::FrictionLever => Some(1.0),
-            Target::Thickness => Some(0.02 * muscle.outer_diameter_mm()),
-            Target::SleeveDiameter => Some(1.01 * muscle.outer_diameter_mm()),
-            Target::Crimp => Some(0.005),
-            _ => None,
+            other => other.identify().and_then(|i| (i.start)(muscle)),
         });
         let start = p.start.or(own).ok_or_else(|| IdentifyError::NoStart { name: name() })?;
         let (low, high) = p.bounds.unwrap_or_else(|| p.target.natural_bounds(muscle));
@@ -254,8 +248,8 @@ fn rubber_is_left(request: &Request<'_>, start: &Muscle, end: &Muscle) -> Result
 /// How far an end gives way at the points, in mm; `None` of what is no end.
 fn given_way_mm(request: &Request<'_>, target: Target, value: f64, muscle: &Muscle) -> Option<f64> {
     match target {
-        Target::Seating | Target::Grip => Some(value),
-        Target::Slip => {
+        Target::Measure(m) if *m == SEATING || *m == GRIP => Some(value),
+        Target::Measure(m) if *m == SLIP => {
             let ends = muscle.ends();
             let load = |p: &DataPoint| ends.load_n(p.at.pressure_mpa, p.at.force_n);
             Some(value * request.points.iter().map(load).fold(0.0, f64::max))

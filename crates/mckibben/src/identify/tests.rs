@@ -24,7 +24,7 @@ fn thick(m: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
 }
 
 fn muscle(law: Law, stiffness: BraidStiffness) -> Muscle {
-    let tube = Tube { outer_diameter_mm: 20.0, wall_mm: 1.5, length_mm: 200.0, rubber: Rubber::of(law) };
+    let tube = Tube::new(20.0, 1.5, 200.0, Rubber::of(law));
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }

@@ -10,6 +10,7 @@ use crate::measured::DataPoint;
 use crate::model::Workspace;
 use crate::muscle::Direction;
 use crate::muscle::Muscle;
+use crate::muscle::measures::{FRICTION_COEFFICIENT, FRICTION_EXPONENT};
 use crate::progress::Progress;
 
 /// A stiffness in N/mm of strands that do not stretch.
@@ -31,9 +32,9 @@ pub fn default_targets(muscle: &Muscle, points: &[DataPoint]) -> Vec<Target> {
     }
     let has = |branch| points.iter().any(|p| p.at.branch == branch);
     if has(Direction::Contraction) && has(Direction::Elongation) {
-        out.push(Target::FrictionCoefficient);
+        out.push(Target::Measure(&FRICTION_COEFFICIENT));
         if distinct(points.iter().map(|p| p.at.pressure_mpa)) > 2 {
-            out.push(Target::FrictionExponent);
+            out.push(Target::Measure(&FRICTION_EXPONENT));
         }
     }
     out

@@ -1,7 +1,8 @@
 //! A row of data: what was measured, where, on which muscle, and how well.
 
 use super::point::{MeasuredPoint, mean_of_branches};
-use crate::muscle::{Direction, Muscle, MuscleError};
+use crate::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
+use crate::muscle::{Direction, Measure, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};
 
 /// What the bench read; the two others were set.
@@ -38,6 +39,17 @@ pub struct Section {
 }
 
 impl Section {
+    /// Whether it says this measure of the muscle.
+    pub fn states(&self, measure: &Measure) -> bool {
+        let own = [
+            (&OUTER_DIAMETER, self.outer_diameter_mm),
+            (&WALL, self.wall_mm),
+            (&LENGTH, self.length_mm),
+            (&ANGLE, self.angle_deg),
+        ];
+        own.iter().any(|(m, value)| *m == measure && value.is_some())
+    }
+
     /// The muscle with these measures.
     ///
     /// # Errors

@@ -48,7 +48,7 @@ mod tests {
 
     fn muscle(angle_deg: f64) -> Muscle {
         let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa: 0.54 }));
-        let tube = Tube { outer_diameter_mm: 20.0, wall_mm: 1.0, length_mm: 300.0, rubber };
+        let tube = Tube::new(20.0, 1.0, 300.0, rubber);
         let braid = Braid { angle_deg, ..Braid::paper() };
         Muscle::prototype().with_tube(tube).and_then(|m| m.with_braid(braid)).unwrap()
     }

@@ -1,5 +1,6 @@
 //! What a bench says of the muscle whose constants were identified from its points.
 
+use super::measures::{SECTIONS, of_section};
 use super::{BraidStiffness, Bulk, Conditioned, Direction, EndFactor, Muscle};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -87,7 +88,7 @@ impl Muscle {
             });
             text.push('\n');
         };
-        let (tube, braid, ends) = (&self.tube, &self.braid, &self.terminals);
+        let (tube, braid, ends) = (&self.parts.tube, &self.parts.braid, &self.parts.terminals);
         add("tube", &[tube.outer_diameter_mm, tube.wall_mm, tube.length_mm]);
         let rubber = &tube.rubber;
         add(rubber.law.name(), &rubber.law.values());
@@ -117,18 +118,17 @@ impl Muscle {
         if let Some(measured) = braid.measured {
             add("strand", &[measured.strand_length_mm, measured.turns]);
         }
-        let mut maybe = |name: &str, value: Option<f64>| value.into_iter().for_each(|v| add(name, &[v]));
-        maybe("diameter", braid.diameter_mm);
-        maybe("seating", ends.seating_mm);
-        maybe("slip", ends.slip_mm_per_n);
-        maybe("grip", ends.grip_mm);
-        maybe("cone factor", ends.cone_factor);
+        for measure in SECTIONS.into_iter().flat_map(of_section).filter(|m| m.digested) {
+            if let Some(value) = self.measure(measure) {
+                add(&measure.name().replace('_', " "), &[value]);
+            }
+        }
         match ends.end_factor {
             Some(EndFactor::Constant(k)) => add("end factor", &[k]),
             Some(EndFactor::OfPressure { a, b }) => add("end factor", &[a, b]),
             None => {}
         }
-        if let Some(f) = &self.friction {
+        if let Some(f) = &self.parts.friction {
             add("friction", &[f.coefficient, f.exponent, f.lever_mm]);
         }
         Sha256::digest(text.as_bytes()).iter().take(8).map(|b| format!("{b:02x}")).collect()

@@ -2,7 +2,7 @@
 
 use super::Crimp;
 use super::NEUTRAL_ANGLE_DEG;
-use super::error::{MuscleError, not_negative, positive};
+use super::error::{MuscleError, positive};
 use super::tube::Tube;
 use crate::sleeve::{SleeveError, SleeveShape};
 
@@ -135,37 +135,25 @@ impl Braid {
             }
             _ => {}
         }
-        if let Some(strands) = &self.strands {
-            if strands.count == 0 || strands.count % 2 == 1 {
-                return Err(MuscleError::StrandCount { count: f64::from(strands.count) });
+        match &self.strands {
+            Some(strands) if strands.count == 0 || strands.count % 2 == 1 => {
+                Err(MuscleError::StrandCount { count: f64::from(strands.count) })
             }
-            if let Some((area, modulus)) = strands.section {
-                positive("braid.strand_area", area, "mm2")?;
-                positive("braid.strand_modulus", modulus, "MPa")?;
-            }
-            if let Some(strength) = strands.strength_n {
-                positive("braid.strand_strength", strength, "N")?;
-            }
+            _ => Ok(()),
         }
-        not_negative("braid.thickness", self.thickness_mm, "mm")?;
-        if let Some(diameter) = self.diameter_mm {
-            positive("braid.diameter", diameter, "mm")?;
-        }
-        if let Some(Crimp { strain, stiffness_ratio }) = self.crimp {
-            positive("braid.crimp", strain, "")?;
-            positive("braid.crimp_stiffness", stiffness_ratio, "")?;
-            if stiffness_ratio > 1.0 {
-                return Err(MuscleError::CrimpStiffer { stiffness_ratio });
+    }
+
+    /// Crimp whose measures are possible by themselves.
+    pub(super) fn check_crimp(&self) -> Result<(), MuscleError> {
+        match self.crimp {
+            Some(Crimp { stiffness_ratio, .. }) if stiffness_ratio > 1.0 => {
+                Err(MuscleError::CrimpStiffer { stiffness_ratio })
             }
-            if self.stiffness == BraidStiffness::Inextensible {
-                return Err(MuscleError::CrimpOfRigidStrands);
+            Some(_) if self.stiffness == BraidStiffness::Inextensible => {
+                Err(MuscleError::CrimpOfRigidStrands)
             }
+            _ => Ok(()),
         }
-        if let Some(m) = &self.measured {
-            positive("braid.strand_length", m.strand_length_mm, "mm")?;
-            positive("braid.turns", m.turns, "")?;
-        }
-        Ok(())
     }
 
     /// Whether the tube fits into the sleeve.

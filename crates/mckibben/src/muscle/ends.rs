@@ -17,7 +17,7 @@
 //! Range: the slip is a spring; strands that slip for good, and only one way, are none. It goes on where a clamp would be pressed (N below 0). In the grip
 //! tube and braid have the plug in them and stay as they are.
 
-use super::{Muscle, Tube};
+use super::Muscle;
 use std::borrow::Cow;
 
 /// The ends of a muscle.
@@ -54,13 +54,13 @@ pub struct Met {
 impl Muscle {
     /// Its ends.
     pub fn ends(&self) -> Ends {
-        let t = &self.terminals;
+        let t = &self.parts.terminals;
         Ends {
-            length_mm: self.tube.length_mm,
+            length_mm: self.parts.tube.length_mm,
             grip_mm: t.grip_mm.unwrap_or(0.0),
             seating_mm: t.seating_mm.unwrap_or(0.0),
             slip_mm_per_n: t.slip_mm_per_n.unwrap_or(0.0),
-            bore_radius_mm: self.tube.inner_radius_mm(),
+            bore_radius_mm: self.parts.tube.inner_radius_mm(),
             stated: t.grip_mm.is_some() || t.seating_mm.is_some() || t.slip_mm_per_n.is_some(),
         }
     }
@@ -72,9 +72,9 @@ impl Muscle {
             return Cow::Borrowed(self);
         }
         let mut inner = self.clone();
-        inner.tube = Tube { length_mm: ends.active_mm(), ..inner.tube };
-        (inner.terminals.grip_mm, inner.terminals.seating_mm, inner.terminals.slip_mm_per_n) =
-            (None, None, None);
+        inner.parts.tube.length_mm = ends.active_mm();
+        let ends = &mut inner.parts.terminals;
+        (ends.grip_mm, ends.seating_mm, ends.slip_mm_per_n) = (None, None, None);
         Cow::Owned(inner)
     }
 }

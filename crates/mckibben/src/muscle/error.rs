@@ -29,6 +29,20 @@ pub enum MuscleError {
         /// Its unit.
         unit: &'static str,
     },
+    /// A number outside of its bounds.
+    #[error("{key} is {}; it must lie between {low} and {high}", with_unit(*.value, .unit))]
+    OutOfBounds {
+        /// Key as in the muscle file.
+        key: &'static str,
+        /// What was given.
+        value: f64,
+        /// Its unit.
+        unit: &'static str,
+        /// The lowest value.
+        low: f64,
+        /// The highest value.
+        high: f64,
+    },
     /// A wall that leaves no bore.
     #[error(
         "tube.wall_thickness is {wall_mm} mm, but the radius is {radius_mm} mm: the wall must be thinner than the radius (half of tube.outer_diameter)"
@@ -191,7 +205,9 @@ impl MuscleError {
     pub fn keys(&self) -> Vec<Cow<'static, str>> {
         let keys: Vec<&'static str> = match self {
             // A key may carry an explanation behind it: "terminals.end_factor at 0 MPa (a + b)".
-            MuscleError::NotPositive { key, .. } | MuscleError::Negative { key, .. } => {
+            MuscleError::NotPositive { key, .. }
+            | MuscleError::Negative { key, .. }
+            | MuscleError::OutOfBounds { key, .. } => {
                 let key = key.split(' ').next().unwrap_or(key);
                 match key {
                     "terminals.end_factor" => vec![key, "model.tondu-lopez.end_factor"],

@@ -1,7 +1,6 @@
 //! Friction between the strands of the braid: hysteresis of the pull.
 
 use super::Direction;
-use super::error::{MuscleError, not_negative};
 
 /// Friction of the braid, half the width of the hysteresis loop.
 ///
@@ -36,12 +35,6 @@ impl Friction {
     /// C P^β alone.
     pub fn power_law(coefficient: f64, exponent: f64) -> Self {
         Self { coefficient, exponent, lever_mm: 0.0 }
-    }
-
-    pub(super) fn check(&self) -> Result<(), MuscleError> {
-        not_negative("friction.coefficient", self.coefficient, "N/MPa^exponent")?;
-        not_negative("friction.exponent", self.exponent, "")?;
-        not_negative("friction.lever", self.lever_mm, "mm")
     }
 
     /// The signed part C P^β in N at a pressure (zero without pressure).

@@ -12,6 +12,7 @@ mod error;
 pub mod file;
 mod friction;
 mod lay;
+pub mod measures;
 mod reach;
 mod rubber;
 mod terminals;
@@ -26,6 +27,7 @@ pub use ends::{Ends, Met};
 pub use error::MuscleError;
 pub use friction::Friction;
 pub use lay::StrandLay;
+pub use measures::{Measure, Parts};
 pub use reach::largest_stretch;
 pub use rubber::{Bulk, Conditioned, Rubber};
 pub use terminals::{EndFactor, Terminals};
@@ -40,10 +42,7 @@ pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
 /// A muscle whose parts have been checked against each other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Muscle {
-    tube: Tube,
-    braid: Braid,
-    terminals: Terminals,
-    friction: Option<Friction>,
+    parts: Parts,
     /// The bench that its constants come from; it may be that of another muscle.
     bench: Option<Arc<Bench>>,
 }
@@ -56,13 +55,26 @@ impl Muscle {
     /// [`MuscleError`] names the part, its value and what it must be: lengths above zero, wall below the radius,
     /// 0 < θ0 < 54.7356°, a rubber and a braid with stiffness.
     pub fn new(
-        mut tube: Tube,
+        tube: Tube,
         braid: Braid,
         terminals: Terminals,
         friction: Option<Friction>,
     ) -> Result<Self, MuscleError> {
+        Self::from_parts(Parts { tube, braid, terminals, friction })
+    }
+
+    /// The same of parts in one.
+    ///
+    /// # Errors
+    /// As [`Muscle::new`].
+    pub fn from_parts(mut parts: Parts) -> Result<Self, MuscleError> {
+        let Parts { tube, braid, terminals, .. } = &parts;
+        parts.check("tube")?;
         tube.check()?;
         braid.check()?;
+        parts.check("braid")?;
+        braid.check_crimp()?;
+        parts.check("terminals")?;
         terminals.check()?;
         if let Some(measured) = braid.measured
             && measured.strand_length_mm <= tube.length_mm
@@ -70,10 +82,8 @@ impl Muscle {
             let (strand_length_mm, length_mm) = (measured.strand_length_mm, tube.length_mm);
             return Err(MuscleError::StrandTooShort { strand_length_mm, length_mm });
         }
-        if let Some(friction) = &friction {
-            friction.check()?;
-        }
-        braid.check_on(&tube)?;
+        parts.check("friction")?;
+        braid.check_on(tube)?;
         let (seating_mm, length_mm) = (terminals.seating_mm.unwrap_or(0.0), tube.length_mm);
         if seating_mm >= length_mm {
             return Err(MuscleError::SeatingTooLong { seating_mm, length_mm });
@@ -82,10 +92,10 @@ impl Muscle {
         if seating_mm + 2.0 * grip_mm >= length_mm {
             return Err(MuscleError::GripTooLong { grip_mm, seating_mm, length_mm });
         }
-        let reach = largest_stretch(&tube, &braid);
-        tube.rubber = library::following(tube.rubber, reach);
-        let muscle = Self { tube, braid, terminals, friction, bench: None };
-        if let Some(value) = muscle.terminals.cone_factor {
+        let reach = largest_stretch(tube, braid);
+        parts.tube.rubber = library::following(parts.tube.rubber, reach);
+        let muscle = Self { parts, bench: None };
+        if let Some(value) = muscle.parts.terminals.cone_factor {
             let end = muscle.max_ideal_contraction();
             let largest = (1.0 - end) / (2.0 * end);
             if value > largest {
@@ -97,33 +107,28 @@ impl Muscle {
 
     /// The paper's prototype: D0 30, s 3, L0 285 mm, θ0 28°, rubber and braid `paper`.
     pub fn prototype() -> Self {
-        Self {
-            tube: Tube::prototype(),
-            braid: Braid::paper(),
-            terminals: Terminals::default(),
-            friction: None,
-            bench: None,
-        }
+        let (tube, braid) = (Tube::prototype(), Braid::paper());
+        Self { parts: Parts { tube, braid, terminals: Terminals::default(), friction: None }, bench: None }
     }
 
     /// The tube.
     pub fn tube(&self) -> &Tube {
-        &self.tube
+        &self.parts.tube
     }
 
     /// The braid.
     pub fn braid(&self) -> &Braid {
-        &self.braid
+        &self.parts.braid
     }
 
     /// The terminals.
     pub fn terminals(&self) -> &Terminals {
-        &self.terminals
+        &self.parts.terminals
     }
 
     /// Braid friction, where it is known.
     pub fn friction(&self) -> Option<&Friction> {
-        self.friction.as_ref()
+        self.parts.friction.as_ref()
     }
 
     /// The bench that its constants were identified from; `None` also where the muscle was changed since.
@@ -145,7 +150,8 @@ impl Muscle {
 
     /// What the user should know of this muscle, in sentences, whatever is asked of it.
     pub fn warnings(&self) -> Vec<String> {
-        let own = self.braid.warning(&self.tube).into_iter().chain(self.measured_strand_warning());
+        let own =
+            self.parts.braid.warning(&self.parts.tube).into_iter().chain(self.measured_strand_warning());
         own.chain(self.bench_warning()).collect()
     }
 
@@ -159,13 +165,13 @@ impl Muscle {
     /// A strand that was measured, and contradicts the angle by more than its rounded ends.
     fn measured_strand_warning(&self) -> Option<String> {
         const SHARE: f64 = 0.05;
-        let measured = self.braid.measured?;
+        let measured = self.parts.braid.measured?;
         let (length, turns) = (self.strand_length_mm(), self.turns());
         let off = |a: f64, b: f64| (a / b - 1.0).abs() > SHARE;
         (off(measured.strand_length_mm, length) || off(measured.turns, turns)).then(|| {
             format!(
                 "a strand of {} mm with {} turns contradicts the angle of {}°, by which it would have {length:.1} mm and {turns:.2} turns; only belforte uses the strand, all else the angle",
-                measured.strand_length_mm, measured.turns, self.braid.angle_deg
+                measured.strand_length_mm, measured.turns, self.parts.braid.angle_deg
             )
         })
     }
@@ -176,7 +182,7 @@ impl Muscle {
     /// As [`Muscle::new`], and [`MuscleError::Sleeve`] where the sleeve does not fit the tube.
     pub fn with_tube(&self, tube: Tube) -> Result<Self, MuscleError> {
         let braid = self.braid_on(tube.outer_diameter_mm)?;
-        Ok(Self::new(tube, braid, self.terminals.clone(), self.friction)?.with_bench_of(self))
+        Ok(Self::from_parts(Parts { tube, braid, ..self.parts.clone() })?.with_bench_of(self))
     }
 
     /// The braid of this muscle on a tube of a diameter: its own on its own, that of its named sleeve on another.
@@ -184,9 +190,9 @@ impl Muscle {
     /// # Errors
     /// [`MuscleError::Sleeve`] where the sleeve does not fit the tube.
     pub fn braid_on(&self, outer_diameter_mm: f64) -> Result<Braid, MuscleError> {
-        let braid = self.braid.clone();
+        let braid = self.parts.braid.clone();
         // An angle that was stated for this diameter stays.
-        if outer_diameter_mm == self.tube.outer_diameter_mm {
+        if outer_diameter_mm == self.parts.tube.outer_diameter_mm {
             Ok(braid)
         } else {
             Ok(braid.on_diameter(outer_diameter_mm)?)
@@ -198,7 +204,7 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with_section(&self, outer_diameter_mm: f64, wall_mm: f64) -> Result<Self, MuscleError> {
-        self.with_tube(Tube { outer_diameter_mm, wall_mm, ..self.tube.clone() })
+        self.with_tube(Tube { outer_diameter_mm, wall_mm, ..self.parts.tube.clone() })
     }
 
     /// The same muscle with another braid.
@@ -206,7 +212,7 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with_braid(&self, braid: Braid) -> Result<Self, MuscleError> {
-        Ok(Self::new(self.tube.clone(), braid, self.terminals.clone(), self.friction)?.with_bench_of(self))
+        Ok(Self::from_parts(Parts { braid, ..self.parts.clone() })?.with_bench_of(self))
     }
 
     /// The same muscle with other terminals.
@@ -214,7 +220,7 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with_terminals(&self, terminals: Terminals) -> Result<Self, MuscleError> {
-        Ok(Self::new(self.tube.clone(), self.braid.clone(), terminals, self.friction)?.with_bench_of(self))
+        Ok(Self::from_parts(Parts { terminals, ..self.parts.clone() })?.with_bench_of(self))
     }
 
     /// The same muscle with another friction of its braid.
@@ -222,7 +228,6 @@ impl Muscle {
     /// # Errors
     /// As [`Muscle::new`].
     pub fn with_friction(&self, friction: Option<Friction>) -> Result<Self, MuscleError> {
-        Ok(Self::new(self.tube.clone(), self.braid.clone(), self.terminals.clone(), friction)?
-            .with_bench_of(self))
+        Ok(Self::from_parts(Parts { friction, ..self.parts.clone() })?.with_bench_of(self))
     }
 }

@@ -1,6 +1,6 @@
 //! The terminals: rigid plugs to which tube and braid are bonded.
 
-use super::error::{MuscleError, not_negative, positive};
+use super::error::{MuscleError, positive};
 
 /// The empirical factor of Tondu & Lopez (2000) \[tondu2000\] by which the contraction is multiplied to account for the ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,20 +62,12 @@ impl Terminals {
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
-        not_negative("terminals.insertion", self.insertion_mm(), "mm")?;
-        not_negative("terminals.seating", self.seating_mm.unwrap_or(0.0), "mm")?;
-        not_negative("terminals.slip", self.slip_mm_per_n.unwrap_or(0.0), "mm/N")?;
-        not_negative("terminals.grip", self.grip_mm.unwrap_or(0.0), "mm")?;
         match self.end_factor {
-            Some(EndFactor::Constant(k)) => positive("terminals.end_factor", k, "")?,
+            Some(EndFactor::Constant(k)) => positive("terminals.end_factor", k, ""),
             Some(EndFactor::OfPressure { a, b }) => {
                 positive("terminals.end_factor at 0 MPa (a + b)", a + b, "")?;
-                positive("terminals.end_factor at high pressure (b)", b, "")?;
+                positive("terminals.end_factor at high pressure (b)", b, "")
             }
-            None => {}
-        }
-        match self.cone_factor {
-            Some(kc) => not_negative("terminals.cone_factor", kc, ""),
             None => Ok(()),
         }
     }

@@ -1,6 +1,6 @@
 //! The rubber tube.
 
-use super::error::{MuscleError, positive};
+use super::error::MuscleError;
 use super::rubber::Rubber;
 
 /// A tube at rest, between the terminals.
@@ -14,18 +14,22 @@ pub struct Tube {
     pub length_mm: f64,
     /// What it is made of.
     pub rubber: Rubber,
+    /// Density ρ of the rubber in kg/m³, where it is stated.
+    pub density_kg_per_m3: Option<f64>,
 }
 
 impl Tube {
+    /// A tube by its outer diameter, wall and length in mm, and its rubber.
+    pub fn new(outer_diameter_mm: f64, wall_mm: f64, length_mm: f64, rubber: Rubber) -> Self {
+        Self { outer_diameter_mm, wall_mm, length_mm, rubber, density_kg_per_m3: None }
+    }
+
     /// The tube of the paper's prototype.
     pub fn prototype() -> Self {
-        Self { outer_diameter_mm: 30.0, wall_mm: 3.0, length_mm: 285.0, rubber: Rubber::paper() }
+        Self::new(30.0, 3.0, 285.0, Rubber::paper())
     }
 
     pub(super) fn check(&self) -> Result<(), MuscleError> {
-        positive("tube.outer_diameter", self.outer_diameter_mm, "mm")?;
-        positive("tube.wall_thickness", self.wall_mm, "mm")?;
-        positive("tube.length", self.length_mm, "mm")?;
         let radius_mm = self.outer_radius_mm();
         if self.wall_mm >= radius_mm {
             return Err(MuscleError::WallTooThick { wall_mm: self.wall_mm, radius_mm });
@@ -41,5 +45,31 @@ impl Tube {
     /// Ri = D0/2 − s in mm.
     pub fn inner_radius_mm(&self) -> f64 {
         self.outer_radius_mm() - self.wall_mm
+    }
+
+    /// Mass of the rubber between the terminals in g: ρ π (Ro² − Ri²) L0; none where the density is not stated.
+    pub fn rubber_mass_g(&self) -> Option<f64> {
+        let (ro, ri) = (self.outer_radius_mm(), self.inner_radius_mm());
+        let volume_mm3 = std::f64::consts::PI * (ro * ro - ri * ri) * self.length_mm;
+        // 1 kg/m³ is 1e-6 g/mm³.
+        Some(1e-6 * self.density_kg_per_m3? * volume_mm3)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::muscle::{Muscle, measures::DENSITY};
+
+    /// By hand: π (15² − 12²) 285 mm³ = 72 523.67 mm³, of 0.93 g/cm³ 67.4470 g.
+    #[test]
+    fn the_mass_is_that_of_the_wall_between_the_terminals() {
+        let text = "[tube]\ndensity = \"0.93 g/cm3\"\n";
+        let muscle = crate::muscle::file::parse_muscle(text).unwrap();
+        assert_eq!(muscle.measure(&DENSITY), Some(930.0));
+        assert!((muscle.tube().rubber_mass_g().unwrap() - 67.4470).abs() < 1e-4);
+        assert_eq!(Tube::prototype().rubber_mass_g(), None);
+        // No pull depends on it: what was identified stays.
+        assert_eq!(muscle.digest(), Muscle::prototype().digest());
     }
 }

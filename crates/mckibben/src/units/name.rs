@@ -32,33 +32,6 @@ pub struct NamedUnit {
     pub dimension: Option<Dimension>,
 }
 
-impl Dimension {
-    /// The end of the name of a field that is one of these, in the unit inside; none of a plain ratio.
-    pub fn end_of_name(self) -> Option<&'static str> {
-        Some(match self {
-            Dimension::Length => "mm",
-            Dimension::Pressure => "mpa",
-            Dimension::Angle => "deg",
-            Dimension::Force => "n",
-            Dimension::Ratio => return None,
-            Dimension::Stiffness => "n_per_mm",
-            Dimension::Compliance => "mm_per_n",
-            Dimension::Area => "mm2",
-            Dimension::Mass => "kg",
-            Dimension::Torque => "nm",
-            Dimension::AngularStiffness => "nm_per_rad",
-            Dimension::Inertia => "kg_m2",
-            Dimension::Time => "s",
-            Dimension::Frequency => "hz",
-            Dimension::Temperature => "degc",
-            Dimension::Conductance => "l_per_s_bar",
-            Dimension::Damping => "n_s_per_m",
-            Dimension::AngularDamping => "nm_s_per_rad",
-            Dimension::Volume => "mm3",
-        })
-    }
-}
-
 impl NamedUnit {
     fn of(dimension: Dimension) -> Self {
         Self { unit: dimension.unit_inside().name, dimension: Some(dimension) }

@@ -47,6 +47,8 @@ pub enum Dimension {
     AngularDamping,
     /// Volumes, in mm³.
     Volume,
+    /// Densities, in kg/m³.
+    Density,
 }
 
 /// A unit: its spellings, the usual one first, and the exact fraction `num / den` that turns it into the unit used
@@ -159,111 +161,197 @@ const VOLUMES: &[Spelled] = &[
     (&["L", "l", "dm3", "dm³"], 1_000_000.0, 1.0),
     (&["m3", "m³"], 1_000_000_000.0, 1.0),
 ];
+const DENSITIES: &[Spelled] = &[
+    (&["kg/m3", "kg/m³", "kg/m^3"], 1.0, 1.0),
+    (&["g/cm3", "g/cm³", "g/cm^3", "kg/L", "kg/l", "kg/dm3", "g/mL", "g/ml"], 1_000.0, 1.0),
+];
+
+/// A dimension with its units, and how people speak of it.
+struct Kind {
+    dimension: Dimension,
+    units: &'static [Spelled],
+    noun: &'static str,
+    expectation: &'static str,
+    end_of_name: Option<&'static str>,
+}
+
+/// One entry a dimension, in their order.
+const KINDS: [Kind; 20] = [
+    Kind {
+        dimension: Dimension::Length,
+        units: LENGTHS,
+        noun: "a length",
+        expectation: "a length such as 30mm, 3cm or 1.2in (a bare number is mm)",
+        end_of_name: Some("mm"),
+    },
+    Kind {
+        dimension: Dimension::Pressure,
+        units: PRESSURES,
+        noun: "a pressure",
+        expectation: "a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a bare number is MPa)",
+        end_of_name: Some("mpa"),
+    },
+    Kind {
+        dimension: Dimension::Angle,
+        units: ANGLES,
+        noun: "an angle",
+        expectation: "an angle such as 28deg or 0.49rad (a bare number is degrees)",
+        end_of_name: Some("deg"),
+    },
+    Kind {
+        dimension: Dimension::Force,
+        units: FORCES,
+        noun: "a force",
+        expectation: "a force such as 700N or 0.7kN (a bare number is N)",
+        end_of_name: Some("n"),
+    },
+    Kind {
+        dimension: Dimension::Ratio,
+        units: RATIOS,
+        noun: "a ratio",
+        expectation: "a ratio such as 15% or 0.15",
+        end_of_name: None,
+    },
+    Kind {
+        dimension: Dimension::Stiffness,
+        units: STIFFNESSES,
+        noun: "a strand-family stiffness",
+        expectation: "a stiffness such as 467N/mm (a bare number is N/mm)",
+        end_of_name: Some("n_per_mm"),
+    },
+    Kind {
+        dimension: Dimension::Compliance,
+        units: COMPLIANCES,
+        noun: "a compliance",
+        expectation: "a compliance such as 0.003mm/N or 3mm/kN (a bare number is mm/N)",
+        end_of_name: Some("mm_per_n"),
+    },
+    Kind {
+        dimension: Dimension::Area,
+        units: AREAS,
+        noun: "an area",
+        expectation: "an area such as 0.3mm2 (a bare number is mm²)",
+        end_of_name: Some("mm2"),
+    },
+    Kind {
+        dimension: Dimension::Mass,
+        units: MASSES,
+        noun: "a mass",
+        expectation: "a mass such as 20kg or 500g (a bare number is kg)",
+        end_of_name: Some("kg"),
+    },
+    Kind {
+        dimension: Dimension::Torque,
+        units: TORQUES,
+        noun: "a torque",
+        expectation: "a torque such as 8Nm or \"8 N m\" (a bare number is N m)",
+        end_of_name: Some("nm"),
+    },
+    Kind {
+        dimension: Dimension::AngularStiffness,
+        units: ANGULAR_STIFFNESSES,
+        noun: "a stiffness of a joint",
+        expectation: "a stiffness of a joint such as 5Nm/rad (a bare number is N m/rad)",
+        end_of_name: Some("nm_per_rad"),
+    },
+    Kind {
+        dimension: Dimension::Inertia,
+        units: INERTIAS,
+        noun: "a moment of inertia",
+        expectation: "a moment of inertia such as \"0.02 kg m2\" (a bare number is kg m²)",
+        end_of_name: Some("kg_m2"),
+    },
+    Kind {
+        dimension: Dimension::Time,
+        units: TIMES,
+        noun: "a time",
+        expectation: "a time such as 0.3s or 20ms (a bare number is s)",
+        end_of_name: Some("s"),
+    },
+    Kind {
+        dimension: Dimension::Frequency,
+        units: FREQUENCIES,
+        noun: "a frequency",
+        expectation: "a frequency such as 2Hz (a bare number is Hz)",
+        end_of_name: Some("hz"),
+    },
+    Kind {
+        dimension: Dimension::Temperature,
+        units: TEMPERATURES,
+        noun: "a temperature",
+        expectation: "a temperature such as 20degC (a bare number is °C)",
+        end_of_name: Some("degc"),
+    },
+    Kind {
+        dimension: Dimension::Conductance,
+        units: CONDUCTANCES,
+        noun: "a sonic conductance",
+        expectation: "a sonic conductance such as \"0.5 L/(s bar)\" (a bare number is L/(s bar))",
+        end_of_name: Some("l_per_s_bar"),
+    },
+    Kind {
+        dimension: Dimension::Damping,
+        units: DAMPINGS,
+        noun: "a damping constant",
+        expectation: "a damping constant such as \"400 N s/m\" (a bare number is N s/m)",
+        end_of_name: Some("n_s_per_m"),
+    },
+    Kind {
+        dimension: Dimension::AngularDamping,
+        units: ANGULAR_DAMPINGS,
+        noun: "a damping constant of a joint",
+        expectation: "a damping constant of a joint such as \"0.2 N m s/rad\" (a bare number is N m s/rad)",
+        end_of_name: Some("nm_s_per_rad"),
+    },
+    Kind {
+        dimension: Dimension::Volume,
+        units: VOLUMES,
+        noun: "a volume",
+        expectation: "a volume such as 10cm3 or 0.2L (a bare number is mm³)",
+        end_of_name: Some("mm3"),
+    },
+    Kind {
+        dimension: Dimension::Density,
+        units: DENSITIES,
+        noun: "a density",
+        expectation: "a density such as 930kg/m3 or 0.93g/cm3 (a bare number is kg/m³)",
+        end_of_name: Some("kg_per_m3"),
+    },
+];
 
 impl Dimension {
     /// All of them.
-    pub const ALL: [Dimension; 19] = [
-        Dimension::Length,
-        Dimension::Pressure,
-        Dimension::Angle,
-        Dimension::Force,
-        Dimension::Ratio,
-        Dimension::Stiffness,
-        Dimension::Compliance,
-        Dimension::Area,
-        Dimension::Mass,
-        Dimension::Torque,
-        Dimension::AngularStiffness,
-        Dimension::Inertia,
-        Dimension::Time,
-        Dimension::Frequency,
-        Dimension::Temperature,
-        Dimension::Conductance,
-        Dimension::Damping,
-        Dimension::AngularDamping,
-        Dimension::Volume,
-    ];
+    pub const ALL: [Dimension; KINDS.len()] = {
+        let mut all = [Dimension::Length; KINDS.len()];
+        let mut i = 0;
+        while i < KINDS.len() {
+            all[i] = KINDS[i].dimension;
+            i += 1;
+        }
+        all
+    };
+
+    fn kind(self) -> &'static Kind {
+        &KINDS[self as usize]
+    }
 
     pub(super) fn units(self) -> &'static [Spelled] {
-        match self {
-            Dimension::Length => LENGTHS,
-            Dimension::Pressure => PRESSURES,
-            Dimension::Angle => ANGLES,
-            Dimension::Force => FORCES,
-            Dimension::Ratio => RATIOS,
-            Dimension::Stiffness => STIFFNESSES,
-            Dimension::Compliance => COMPLIANCES,
-            Dimension::Area => AREAS,
-            Dimension::Mass => MASSES,
-            Dimension::Torque => TORQUES,
-            Dimension::AngularStiffness => ANGULAR_STIFFNESSES,
-            Dimension::Inertia => INERTIAS,
-            Dimension::Time => TIMES,
-            Dimension::Frequency => FREQUENCIES,
-            Dimension::Temperature => TEMPERATURES,
-            Dimension::Conductance => CONDUCTANCES,
-            Dimension::Damping => DAMPINGS,
-            Dimension::AngularDamping => ANGULAR_DAMPINGS,
-            Dimension::Volume => VOLUMES,
-        }
+        self.kind().units
     }
 
     /// The word for it, with its article: "a length".
     pub fn noun(self) -> &'static str {
-        match self {
-            Dimension::Length => "a length",
-            Dimension::Pressure => "a pressure",
-            Dimension::Angle => "an angle",
-            Dimension::Force => "a force",
-            Dimension::Ratio => "a ratio",
-            Dimension::Stiffness => "a strand-family stiffness",
-            Dimension::Compliance => "a compliance",
-            Dimension::Area => "an area",
-            Dimension::Mass => "a mass",
-            Dimension::Torque => "a torque",
-            Dimension::AngularStiffness => "a stiffness of a joint",
-            Dimension::Inertia => "a moment of inertia",
-            Dimension::Time => "a time",
-            Dimension::Frequency => "a frequency",
-            Dimension::Temperature => "a temperature",
-            Dimension::Conductance => "a sonic conductance",
-            Dimension::Damping => "a damping constant",
-            Dimension::AngularDamping => "a damping constant of a joint",
-            Dimension::Volume => "a volume",
-        }
+        self.kind().noun
     }
 
     /// What a user may write, for error messages.
     pub fn expectation(self) -> &'static str {
-        match self {
-            Dimension::Length => "a length such as 30mm, 3cm or 1.2in (a bare number is mm)",
-            Dimension::Pressure => {
-                "a pressure such as 2.5bar, 0.25MPa, 250kPa or 36psi (a bare number is MPa)"
-            }
-            Dimension::Angle => "an angle such as 28deg or 0.49rad (a bare number is degrees)",
-            Dimension::Force => "a force such as 700N or 0.7kN (a bare number is N)",
-            Dimension::Ratio => "a ratio such as 15% or 0.15",
-            Dimension::Stiffness => "a stiffness such as 467N/mm (a bare number is N/mm)",
-            Dimension::Compliance => "a compliance such as 0.003mm/N or 3mm/kN (a bare number is mm/N)",
-            Dimension::Area => "an area such as 0.3mm2 (a bare number is mm²)",
-            Dimension::Mass => "a mass such as 20kg or 500g (a bare number is kg)",
-            Dimension::Torque => "a torque such as 8Nm or \"8 N m\" (a bare number is N m)",
-            Dimension::AngularStiffness => {
-                "a stiffness of a joint such as 5Nm/rad (a bare number is N m/rad)"
-            }
-            Dimension::Inertia => "a moment of inertia such as \"0.02 kg m2\" (a bare number is kg m²)",
-            Dimension::Time => "a time such as 0.3s or 20ms (a bare number is s)",
-            Dimension::Frequency => "a frequency such as 2Hz (a bare number is Hz)",
-            Dimension::Temperature => "a temperature such as 20degC (a bare number is °C)",
-            Dimension::Conductance => {
-                "a sonic conductance such as \"0.5 L/(s bar)\" (a bare number is L/(s bar))"
-            }
-            Dimension::Damping => "a damping constant such as \"400 N s/m\" (a bare number is N s/m)",
-            Dimension::AngularDamping => {
-                "a damping constant of a joint such as \"0.2 N m s/rad\" (a bare number is N m s/rad)"
-            }
-            Dimension::Volume => "a volume such as 10cm3 or 0.2L (a bare number is mm³)",
-        }
+        self.kind().expectation
+    }
+
+    /// The end of the name of a field that is one of these, in the unit inside; none of a plain ratio.
+    pub fn end_of_name(self) -> Option<&'static str> {
+        self.kind().end_of_name
     }
 
     /// The unit of a spelling: exact first, then without regard to case where that leaves one meaning (`mPa` and `MN`
@@ -491,6 +579,13 @@ mod tests {
         for (text, dimension, value) in cases {
             let got = parse_quantity(text, dimension).unwrap();
             assert!((got - value).abs() <= 1e-12 * value, "{text}: {got}");
+        }
+    }
+
+    #[test]
+    fn every_dimension_has_its_own_entry() {
+        for (i, kind) in KINDS.iter().enumerate() {
+            assert_eq!(kind.dimension as usize, i, "{}", kind.noun);
         }
     }
 

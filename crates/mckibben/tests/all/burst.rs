@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 
 fn muscle(d: f64, s: f64, l: f64, angle_deg: f64, mu_mpa: f64, braid: Braid) -> Muscle {
     let rubber = Rubber::of(Law::NeoHookean(NeoHookean { mu_mpa }));
-    let tube = Tube { outer_diameter_mm: d, wall_mm: s, length_mm: l, rubber };
+    let tube = Tube::new(d, s, l, rubber);
     Muscle::new(tube, Braid { angle_deg, ..braid }, Terminals::default(), None).unwrap()
 }
 

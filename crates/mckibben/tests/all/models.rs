@@ -239,7 +239,7 @@ fn what_is_missing_is_named() {
 }
 
 fn rigid(d0: f64, angle_deg: f64, length: f64, wall: f64, law: Law) -> Muscle {
-    let tube = Tube { outer_diameter_mm: d0, wall_mm: wall, length_mm: length, rubber: Rubber::of(law) };
+    let tube = Tube::new(d0, wall, length, Rubber::of(law));
     let braid = Braid { angle_deg, stiffness: BraidStiffness::Inextensible, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }

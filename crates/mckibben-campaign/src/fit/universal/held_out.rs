@@ -30,7 +30,7 @@ fn random(r: &mut Random, law: MakeLaw<'_>) -> Option<(Muscle, f64)> {
     let fits =
         |p: f64| (0.1..=5.0).contains(&(p / mu)) && p * outer_diameter_mm / (4.0 * sin * sin * k) <= 0.06;
     let p = (0..DRAWS).map(|_| r.between(0.05, 0.5)).find(|p| fits(*p))?;
-    let tube = Tube { outer_diameter_mm, wall_mm, length_mm, rubber };
+    let tube = Tube::new(outer_diameter_mm, wall_mm, length_mm, rubber);
     let braid = Braid { angle_deg, stiffness: BraidStiffness::NewtonPerMm(k), ..Braid::paper() };
     Some((Muscle::new(tube, braid, Terminals::default(), None).ok()?, p))
 }

@@ -37,12 +37,7 @@ fn muscle(row: &Row) -> Option<Muscle> {
     let rubber = Rubber::of(Law::named(&row.law, &constants)?.validated().ok()?);
     let stiffness =
         row.stiffness_of_braid_n_per_mm.map_or(BraidStiffness::Inextensible, BraidStiffness::NewtonPerMm);
-    let tube = Tube {
-        outer_diameter_mm: row.outer_diameter_mm,
-        wall_mm: row.wall_mm,
-        length_mm: row.length_mm,
-        rubber,
-    };
+    let tube = Tube::new(row.outer_diameter_mm, row.wall_mm, row.length_mm, rubber);
     let braid = Braid { angle_deg: row.angle_deg, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).ok()
 }

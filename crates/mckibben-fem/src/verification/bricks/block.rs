@@ -1,7 +1,7 @@
 //! Bodies that are no muscles: a box of bricks, bent by a map into what a case needs.
 
 use crate::solver::dissection::Sheet;
-use crate::three_dimensional::{Brick, Freedom, Problem};
+use crate::three_dimensional::{Brick, Problem};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::Law;
 
@@ -68,20 +68,7 @@ impl Block {
         let sheet = Sheet { around: nj, along: nk, stride: p };
         let columns = sheet.order().into_iter();
         let order = columns.flat_map(|(j, k)| (0..ni).map(move |i| (i, j, k)));
-        Problem {
-            brick: self.brick,
-            bricks,
-            trusses: vec![],
-            faces: vec![],
-            cap_mm2: 0.0,
-            dead: vec![],
-            freedom: vec![[Freedom::Free; 3]; nodes.len()],
-            order: order.map(|(i, j, k)| self.node(i, j, k) as u32).collect(),
-            law,
-            bulk,
-            others: vec![],
-            length_mm: None,
-            nodes,
-        }
+        let order = order.map(|(i, j, k)| self.node(i, j, k) as u32).collect();
+        Problem::free(nodes, (self.brick, bricks), order, (law, bulk))
     }
 }

@@ -7,7 +7,7 @@ use crate::rubber::{MooneyRivlin, RubberLaw};
 
 fn muscle(stiffness: BraidStiffness) -> Muscle {
     let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 });
-    let tube = Tube { outer_diameter_mm: 19.0, wall_mm: 1.5, length_mm: 200.0, rubber: Rubber::of(law) };
+    let tube = Tube::new(19.0, 1.5, 200.0, Rubber::of(law));
     let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
     Muscle::new(tube, braid, Terminals::default(), None).unwrap()
 }
@@ -127,7 +127,7 @@ fn without_pressure_a_shortened_tube_leaves_the_braid_and_pushes() {
 fn without_rubber_a_thick_braid_pulls_as_the_work_of_the_pressure_says() {
     let bare = |thickness_mm: f64| {
         let law = Law::MooneyRivlin(MooneyRivlin { c10_mpa: 1e-12, c01_mpa: 0.0 });
-        let tube = Tube { outer_diameter_mm: 14.0, wall_mm: 1.0, length_mm: 200.0, rubber: Rubber::of(law) };
+        let tube = Tube::new(14.0, 1.0, 200.0, Rubber::of(law));
         let stiffness = BraidStiffness::Inextensible;
         let braid = Braid { angle_deg: 20.0, stiffness, thickness_mm, ..Braid::paper() };
         ThickWall::new(&Muscle::new(tube, braid, Terminals::default(), None).unwrap())

@@ -1,33 +1,16 @@
 //! The section `[braid]`: a stiffness, or the strands it is made of.
 
 use super::error::{FileError, Problem};
-use super::read::ALL;
+use super::read::{ALL, keys, measures};
 use super::source::{Section, WordOr};
-use crate::muscle::{Braid, BraidStiffness, Crimp, MeasuredStrand, MuscleError, Strands};
+use crate::muscle::{Braid, BraidStiffness, MuscleError, Parts, Strands};
 use crate::sleeve::{Sleeve, library};
 use crate::units::Dimension;
 
-const KEYS: &[&str] = &[
-    "name",
-    "angle",
-    "stiffness",
-    "strands",
-    "strand_area",
-    "strand_diameter",
-    "strand_modulus",
-    "strand_strength",
-    "strand_length",
-    "turns",
-    "compression",
-    "thickness",
-    "diameter",
-    "crimp",
-    "crimp_stiffness",
-];
-
-/// The braid on a tube of an outer diameter.
-pub(super) fn read(section: &Section<'_>, outer_diameter_mm: f64) -> Result<Braid, FileError> {
-    section.only(KEYS, &ALL)?;
+/// The braid, into the parts that have the tube already.
+pub(super) fn read(section: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
+    section.only(&keys("braid", &["name", "strand_diameter", "compression"]), &ALL)?;
+    let outer_diameter_mm = parts.tube.outer_diameter_mm;
     let default = Braid::paper();
     let angle_deg = section.quantity("angle", Dimension::Angle)?;
     let sleeve = sleeve(section)?;
@@ -44,27 +27,16 @@ pub(super) fn read(section: &Section<'_>, outer_diameter_mm: f64) -> Result<Brai
         (None, false) => default.stiffness,
     };
     let compression = section.boolean("compression")?.unwrap_or(default.compression);
-    let measured = measured(section)?;
-    let shape = sleeve.map(|s| s.shape);
-    let thickness_mm = section.quantity("thickness", Dimension::Length)?.unwrap_or(default.thickness_mm);
-    let (diameter_mm, crimp) = (section.quantity("diameter", Dimension::Length)?, crimp(section)?);
-    let braid = Braid {
-        stiffness,
-        strands,
-        measured,
-        compression,
-        thickness_mm,
-        diameter_mm,
-        crimp,
-        sleeve: shape,
-        ..default
-    };
-    match angle_deg {
+    parts.braid = Braid { stiffness, strands, compression, sleeve: sleeve.map(|s| s.shape), ..default };
+    measures(section, "braid", parts)?;
+    let braid = parts.braid.clone();
+    parts.braid = match angle_deg {
         Some(angle) => {
             braid.with_stated_angle(angle, outer_diameter_mm).map_err(|e| of_braid(section, "angle", e))
         }
         None => braid.on_diameter(outer_diameter_mm).map_err(|e| of_braid(section, "name", e.into())),
-    }
+    }?;
+    Ok(())
 }
 
 /// The sleeve that `name` means.
@@ -178,26 +150,5 @@ fn count(section: &Section<'_>) -> Result<Option<u32>, FileError> {
         Ok(Some(count as u32))
     } else {
         Err(refused(section, "strands", MuscleError::StrandCount { count }))
-    }
-}
-
-fn crimp(section: &Section<'_>) -> Result<Option<Crimp>, FileError> {
-    let needs = "the strain at which the strands are straight, such as \"1%\"";
-    match (section.quantity("crimp", Dimension::Ratio)?, section.number("crimp_stiffness")?) {
-        (None, None) => Ok(None),
-        (None, Some(_)) => Err(section.missing("crimp", Some("crimp_stiffness"), needs)),
-        (Some(strain), ratio) => {
-            Ok(Some(Crimp { strain, stiffness_ratio: ratio.unwrap_or(Crimp::STIFFNESS_RATIO) }))
-        }
-    }
-}
-
-fn measured(section: &Section<'_>) -> Result<Option<MeasuredStrand>, FileError> {
-    let needs = "a strand measured on the muscle has both its length and its turns";
-    match (section.quantity("strand_length", Dimension::Length)?, section.number("turns")?) {
-        (None, None) => Ok(None),
-        (Some(strand_length_mm), Some(turns)) => Ok(Some(MeasuredStrand { strand_length_mm, turns })),
-        (Some(_), None) => Err(section.missing("turns", Some("strand_length"), needs)),
-        (None, Some(_)) => Err(section.missing("strand_length", Some("turns"), needs)),
     }
 }

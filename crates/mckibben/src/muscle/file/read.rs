@@ -3,17 +3,15 @@
 use super::error::{FileError, Problem};
 use super::source::{Section, Source};
 use super::{bench, braid, material};
-use crate::muscle::{EndFactor, Friction, Muscle, MuscleError, Terminals, Tube};
+use crate::muscle::measures::{Written, of_section};
+use crate::muscle::{EndFactor, Measure, Muscle, MuscleError, Parts};
 use crate::rubber::Law;
-use crate::units::Dimension;
 use std::sync::LazyLock;
 
 const TOP: &[&str] = &["tube", "braid", "terminals", "friction", "model", "identified", "name", "notes"];
-const TUBE: &[&str] = &["outer_diameter", "wall_thickness", "length", "rubber", "material"];
-/// The two factors belong to a model; these are their keys of before.
-const TERMINALS: &[&str] = &["insertion", "seating", "slip", "grip", "end_factor", "cone_factor"];
+/// Keys of the tables that are no measures.
+const TUBE: [&str; 2] = ["rubber", "material"];
 const MODELS: &[&str] = &["tondu-lopez", "conical-ends"];
-const FRICTION: &[&str] = &["coefficient", "exponent", "lever"];
 
 /// Every key of a muscle file, dotted; tells a key in the wrong table from one that means nothing anywhere.
 pub(super) static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
@@ -21,14 +19,15 @@ pub(super) static ALL: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
         let names = Law::KINDS.iter().flat_map(|k| k.names());
         names.map(|name| format!("tube.material.{name}")).collect()
     });
-    KEYS.iter().copied().chain(CONSTANTS.iter().map(String::as_str)).collect()
+    let of = |section| of_section(section).map(|m| m.key);
+    let tube = of("tube").chain(MATERIAL.iter().copied()).chain(CONSTANTS.iter().map(String::as_str));
+    let braid =
+        ["braid.name"].into_iter().chain(of("braid")).chain(["braid.strand_diameter", "braid.compression"]);
+    tube.chain(braid).chain(of("terminals")).chain(MODEL.iter().copied()).chain(of("friction")).collect()
 });
 
-/// All but the constants of the rubber laws, and those of `[identified]`, which nobody writes by hand.
-const KEYS: &[&str] = &[
-    "tube.outer_diameter",
-    "tube.wall_thickness",
-    "tube.length",
+/// The rubber, but for the constants of its law; nobody writes those of `[identified]` by hand.
+const MATERIAL: &[&str] = &[
     "tube.rubber",
     "tube.material",
     "tube.material.law",
@@ -38,35 +37,40 @@ const KEYS: &[&str] = &[
     "tube.material.conditioned",
     "tube.material.prony",
     "tube.material.held",
-    "braid.name",
-    "braid.angle",
-    "braid.stiffness",
-    "braid.strands",
-    "braid.strand_area",
-    "braid.strand_diameter",
-    "braid.strand_modulus",
-    "braid.strand_strength",
-    "braid.strand_length",
-    "braid.turns",
-    "braid.compression",
-    "braid.thickness",
-    "braid.diameter",
-    "braid.crimp",
-    "braid.crimp_stiffness",
-    "terminals.insertion",
-    "terminals.seating",
-    "terminals.slip",
-    "terminals.grip",
-    "terminals.end_factor",
-    "terminals.cone_factor",
+];
+/// What belongs to one model.
+const MODEL: &[&str] = &[
     "model.tondu-lopez",
     "model.tondu-lopez.end_factor",
     "model.conical-ends",
     "model.conical-ends.cone_factor",
-    "friction.coefficient",
-    "friction.exponent",
-    "friction.lever",
 ];
+
+/// The keys of a table: its measures, and `others`.
+pub(super) fn keys(section: &'static str, others: &[&'static str]) -> Vec<&'static str> {
+    of_section(section).map(Measure::name).chain(others.iter().copied()).collect()
+}
+
+/// Puts what a table says of its measures into the parts.
+pub(super) fn measures(section: &Section<'_>, name: &str, parts: &mut Parts) -> Result<(), FileError> {
+    for measure in of_section(name) {
+        let value = match measure.written {
+            Written::Special => None,
+            Written::Quantity => section.quantity(measure.name(), measure.dimension)?,
+            Written::Number => section.number(measure.name())?,
+        };
+        if let Some(value) = value {
+            (measure.set)(parts, value);
+        }
+    }
+    for measure in of_section(name).filter(|m| section.has(m.name())) {
+        let missing = measure.beside.and_then(|(key, needs)| Some((Measure::of_key(key)?.name(), needs)));
+        if let Some((missing, needs)) = missing.filter(|m| !section.has(m.0)) {
+            return Err(section.missing(missing, Some(measure.name()), needs));
+        }
+    }
+    Ok(())
+}
 
 /// Reads the text of a muscle file.
 ///
@@ -87,12 +91,15 @@ pub fn parse_muscle_beside(text: &str, others: &[&'static str]) -> Result<Muscle
     // For people; they have no meaning in a calculation.
     root.text("name", "a text in quotes")?;
     root.text("notes", "a text in quotes")?;
-    let tube = tube(&root)?;
-    let braid = braid::read(&root.section("braid", "braid")?, tube.outer_diameter_mm)?;
-    let terminals = terminals(&root)?;
-    let friction = friction(&root.section("friction", "friction")?)?;
+    let mut parts = Muscle::prototype().parts().clone();
+    tube(&root, &mut parts)?;
+    braid::read(&root.section("braid", "braid")?, &mut parts)?;
+    terminals(&root, &mut parts)?;
+    let friction = root.section("friction", "friction")?;
+    friction.only(&keys("friction", &[]), &ALL)?;
+    measures(&friction, "friction", &mut parts)?;
     let bench = bench::read(&root.section("identified", "identified")?)?;
-    let muscle = Muscle::new(tube, braid, terminals, friction).map_err(|e| located(&source, e))?;
+    let muscle = Muscle::from_parts(parts).map_err(|e| located(&source, e))?;
     Ok(match bench {
         Some(bench) => muscle.with_bench(bench),
         None => muscle,
@@ -110,23 +117,19 @@ fn located(source: &Source<'_>, error: MuscleError) -> FileError {
     source.error(&key, Problem::Muscle { error, key: key.clone(), default })
 }
 
-fn tube(root: &Section<'_>) -> Result<Tube, FileError> {
+fn tube(root: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
     let section = root.section("tube", "tube")?;
-    section.only(TUBE, &ALL)?;
-    let default = Tube::prototype();
-    let length = |key| section.quantity(key, Dimension::Length);
-    Ok(Tube {
-        outer_diameter_mm: length("outer_diameter")?.unwrap_or(default.outer_diameter_mm),
-        wall_mm: length("wall_thickness")?.unwrap_or(default.wall_mm),
-        length_mm: length("length")?.unwrap_or(default.length_mm),
-        rubber: material::read(&section)?,
-    })
+    section.only(&keys("tube", &TUBE), &ALL)?;
+    measures(&section, "tube", parts)?;
+    parts.tube.rubber = material::read(&section)?;
+    Ok(())
 }
 
 /// The terminals, and what models of their own say of the ends.
-fn terminals(root: &Section<'_>) -> Result<Terminals, FileError> {
+fn terminals(root: &Section<'_>, parts: &mut Parts) -> Result<(), FileError> {
     let section = root.section("terminals", "terminals")?;
-    section.only(TERMINALS, &ALL)?;
+    // The two factors belong to a model; here are their keys of before.
+    section.only(&keys("terminals", &[]), &ALL)?;
     let models = root.section("model", "model")?;
     models.only(MODELS, &ALL)?;
     let ends = models.section("tondu-lopez", "model.tondu-lopez")?;
@@ -139,15 +142,11 @@ fn terminals(root: &Section<'_>) -> Result<Terminals, FileError> {
             return Err(section.error(key, Problem::Said(said)));
         }
     }
-    Ok(Terminals {
-        insertion_mm: section.quantity("insertion", Dimension::Length)?,
-        seating_mm: section.quantity("seating", Dimension::Length)?,
-        slip_mm_per_n: section.quantity("slip", Dimension::Compliance)?,
-        grip_mm: section.quantity("grip", Dimension::Length)?,
-        end_factor: end_factor(&ends, "model.tondu-lopez.end_factor")?
-            .or(end_factor(&section, "terminals.end_factor")?),
-        cone_factor: cones.number("cone_factor")?.or(section.number("cone_factor")?),
-    })
+    measures(&section, "terminals", parts)?;
+    parts.terminals.end_factor =
+        end_factor(&ends, "model.tondu-lopez.end_factor")?.or(end_factor(&section, "terminals.end_factor")?);
+    parts.terminals.cone_factor = cones.number("cone_factor")?.or(section.number("cone_factor")?);
+    Ok(())
 }
 
 /// A number, or a table of `a` and `b`: k(P) = a·e^(−P) + b, P in bar.
@@ -164,17 +163,4 @@ fn end_factor(section: &Section<'_>, path: &'static str) -> Result<Option<EndFac
         table.number(key)?.ok_or_else(|| table.missing(key, None, needs))
     };
     Ok(Some(EndFactor::OfPressure { a: one("a")?, b: one("b")? }))
-}
-
-fn friction(section: &Section<'_>) -> Result<Option<Friction>, FileError> {
-    section.only(FRICTION, &ALL)?;
-    let needs = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
-    let lever = section.quantity("lever", Dimension::Length)?;
-    let lever_mm = lever.unwrap_or(0.0);
-    match (section.number("coefficient")?, section.number("exponent")?) {
-        (None, None) => Ok(lever.map(|lever_mm| Friction { lever_mm, ..Friction::power_law(0.0, 0.0) })),
-        (Some(coefficient), Some(exponent)) => Ok(Some(Friction { coefficient, exponent, lever_mm })),
-        (Some(_), None) => Err(section.missing("exponent", Some("coefficient"), needs)),
-        (None, Some(_)) => Err(section.missing("coefficient", Some("exponent"), needs)),
-    }
 }

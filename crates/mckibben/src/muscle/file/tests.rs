@@ -124,7 +124,7 @@ prop_compose! {
         cone_factor in prop::option::of(0.0..0.3),
         friction in prop::option::of((number(0.0, 200.0), number(0.0, 2.0), prop_oneof![Just(0.0), number(0.01, 5.0)])),
     ) -> Muscle {
-        let tube = Tube { outer_diameter_mm, wall_mm: share * outer_diameter_mm / 2.0, length_mm, rubber };
+        let tube = Tube::new(outer_diameter_mm, share * outer_diameter_mm / 2.0, length_mm, rubber);
         let grip_mm = grip_share.map(|share| share * 0.5 * (length_mm - seating_mm.unwrap_or(0.0)));
         let terminals = Terminals { insertion_mm, seating_mm, slip_mm_per_n, grip_mm, end_factor, cone_factor };
         let friction = friction.map(|(coefficient, exponent, lever_mm)| Friction { coefficient, exponent, lever_mm });

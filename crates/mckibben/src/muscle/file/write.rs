@@ -1,9 +1,11 @@
 //! Muscle → text that [`parse_muscle`](super::parse_muscle) reads back as the same muscle.
 
-use crate::muscle::{Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Muscle, Rubber};
+use crate::muscle::measures::{Written, of_section};
+use crate::muscle::{Braid, BraidStiffness, Bulk, Conditioned, EndFactor, Measure, Muscle, Rubber};
 use crate::rubber::library;
 use crate::rubber::over_time::Branch;
 use crate::sleeve::{self, Sleeve};
+use crate::units::Dimension;
 use std::fmt::Write;
 
 /// The column of the comments.
@@ -17,37 +19,14 @@ pub fn to_toml(muscle: &Muscle) -> String {
     out.line("# A number without unit is in mm, MPa, N, N/mm, mm2 or degrees.");
     let tube = muscle.tube();
     out.table("tube");
-    out.key("outer_diameter", &quantity(tube.outer_diameter_mm, "mm"), "");
-    out.key("wall_thickness", &quantity(tube.wall_mm, "mm"), "");
-    out.key("length", &quantity(tube.length_mm, "mm"), "between the terminals");
+    out.measures(muscle, "tube");
     out.rubber(&tube.rubber, muscle.reach());
-    out.braid(muscle.braid(), tube.outer_diameter_mm);
-    let t = muscle.terminals();
-    let ends = [
-        ("insertion", t.insertion_mm, "mm", "tube and braid clamped on each plug"),
-        ("seating", t.seating_mm, "mm", "what both ends together give way under a pull"),
-        ("slip", t.slip_mm_per_n, "mm/N", "what both ends together slip under the load of a clamp"),
-        ("grip", t.grip_mm, "mm", "of the length, held at each end"),
-    ];
-    if ends.iter().any(|end| end.1.is_some()) {
-        out.table("terminals");
-    }
-    for (key, value, unit, comment) in ends {
-        if let Some(value) = value {
-            out.key(key, &quantity(value, unit), comment);
+    out.braid(muscle, tube.outer_diameter_mm);
+    for section in ["terminals", "friction"] {
+        if written(muscle, section).next().is_some() {
+            out.table(section);
         }
-    }
-    if let Some(friction) = muscle.friction() {
-        out.table("friction");
-        if friction.coefficient > 0.0 || friction.exponent > 0.0 || friction.lever_mm == 0.0 {
-            let comment = "C in N/MPa^β: half-width C·P^β of the hysteresis";
-            out.key("coefficient", &number(friction.coefficient), comment);
-            out.key("exponent", &number(friction.exponent), "β");
-        }
-        if friction.lever_mm > 0.0 {
-            let comment = "μw: coefficient of friction times lever of the strands' crossings";
-            out.key("lever", &quantity(friction.lever_mm, "mm"), comment);
-        }
+        out.measures(muscle, section);
     }
     if muscle.terminals().end_factor.is_some() {
         out.table("model.tondu-lopez");
@@ -93,6 +72,17 @@ impl Text {
             let _ = write!(line, "{:gap$}# {comment}", "");
         }
         self.line(&line);
+    }
+
+    /// The measures of a table that are stated.
+    fn measures(&mut self, muscle: &Muscle, section: &str) {
+        for (measure, value) in written(muscle, section) {
+            let text = match measure.dimension {
+                Dimension::Ratio => number(value),
+                _ => quantity(value, measure.unit()),
+            };
+            self.key(measure.name(), &text, measure.comment);
+        }
     }
 
     fn rubber(&mut self, rubber: &Rubber, reach: f64) {
@@ -156,7 +146,8 @@ impl Text {
         }
     }
 
-    fn braid(&mut self, braid: &Braid, outer_diameter_mm: f64) {
+    fn braid(&mut self, muscle: &Muscle, outer_diameter_mm: f64) {
+        let braid = muscle.braid();
         self.table("braid");
         let sleeve = named_sleeve(braid, outer_diameter_mm);
         if let Some(sleeve) = &sleeve {
@@ -195,28 +186,17 @@ impl Text {
                 self.key("strand_strength", &quantity(strength, "N"), "force at which one strand breaks");
             }
         }
-        if let Some(m) = &braid.measured {
-            let comment = "measured on the muscle, rounded ends included";
-            self.key("strand_length", &quantity(m.strand_length_mm, "mm"), comment);
-            self.key("turns", &number(m.turns), "");
-        }
-        if braid.thickness_mm > 0.0 {
-            let comment = "both layers: the strands' midline lies half of it off the tube";
-            self.key("thickness", &quantity(braid.thickness_mm, "mm"), comment);
-        }
-        if let Some(diameter) = braid.diameter_mm {
-            let comment = "inside, at the angle above: a sleeve wider than the tube";
-            self.key("diameter", &quantity(diameter, "mm"), comment);
-        }
-        if let Some(crimp) = &braid.crimp {
-            self.key("crimp", &number(crimp.strain), "strain at which the strands are straight");
-            let comment = "before that, as a share of their stiffness";
-            self.key("crimp_stiffness", &number(crimp.stiffness_ratio), comment);
-        }
+        self.measures(muscle, "braid");
         if braid.compression {
             self.key("compression", "true", "strands that carry compression");
         }
     }
+}
+
+/// The measures of a table that are stated and have no rules of their own.
+fn written(muscle: &Muscle, section: &str) -> impl Iterator<Item = (&'static Measure, f64)> {
+    let plain = of_section(section).filter(|m| m.written != Written::Special);
+    plain.filter_map(|m| Some((m, muscle.measure(m)?)))
 }
 
 /// The sleeve that the braid was cut from, where its name and angle may stand beside each other in a file.

@@ -1,0 +1,257 @@
+//! A muscle in requests: a file, names, and a field for each measure of [`mckibben::muscle::measures`].
+
+use crate::fields::{Stiffness, TextFile};
+use mckibben::muscle::measures::fields;
+use mckibben::muscle::{Measure, Muscle};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{IgnoredAny, MapAccess, Visitor};
+use serde::ser::SerializeMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::{Map, Value, json};
+use std::borrow::Cow;
+use std::fmt;
+use std::sync::LazyLock;
+
+/// A muscle: a muscle file, and values that take the place of what it says. What nobody says is that of the paper's
+/// prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MuscleFields {
+    /// File and names.
+    pub named: NamedFields,
+    /// Measures in place of what these say.
+    pub measures: MeasureValues,
+}
+
+/// What of a muscle has a name, or completes one.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(default)]
+pub struct NamedFields {
+    /// Muscle file (TOML); the other fields override what it says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub muscle: Option<TextFile>,
+    /// A rubber of the library, as NAME or NAME:LAW.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rubber: Option<String>,
+    /// A sleeve of the library: its angle on this diameter, its strands.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub braid: Option<String>,
+    /// Diameter of one strand of that sleeve, mm, where its source does not state it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strand_diameter_mm: Option<f64>,
+    /// Young's modulus of a strand of that sleeve, MPa, where its source does not state it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub strand_modulus_mpa: Option<f64>,
+    /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<Stiffness>,
+}
+
+/// Values of measures, in the order of their table.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MeasureValues(Vec<(&'static Measure, f64)>);
+
+impl MeasureValues {
+    /// The value of a measure.
+    pub fn get(&self, measure: &Measure) -> Option<f64> {
+        self.0.iter().find(|v| v.0 == measure).map(|v| v.1)
+    }
+
+    /// Puts a value in.
+    pub fn set(&mut self, measure: &'static Measure, value: f64) {
+        self.0.retain(|v| v.0 != measure);
+        self.0.push((measure, value));
+        let place = |m: &Measure| fields().position(|(_, other)| other == m);
+        self.0.sort_by_key(|v| place(v.0));
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static Measure, f64)> {
+        self.0.iter().copied()
+    }
+}
+
+impl<const N: usize> From<[(&'static Measure, f64); N]> for MeasureValues {
+    fn from(values: [(&'static Measure, f64); N]) -> Self {
+        let mut out = Self::default();
+        values.into_iter().for_each(|(measure, value)| out.set(measure, value));
+        out
+    }
+}
+
+impl From<NamedFields> for MuscleFields {
+    fn from(named: NamedFields) -> Self {
+        Self { named, measures: MeasureValues::default() }
+    }
+}
+
+impl<const N: usize> From<[(&'static Measure, f64); N]> for MuscleFields {
+    fn from(values: [(&'static Measure, f64); N]) -> Self {
+        Self { named: NamedFields::default(), measures: values.into() }
+    }
+}
+
+impl MuscleFields {
+    /// A muscle file alone.
+    pub fn of_file(file: TextFile) -> Self {
+        NamedFields { muscle: Some(file), ..NamedFields::default() }.into()
+    }
+}
+
+/// Names of the fields, in the order of the schema: the file, the sizes and the angle, what has a name, the other measures.
+static NAMES: LazyLock<Vec<&'static str>> = LazyLock::new(|| {
+    let measures: Vec<&str> = fields().map(|(field, _)| field).collect();
+    let sizes = measures.iter().position(|f| *f == "angle_deg").map_or(0, |i| i + 1);
+    let (first, rest) = measures.split_at(sizes);
+    let named = ["rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness"];
+    [&["muscle"], first, &named, rest].concat()
+});
+
+impl Serialize for MuscleFields {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let named = serde_json::to_value(&self.named).map_err(serde::ser::Error::custom)?;
+        let mut map = serializer.serialize_map(None)?;
+        for name in NAMES.iter() {
+            if let Some(value) = Measure::of_field(name).and_then(|m| self.measures.get(m)) {
+                map.serialize_entry(name, &value)?;
+            } else if let Some(value) = named.get(name) {
+                map.serialize_entry(name, value)?;
+            }
+        }
+        map.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for MuscleFields {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_struct("MuscleFields", &NAMES, Fields)
+    }
+}
+
+/// Reads fields.
+struct Fields;
+
+impl<'de> Visitor<'de> for Fields {
+    type Value = MuscleFields;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the fields of a muscle")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<MuscleFields, A::Error> {
+        let mut out = MuscleFields::default();
+        while let Some(key) = map.next_key::<Cow<'_, str>>()? {
+            let named = &mut out.named;
+            match key.as_ref() {
+                "muscle" => named.muscle = map.next_value()?,
+                "rubber" => named.rubber = map.next_value()?,
+                "braid" => named.braid = map.next_value()?,
+                "strand_diameter_mm" => named.strand_diameter_mm = map.next_value()?,
+                "strand_modulus_mpa" => named.strand_modulus_mpa = map.next_value()?,
+                "stiffness" => named.stiffness = map.next_value()?,
+                key => match Measure::of_field(key) {
+                    Some(measure) => {
+                        if let Some(value) = map.next_value()? {
+                            out.measures.set(measure, value);
+                        }
+                    }
+                    None => drop(map.next_value::<IgnoredAny>()?),
+                },
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// The schema of a measure's field.
+fn schema_of(measure: &Measure, more: &str) -> Value {
+    json!({ "description": measure.documentation(more), "type": ["number", "null"], "format": "double" })
+}
+
+impl JsonSchema for MuscleFields {
+    fn schema_name() -> Cow<'static, str> {
+        "MuscleFields".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut schema = NamedFields::json_schema(generator);
+        let mut named = match schema.remove("properties") {
+            Some(Value::Object(named)) => named,
+            _ => Map::new(),
+        };
+        let one = |name: &&str| {
+            let measure = Measure::of_field(name).map(|m| schema_of(m, ""));
+            Some(((*name).to_owned(), measure.or_else(|| named.remove(*name))?))
+        };
+        let properties: Map<String, Value> = NAMES.iter().filter_map(one).collect();
+        schema.insert("properties".into(), properties.into());
+        schema
+    }
+}
+
+/// Measures of a muscle that are shown where they are stated.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Stated(MeasureValues);
+
+impl Stated {
+    fn fields() -> impl Iterator<Item = (&'static str, &'static Measure)> {
+        fields().filter(|(_, measure)| !measure.label.is_empty())
+    }
+
+    /// Measures and values.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static Measure, f64)> {
+        self.0.iter()
+    }
+}
+
+impl From<&Muscle> for Stated {
+    fn from(muscle: &Muscle) -> Self {
+        let mut out = MeasureValues::default();
+        for (_, measure) in Self::fields() {
+            muscle.measure(measure).into_iter().for_each(|value| out.set(measure, value));
+        }
+        Self(out)
+    }
+}
+
+impl Serialize for Stated {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.iter().filter_map(|(measure, value)| Some((measure.field?, value))))
+    }
+}
+
+impl JsonSchema for Stated {
+    fn schema_name() -> Cow<'static, str> {
+        "Stated".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let one =
+            |(field, measure): (&str, _)| (field.to_owned(), schema_of(measure, ", where it is stated"));
+        let properties: Map<String, Value> = Self::fields().map(one).collect();
+        json_schema!({ "type": "object", "properties": properties })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ForceRequest;
+
+    /// An identity: what is written is read, and in the order of the schema.
+    #[test]
+    fn fields_are_written_and_read_again_with_all_measures_among_them() {
+        let mut fields = MuscleFields::default();
+        fields.named.rubber = Some("paper".into());
+        for (i, (_, measure)) in mckibben::muscle::measures::fields().enumerate() {
+            fields.measures.set(measure, 1.0 + i as f64);
+        }
+        let request = ForceRequest { muscle: fields.clone(), ..ForceRequest::default() };
+        let text = serde_json::to_string(&request).unwrap();
+        assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().muscle, fields);
+        let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
+        let order: Vec<usize> = written.keys().filter_map(|k| NAMES.iter().position(|n| n == k)).collect();
+        assert!(order.is_sorted() && order.len() == fields.measures.0.len() + 1, "{text}");
+        let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#).unwrap_err().to_string();
+        assert!(wrong.contains("invalid type: string \"x\", expected f64"), "{wrong}");
+    }
+}

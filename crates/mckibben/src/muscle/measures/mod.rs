@@ -1,0 +1,344 @@
+//! The measures of a muscle, each declared once: every number of tube, braid, terminals and friction.
+//!
+//! An entry of the [`table`] has the key in the muscle file, the field in requests, the unit, the bounds, how the number is read from
+//! and written to the parts of a muscle, and one sentence about it. From it follow the reader and the writer of muscle files, the bounds
+//! that [`Muscle::new`](super::Muscle::new) checks, the fields of requests with their schema, the flags of the command line, the arguments in Python, and what
+//! can be identified from measured points. Relations between measures (a wall thinner than the radius) are in the parts.
+
+mod table;
+
+pub use table::*;
+
+use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
+use crate::units::Dimension;
+use std::borrow::Cow;
+use std::fmt;
+
+/// What a muscle is made of, before its parts are checked against each other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parts {
+    /// The tube.
+    pub tube: Tube,
+    /// The braid.
+    pub braid: Braid,
+    /// The terminals.
+    pub terminals: Terminals,
+    /// Friction of the braid, where it is known.
+    pub friction: Option<Friction>,
+}
+
+/// The values that a measure may have by itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bounds {
+    /// Above zero.
+    Positive,
+    /// Zero and above.
+    NotNegative,
+    /// From one value to another.
+    Between(f64, f64),
+    /// Checked by its part, with words of its own.
+    OfPart,
+}
+
+/// How a value is written in a muscle file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Written {
+    /// A quantity with its unit.
+    Quantity,
+    /// A plain number.
+    Number,
+    /// By rules of its own, in the code of its table.
+    Special,
+}
+
+/// How a measure is identified from measured points.
+pub struct Identify {
+    /// Other spellings of its name.
+    pub also: &'static [&'static str],
+    /// Start of the search for a muscle that does not state it.
+    pub start: fn(&Muscle) -> Option<f64>,
+    /// Lowest and highest value that a muscle can have.
+    pub bounds: fn(&Muscle) -> (f64, f64),
+    /// A half-width of the 95 % interval above this means that the data do not determine it; of the value found.
+    pub limit: fn(f64) -> f64,
+    /// Whether it is a size of the muscle, as a ruler measures it.
+    pub is_geometry: bool,
+}
+
+/// A measure of the muscle.
+pub struct Measure {
+    /// Key in the muscle file: `tube.outer_diameter`.
+    pub key: &'static str,
+    /// Field in requests and answers, with its unit: `outer_diameter_mm`. None: only in muscle files.
+    pub field: Option<&'static str>,
+    /// Letter of its flag.
+    pub short: Option<char>,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// How it is written in a muscle file.
+    pub written: Written,
+    /// Its unit, where that is not the one of its dimension.
+    pub unit: Option<&'static str>,
+    /// The values that it may have by itself.
+    pub bounds: Bounds,
+    /// Value of a muscle that does not state it, where there is one.
+    pub default: Option<f64>,
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// What it is, in one sentence without its unit.
+    pub about: &'static str,
+    /// Comment in muscle files.
+    pub comment: &'static str,
+    /// Its name in `muscle show` where it is stated; empty: shown by rules of its own.
+    pub label: &'static str,
+    /// Models that use it, where not all of them may.
+    pub models: &'static [&'static str],
+    /// A measure that must be given with it, and the sentence that says so.
+    pub beside: Option<(&'static str, &'static str)>,
+    /// Whether the muscle's digest has it as a line of its own.
+    pub digested: bool,
+    /// How it is identified, where it can be.
+    pub identify: Option<Identify>,
+    /// Its value; none where it is not stated.
+    pub get: fn(&Parts) -> Option<f64>,
+    /// Puts a value in.
+    pub set: fn(&mut Parts, f64),
+}
+
+/// The tables of a muscle file that hold measures, in their order.
+pub const SECTIONS: [&str; 4] = ["tube", "braid", "terminals", "friction"];
+
+/// The measures of a table of the muscle file.
+pub fn of_section(section: &str) -> impl Iterator<Item = &'static Measure> {
+    MEASURES.iter().copied().filter(move |m| m.section() == section)
+}
+
+/// The measures that requests have a field for.
+pub fn fields() -> impl Iterator<Item = (&'static str, &'static Measure)> {
+    MEASURES.iter().filter_map(|m| Some((m.field?, *m)))
+}
+
+impl Measure {
+    /// An entry whose other fields are these.
+    const BASE: Self = Self {
+        key: "",
+        field: None,
+        short: None,
+        dimension: Dimension::Length,
+        written: Written::Quantity,
+        unit: None,
+        bounds: Bounds::Positive,
+        default: None,
+        symbol: "",
+        about: "",
+        comment: "",
+        label: "",
+        models: &[],
+        beside: None,
+        digested: false,
+        identify: None,
+        get: |_| None,
+        set: |_, _| {},
+    };
+
+    /// The measure of a key in the muscle file.
+    pub fn of_key(key: &str) -> Option<&'static Self> {
+        MEASURES.iter().copied().find(|m| m.key == key)
+    }
+
+    /// The measure of a field of requests.
+    pub fn of_field(field: &str) -> Option<&'static Self> {
+        MEASURES.iter().copied().find(|m| m.field == Some(field))
+    }
+
+    /// The table of the muscle file.
+    pub fn section(&self) -> &'static str {
+        self.key.split_once('.').map_or("", |k| k.0)
+    }
+
+    /// The key within its table.
+    pub fn name(&self) -> &'static str {
+        self.key.split_once('.').map_or(self.key, |k| k.1)
+    }
+
+    /// Its unit inside; empty for a plain number.
+    pub fn unit(&self) -> &'static str {
+        self.unit.unwrap_or_else(|| self.dimension.unit_inside().name)
+    }
+
+    /// Whether its field carries a plain number.
+    pub fn is_plain(&self) -> bool {
+        self.dimension == Dimension::Ratio
+    }
+
+    /// The long flag of the command line, without hyphens before it: its field without the unit.
+    pub fn flag(&self) -> Option<String> {
+        let field = self.field?;
+        let unit = self.dimension.end_of_name().filter(|_| !self.is_plain());
+        let name = unit.and_then(|unit| field.strip_suffix(unit)?.strip_suffix('_')).unwrap_or(field);
+        Some(name.replace('_', "-"))
+    }
+
+    /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number.
+    pub fn value_name(&self) -> String {
+        let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
+        (if self.is_plain() { self.symbol } else { noun }).to_uppercase()
+    }
+
+    /// The sentence of its flag, with the value of the prototype.
+    pub fn help(&self) -> String {
+        let mut out = if self.is_plain() {
+            self.about.to_owned()
+        } else {
+            self.about.replacen(&format!(" {}", self.symbol), "", usize::from(!self.symbol.is_empty()))
+        };
+        if !self.models.is_empty() {
+            out += &format!(", for {}", self.models.join(" and "));
+        }
+        if let Some(value) = (self.get)(&Muscle::prototype().parts).or(self.default) {
+            out += &format!(" [{value}{}]", self.unit());
+        }
+        out
+    }
+
+    /// The sentence of its field, with its unit; `more` is added to it.
+    pub fn documentation(&self, more: &str) -> String {
+        let unit = match self.dimension {
+            Dimension::Angle => ", degrees".into(),
+            _ if self.is_plain() => Cow::Borrowed(""),
+            _ => format!(", {}", self.unit()).into(),
+        };
+        let models = match self.models {
+            [] => String::new(),
+            [one] => format!(", for the model {one}"),
+            many => format!(", for the models {}", many.join(" and ")),
+        };
+        format!("{}{unit}{models}{more}.", self.about)
+    }
+
+    /// Whether a value may be that of this measure.
+    ///
+    /// # Errors
+    /// [`MuscleError`] with key, value and unit.
+    pub fn check(&self, value: f64) -> Result<(), MuscleError> {
+        // Words for a keyboard without Greek letters.
+        let unit = if self.unit == Some(FRICTION_UNIT) { "N/MPa^exponent" } else { self.unit() };
+        let key = self.key;
+        match self.bounds {
+            Bounds::OfPart => Ok(()),
+            Bounds::Positive => super::error::positive(key, value, unit),
+            Bounds::NotNegative => super::error::not_negative(key, value, unit),
+            Bounds::Between(low, high) if (low..=high).contains(&value) => Ok(()),
+            Bounds::Between(low, high) => Err(MuscleError::OutOfBounds { key, value, unit, low, high }),
+        }
+    }
+}
+
+impl Parts {
+    /// Whether every measure that is stated has a value that it may have by itself.
+    ///
+    /// # Errors
+    /// [`MuscleError`] of the first that has not.
+    pub(super) fn check(&self, section: &str) -> Result<(), MuscleError> {
+        of_section(section).try_for_each(|m| (m.get)(self).map_or(Ok(()), |value| m.check(value)))
+    }
+}
+
+impl Muscle {
+    /// The parts.
+    pub fn parts(&self) -> &Parts {
+        &self.parts
+    }
+
+    /// The value of a measure; none where it is not stated.
+    pub fn measure(&self, measure: &Measure) -> Option<f64> {
+        (measure.get)(&self.parts)
+    }
+
+    /// The same muscle with another value of a measure. A braid cut from a named sleeve has the sleeve's angle on another diameter.
+    ///
+    /// # Errors
+    /// As [`Muscle::new`].
+    pub fn with(&self, measure: &Measure, value: f64) -> Result<Self, MuscleError> {
+        let mut parts = self.parts.clone();
+        (measure.set)(&mut parts, value);
+        if *measure == OUTER_DIAMETER {
+            parts.braid = self.braid_on(value)?;
+        }
+        Ok(Self::from_parts(parts)?.with_bench_of(self))
+    }
+}
+
+impl fmt::Debug for Measure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.key)
+    }
+}
+
+impl PartialEq for Measure {
+    fn eq(&self, other: &Self) -> bool {
+        self.key == other.key
+    }
+}
+
+impl Eq for Measure {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::muscle::file::{parse_muscle, to_toml};
+
+    /// An identity: what is put in comes out, of every measure of a muscle that states all of them, and nothing else changes.
+    #[test]
+    fn every_measure_is_read_where_it_was_put() {
+        let mut full = Muscle::prototype().parts.clone();
+        for (i, m) in MEASURES.iter().enumerate() {
+            (m.set)(&mut full, (m.get)(&full).unwrap_or(0.5 + 0.01 * i as f64));
+        }
+        for m in MEASURES {
+            let Some(own) = (m.get)(&full) else { panic!("{} is not read", m.key) };
+            let mut other = full.clone();
+            (m.set)(&mut other, 4.0 * own);
+            assert!(((m.get)(&other).unwrap() / (4.0 * own) - 1.0).abs() < 1e-12, "{}", m.key);
+            // The braid's stiffness follows from other measures until it is stated itself.
+            for rest in MEASURES.iter().filter(|r| **r != *m && r.key != "braid.stiffness") {
+                assert_eq!((rest.get)(&other), (rest.get)(&full), "{} changed {}", m.key, rest.key);
+            }
+        }
+    }
+
+    /// An identity: the text of a muscle file says every measure that is stated, to the last bit.
+    #[test]
+    fn every_measure_is_written_and_read_again() {
+        let mut parts = Muscle::prototype().parts.clone();
+        for m in MEASURES.iter().filter(|m| m.written != Written::Special) {
+            let other = match m.key {
+                "braid.diameter" => 31.0,
+                "braid.strand_length" => 400.0,
+                _ => 0.75,
+            };
+            (m.set)(&mut parts, (m.get)(&parts).unwrap_or(other));
+        }
+        let muscle = Muscle::from_parts(parts).unwrap();
+        let text = to_toml(&muscle);
+        assert_eq!(parse_muscle(&text).unwrap(), muscle, "{text}");
+        for m in MEASURES.iter().filter(|m| m.written != Written::Special) {
+            assert!(text.contains(&format!("\n{} = ", m.name())), "{} in\n{text}", m.key);
+        }
+    }
+
+    #[test]
+    fn keys_fields_and_texts_are_whole_and_each_is_there_once() {
+        for (i, m) in MEASURES.iter().enumerate() {
+            assert!(
+                MEASURES[..i].iter().all(|o| o.key != m.key && (o.field != m.field || m.field.is_none()))
+            );
+            assert!(SECTIONS.contains(&m.section()) && !m.about.is_empty(), "{}", m.key);
+            assert!(m.beside.is_none_or(|b| Measure::of_key(b.0).is_some()), "{}", m.key);
+            if let Some(field) = m.field {
+                let named = crate::units::NamedUnit::of_field(field).and_then(|u| u.dimension);
+                assert_eq!(named, Some(m.dimension).filter(|_| !m.is_plain()), "{field}");
+            }
+        }
+    }
+}

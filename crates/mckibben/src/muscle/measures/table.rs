@@ -1,0 +1,477 @@
+//! The table: one entry a measure, and one line in [`MEASURES`].
+
+use super::{Bounds, Identify, Measure, Parts, Written};
+use crate::model::Ideal;
+use crate::muscle::{
+    BraidStiffness, Crimp, EndFactor, Friction, MeasuredStrand, Muscle, NEUTRAL_ANGLE_DEG, Strands,
+};
+use crate::units::Dimension;
+
+/// All of them: fields of requests are in this order, keys of a muscle file in this order within their table.
+pub static MEASURES: &[&Measure] = &[
+    &OUTER_DIAMETER,
+    &WALL,
+    &LENGTH,
+    &DENSITY,
+    &ANGLE,
+    &INSERTION,
+    &SEATING,
+    &SLIP,
+    &GRIP,
+    &END_FACTOR,
+    &CONE_FACTOR,
+    &STIFFNESS,
+    &STRANDS,
+    &STRAND_AREA,
+    &STRAND_MODULUS,
+    &STRAND_STRENGTH,
+    &STRAND_LENGTH,
+    &TURNS,
+    &THICKNESS,
+    &SLEEVE_DIAMETER,
+    &CRIMP,
+    &CRIMP_STIFFNESS,
+    &FRICTION_COEFFICIENT,
+    &FRICTION_EXPONENT,
+    &FRICTION_LEVER,
+];
+
+/// An entry whose other parts are those of a search between zero and infinity, held against half of what is found.
+const IDENTIFY: Identify = Identify {
+    also: &[],
+    start: |_| None,
+    bounds: |_| (0.0, f64::INFINITY),
+    limit: |v| 0.5 * v.abs(),
+    is_geometry: false,
+};
+
+/// Pull in N of the ideal muscle at 3 bar and rest length: the size of its pulls.
+fn usual_pull_n(muscle: &Muscle) -> f64 {
+    Ideal::new(muscle).pull(0.3, 0.0)
+}
+
+/// D0
+pub static OUTER_DIAMETER: Measure = Measure {
+    key: "tube.outer_diameter",
+    field: Some("outer_diameter_mm"),
+    short: Some('D'),
+    symbol: "D0",
+    about: "Outer diameter D0 of the tube at rest",
+    identify: Some(Identify { limit: |v| 0.1 * v.abs(), is_geometry: true, ..IDENTIFY }),
+    get: |p| Some(p.tube.outer_diameter_mm),
+    set: |p, v| p.tube.outer_diameter_mm = v,
+    ..Measure::BASE
+};
+
+/// s
+pub static WALL: Measure = Measure {
+    key: "tube.wall_thickness",
+    field: Some("wall_mm"),
+    short: Some('s'),
+    symbol: "s",
+    about: "Wall thickness s of the tube at rest",
+    identify: Some(Identify {
+        bounds: |m| (0.0, 0.5 * m.outer_diameter_mm()),
+        is_geometry: true,
+        ..IDENTIFY
+    }),
+    get: |p| Some(p.tube.wall_mm),
+    set: |p, v| p.tube.wall_mm = v,
+    ..Measure::BASE
+};
+
+/// L0
+pub static LENGTH: Measure = Measure {
+    key: "tube.length",
+    field: Some("length_mm"),
+    short: Some('L'),
+    symbol: "L0",
+    about: "Length L0 between the terminals at rest",
+    comment: "between the terminals",
+    identify: Some(Identify { is_geometry: true, ..IDENTIFY }),
+    get: |p| Some(p.tube.length_mm),
+    set: |p, v| p.tube.length_mm = v,
+    ..Measure::BASE
+};
+
+/// ρ
+pub static DENSITY: Measure = Measure {
+    key: "tube.density",
+    field: Some("density_kg_per_m3"),
+    dimension: Dimension::Density,
+    symbol: "ρ",
+    about: "Density ρ of the rubber",
+    comment: "of the rubber; only its mass follows from it",
+    label: "density of the rubber",
+    get: |p| p.tube.density_kg_per_m3,
+    set: |p, v| p.tube.density_kg_per_m3 = Some(v),
+    ..Measure::BASE
+};
+
+/// θ0
+pub static ANGLE: Measure = Measure {
+    key: "braid.angle",
+    field: Some("angle_deg"),
+    dimension: Dimension::Angle,
+    written: Written::Special,
+    bounds: Bounds::OfPart,
+    symbol: "θ0",
+    about: "Angle θ0 of the strands to the axis at rest",
+    comment: "strands to the muscle's axis, at rest",
+    identify: Some(Identify {
+        bounds: |_| (1.0, NEUTRAL_ANGLE_DEG - 0.5),
+        limit: |_| 3.0,
+        is_geometry: true,
+        ..IDENTIFY
+    }),
+    get: |p| Some(p.braid.angle_deg),
+    set: |p, v| p.braid.angle_deg = v,
+    ..Measure::BASE
+};
+
+/// Tube and braid on each plug
+pub static INSERTION: Measure = Measure {
+    key: "terminals.insertion",
+    bounds: Bounds::NotNegative,
+    about: "Length of tube and braid clamped on each plug",
+    comment: "tube and braid clamped on each plug",
+    get: |p| p.terminals.insertion_mm,
+    set: |p, v| p.terminals.insertion_mm = Some(v),
+    ..Measure::BASE
+};
+
+/// δ
+pub static SEATING: Measure = Measure {
+    key: "terminals.seating",
+    field: Some("seating_mm"),
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    about: "What both ends together give way under a pull",
+    comment: "what both ends together give way under a pull",
+    label: "give of both ends",
+    digested: true,
+    identify: Some(Identify {
+        also: &["seating"],
+        start: |m| Some(2e-3 * m.length_mm()),
+        bounds: |m| (0.0, 0.2 * m.length_mm()),
+        ..IDENTIFY
+    }),
+    get: |p| p.terminals.seating_mm,
+    set: |p, v| p.terminals.seating_mm = Some(v),
+    ..Measure::BASE
+};
+
+/// c
+pub static SLIP: Measure = Measure {
+    key: "terminals.slip",
+    field: Some("slip_mm_per_n"),
+    dimension: Dimension::Compliance,
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    about: "What both ends together slip under the load of a clamp",
+    comment: "what both ends together slip under the load of a clamp",
+    label: "slip of both ends",
+    digested: true,
+    identify: Some(Identify {
+        also: &["slip"],
+        start: |m| Some(2e-3 * m.length_mm() / usual_pull_n(m)),
+        bounds: |m| (0.0, 0.2 * m.length_mm() / usual_pull_n(m)),
+        ..IDENTIFY
+    }),
+    get: |p| p.terminals.slip_mm_per_n,
+    set: |p, v| p.terminals.slip_mm_per_n = Some(v),
+    ..Measure::BASE
+};
+
+/// h
+pub static GRIP: Measure = Measure {
+    key: "terminals.grip",
+    field: Some("grip_mm"),
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    about: "Length at each end, within that of the muscle, in which tube and braid are held",
+    comment: "of the length, held at each end",
+    label: "held at each end",
+    digested: true,
+    identify: Some(Identify {
+        also: &["grip"],
+        start: |m| Some(5e-3 * m.length_mm()),
+        bounds: |m| (0.0, 0.2 * m.length_mm()),
+        ..IDENTIFY
+    }),
+    get: |p| p.terminals.grip_mm,
+    set: |p, v| p.terminals.grip_mm = Some(v),
+    ..Measure::BASE
+};
+
+/// k of Tondu & Lopez; what depends on the pressure is at zero pressure here
+pub static END_FACTOR: Measure = Measure {
+    key: "terminals.end_factor",
+    field: Some("end_factor"),
+    dimension: Dimension::Ratio,
+    written: Written::Special,
+    bounds: Bounds::OfPart,
+    symbol: "k",
+    about: "Empirical end factor k of Tondu & Lopez",
+    models: &["tondu-lopez", "thick-wall"],
+    identify: Some(Identify {
+        also: &["end-factor"],
+        start: |_| Some(1.0),
+        limit: |v| 0.2 * v.abs(),
+        ..IDENTIFY
+    }),
+    get: |p| p.terminals.end_factor.map(|k| k.at(0.0)),
+    set: |p, v| p.terminals.end_factor = Some(EndFactor::Constant(v)),
+    ..Measure::BASE
+};
+
+/// kc of Tondu 2012
+pub static CONE_FACTOR: Measure = Measure {
+    key: "terminals.cone_factor",
+    field: Some("cone_factor"),
+    dimension: Dimension::Ratio,
+    written: Written::Special,
+    bounds: Bounds::NotNegative,
+    symbol: "kc",
+    about: "Cone factor kc",
+    models: &["conical-ends"],
+    digested: true,
+    get: |p| p.terminals.cone_factor,
+    set: |p, v| p.terminals.cone_factor = Some(v),
+    ..Measure::BASE
+};
+
+/// k of one strand family; requests have it as a number or a name
+pub static STIFFNESS: Measure = Measure {
+    key: "braid.stiffness",
+    dimension: Dimension::Stiffness,
+    written: Written::Special,
+    bounds: Bounds::OfPart,
+    symbol: "k",
+    about: "Stiffness k of one strand family",
+    get: |p| p.braid.family_stiffness_n_per_mm(&p.tube),
+    set: |p, v| p.braid.stiffness = BraidStiffness::NewtonPerMm(v),
+    ..Measure::BASE
+};
+
+/// N
+pub static STRANDS: Measure = Measure {
+    key: "braid.strands",
+    dimension: Dimension::Ratio,
+    written: Written::Special,
+    bounds: Bounds::OfPart,
+    symbol: "N",
+    about: "Number N of strands, both families together",
+    get: |p| p.braid.strands.map(|s| f64::from(s.count)),
+    set: |p, v| strands(p).count = v as u32,
+    ..Measure::BASE
+};
+
+/// A of one strand
+pub static STRAND_AREA: Measure = Measure {
+    key: "braid.strand_area",
+    dimension: Dimension::Area,
+    written: Written::Special,
+    symbol: "A",
+    about: "Cross-section A of one strand",
+    get: |p| Some(p.braid.strands?.section?.0),
+    set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).0 = v,
+    ..Measure::BASE
+};
+
+/// E of the strands
+pub static STRAND_MODULUS: Measure = Measure {
+    key: "braid.strand_modulus",
+    dimension: Dimension::Pressure,
+    written: Written::Special,
+    symbol: "E",
+    about: "Young's modulus E of the strands",
+    get: |p| Some(p.braid.strands?.section?.1),
+    set: |p, v| strands(p).section.get_or_insert((0.0, 0.0)).1 = v,
+    ..Measure::BASE
+};
+
+/// Strength of one strand
+pub static STRAND_STRENGTH: Measure = Measure {
+    key: "braid.strand_strength",
+    dimension: Dimension::Force,
+    written: Written::Special,
+    about: "Force at which one strand breaks",
+    comment: "force at which one strand breaks",
+    get: |p| p.braid.strands?.strength_n,
+    set: |p, v| strands(p).strength_n = Some(v),
+    ..Measure::BASE
+};
+
+/// b of Belforte
+pub static STRAND_LENGTH: Measure = Measure {
+    key: "braid.strand_length",
+    field: Some("strand_length_mm"),
+    symbol: "b",
+    about: "Length of one strand measured on the muscle",
+    comment: "measured on the muscle, rounded ends included",
+    models: &["belforte"],
+    beside: Some(("braid.turns", "a strand measured on the muscle has both its length and its turns")),
+    get: |p| Some(p.braid.measured?.strand_length_mm),
+    set: |p, v| measured(p).strand_length_mm = v,
+    ..Measure::BASE
+};
+
+/// n of Belforte
+pub static TURNS: Measure = Measure {
+    key: "braid.turns",
+    field: Some("turns"),
+    dimension: Dimension::Ratio,
+    written: Written::Number,
+    symbol: "n",
+    about: "Turns of that strand",
+    models: &["belforte"],
+    beside: Some((
+        "braid.strand_length",
+        "a strand measured on the muscle has both its length and its turns",
+    )),
+    get: |p| Some(p.braid.measured?.turns),
+    set: |p, v| measured(p).turns = v,
+    ..Measure::BASE
+};
+
+/// t
+pub static THICKNESS: Measure = Measure {
+    key: "braid.thickness",
+    bounds: Bounds::NotNegative,
+    default: Some(0.0),
+    symbol: "t",
+    about: "Thickness t of the braid, both layers of strands",
+    comment: "both layers: the strands' midline lies half of it off the tube",
+    identify: Some(Identify {
+        start: |m| Some(0.02 * m.outer_diameter_mm()),
+        bounds: |m| (1e-6 * m.outer_diameter_mm(), 0.3 * m.outer_diameter_mm()),
+        ..IDENTIFY
+    }),
+    get: |p| Some(p.braid.thickness_mm).filter(|t| *t != 0.0),
+    set: |p, v| p.braid.thickness_mm = v,
+    ..Measure::BASE
+};
+
+/// Ds
+pub static SLEEVE_DIAMETER: Measure = Measure {
+    key: "braid.diameter",
+    symbol: "Ds",
+    about: "Inner diameter Ds of a sleeve wider than the tube, at its angle",
+    comment: "inside, at the angle above: a sleeve wider than the tube",
+    digested: true,
+    identify: Some(Identify {
+        start: |m| Some(1.01 * m.outer_diameter_mm()),
+        bounds: |m| (m.outer_diameter_mm(), 1.5 * m.outer_diameter_mm()),
+        limit: |v| 0.1 * v.abs(),
+        ..IDENTIFY
+    }),
+    get: |p| p.braid.diameter_mm,
+    set: |p, v| p.braid.diameter_mm = Some(v),
+    ..Measure::BASE
+};
+
+/// c1
+pub static CRIMP: Measure = Measure {
+    key: "braid.crimp",
+    dimension: Dimension::Ratio,
+    symbol: "c1",
+    about: "Strain c1 at which the strands are straight",
+    comment: "strain at which the strands are straight",
+    identify: Some(Identify { start: |_| Some(0.005), bounds: |_| (1e-6, 0.1), ..IDENTIFY }),
+    get: |p| Some(p.braid.crimp?.strain),
+    set: |p, v| crimp(p).strain = v,
+    ..Measure::BASE
+};
+
+/// κ
+pub static CRIMP_STIFFNESS: Measure = Measure {
+    key: "braid.crimp_stiffness",
+    dimension: Dimension::Ratio,
+    written: Written::Number,
+    symbol: "κ",
+    about: "Share κ of their stiffness that the strands have before they are straight",
+    comment: "before that, as a share of their stiffness",
+    beside: Some(("braid.crimp", "the strain at which the strands are straight, such as \"1%\"")),
+    get: |p| Some(p.braid.crimp?.stiffness_ratio),
+    set: |p, v| crimp(p).stiffness_ratio = v,
+    ..Measure::BASE
+};
+
+/// The unit of C.
+pub(super) const FRICTION_UNIT: &str = "N/MPa^β";
+const FRICTION_NEEDS: &str = "friction is C·P^β: coefficient C in N/MPa^β and exponent β";
+
+/// C
+pub static FRICTION_COEFFICIENT: Measure = Measure {
+    key: "friction.coefficient",
+    dimension: Dimension::Ratio,
+    written: Written::Number,
+    unit: Some(FRICTION_UNIT),
+    bounds: Bounds::NotNegative,
+    symbol: "C",
+    about: "Coefficient C of the friction C·P^β, P in MPa",
+    comment: "C in N/MPa^β: half-width C·P^β of the hysteresis",
+    beside: Some(("friction.exponent", FRICTION_NEEDS)),
+    identify: Some(Identify { also: &["friction.c"], ..IDENTIFY }),
+    get: |p| Some(power_law(p)?.coefficient),
+    set: |p, v| friction(p).coefficient = v,
+    ..Measure::BASE
+};
+
+/// β
+pub static FRICTION_EXPONENT: Measure = Measure {
+    key: "friction.exponent",
+    dimension: Dimension::Ratio,
+    written: Written::Number,
+    bounds: Bounds::NotNegative,
+    symbol: "β",
+    about: "Exponent β of the friction C·P^β",
+    comment: "β",
+    beside: Some(("friction.coefficient", FRICTION_NEEDS)),
+    // Without data: between the 0.57 and 0.82 seen by Tondu (2012) [tondu2012].
+    identify: Some(Identify {
+        also: &["friction.beta"],
+        start: |_| Some(0.6),
+        bounds: |_| (0.0, 3.0),
+        limit: |_| 0.5,
+        ..IDENTIFY
+    }),
+    get: |p| Some(power_law(p)?.exponent),
+    set: |p, v| friction(p).exponent = v,
+    ..Measure::BASE
+};
+
+/// μw
+pub static FRICTION_LEVER: Measure = Measure {
+    key: "friction.lever",
+    bounds: Bounds::NotNegative,
+    symbol: "μw",
+    about: "Coefficient of friction times lever of the strands' crossings, μw",
+    comment: "μw: coefficient of friction times lever of the strands' crossings",
+    identify: Some(Identify { start: |_| Some(1.0), ..IDENTIFY }),
+    get: |p| Some(p.friction?.lever_mm).filter(|l| *l != 0.0),
+    set: |p, v| friction(p).lever_mm = v,
+    ..Measure::BASE
+};
+
+fn strands(p: &mut Parts) -> &mut Strands {
+    p.braid.strands.get_or_insert(Strands { count: 0, section: None, strength_n: None })
+}
+
+fn measured(p: &mut Parts) -> &mut MeasuredStrand {
+    p.braid.measured.get_or_insert(MeasuredStrand { strand_length_mm: 0.0, turns: 0.0 })
+}
+
+fn crimp(p: &mut Parts) -> &mut Crimp {
+    p.braid.crimp.get_or_insert(Crimp { strain: 0.0, stiffness_ratio: Crimp::STIFFNESS_RATIO })
+}
+
+fn friction(p: &mut Parts) -> &mut Friction {
+    p.friction.get_or_insert(Friction::power_law(0.0, 0.0))
+}
+
+/// The part C·P^β, where it is stated.
+fn power_law(p: &Parts) -> Option<&Friction> {
+    p.friction.as_ref().filter(|f| f.coefficient != 0.0 || f.exponent != 0.0 || f.lever_mm == 0.0)
+}
