@@ -18,7 +18,7 @@ pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
 static MIND: OnceLock<String> = OnceLock::new();
 
 /// What the user should mind about a pressure that was typed as a bare number; to be said beside an answer, and where there is none.
-pub fn to_mind() -> Option<&'static str> {
+pub fn unit_hint() -> Option<&'static str> {
     MIND.get().map(String::as_str)
 }
 
