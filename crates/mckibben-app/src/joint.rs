@@ -299,7 +299,7 @@ impl Asked<'_> {
         }
         for &p in families.iter().flatten() {
             if !(p.is_finite() && p >= 0.0) {
-                let message = format!("{p} MPa is no gauge pressure of a muscle");
+                let message = format!("{p} MPa is not a valid gauge pressure of a muscle");
                 return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("pressures_mpa"));
             }
         }

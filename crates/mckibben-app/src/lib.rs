@@ -88,7 +88,7 @@ pub use joint::*;
 pub use json_size::JsonSize;
 pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
-    AnswerColumns, BoundModel, Column, Many, NoList, Pairs, Unanswered, Wanted as WantedOfPoint,
+    AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, Unanswered, Wanted as WantedOfPoint,
     curve_columns, with_parameters,
 };
 pub use mckibben_motion::{Event, Subject};

@@ -172,7 +172,7 @@ pub fn mesh_fields(mesh: Option<&str>, keep: Keep, terminal: Option<&str>) -> Re
 fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
     let wrong = || {
         let message = format!(
-            "--terminal: \"{text}\" is no terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
+            "--terminal: \"{text}\" is not a terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
         );
         Failure::input(ProblemKind::Terminal, message, "leave it out for a rigid plane")
     };

@@ -23,7 +23,7 @@ use mckibben::design::{
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::progress::{Progress, Quiet};
+use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
 use mckibben::warning::Warning;
 use policy::ModelPolicy;
@@ -90,7 +90,7 @@ fn sure(
     if !outcome.candidates.first().is_some_and(is_doubtful) {
         return Ok(None);
     }
-    let quiet = Quiet(progress);
+    let quiet = CancelOnly(progress);
     let quick = |s: &Spec| design_with(s, models, &quiet);
     let whole = |s: &Spec| match radius_mm {
         Some(radius_mm) => design_joint(s, radius_mm, models, &quiet).map(|(_, outcome)| outcome),

@@ -52,7 +52,7 @@ pub struct DesignRequest {
     /// rubber's law was fitted.
     pub max_stretch: Option<f64>,
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; 0.06 where it is left out,
-    /// which is as far as the models were compared with anything.
+    /// the validated range.
     pub max_strand_strain: Option<f64>,
     /// What to rank by.
     pub objective: ObjectiveWord,

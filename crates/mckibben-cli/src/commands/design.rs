@@ -98,7 +98,7 @@ pub struct DesignArgs {
     /// Largest stretch of the rubber at the operating points; 2 means twice its length [as far as its law was fitted]
     #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_stretch: Option<String>,
-    /// Largest strain of the strands at the maximum pressure [6 %: as far as the models were compared with anything]
+    /// Largest strain of the strands at the maximum pressure [6 %: the validated range]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_strand_strain: Option<String>,
     /// What to rank by
@@ -282,7 +282,7 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
 fn at(text: &str) -> Result<Wanted, Failure> {
     let Some((force, contraction)) = text.split_once('@') else {
         let message = format!(
-            "--at: \"{text}\" is no operating point; expected a pull at a contraction such as 700N@15%"
+            "--at: \"{text}\" is not a valid operating point; expected a pull at a contraction such as 700N@15%"
         );
         return Err(Failure::input(ProblemKind::Quantity, message, ""));
     };
@@ -293,7 +293,8 @@ fn at(text: &str) -> Result<Wanted, Failure> {
 
 fn torque(text: &str) -> Result<TorqueWanted, Failure> {
     let Some((torque, angle)) = text.split_once('@') else {
-        let message = format!("--joint: \"{text}\" is no torque at an angle; expected one such as 8Nm@45deg");
+        let message =
+            format!("--joint: \"{text}\" is not a valid torque at an angle; expected one such as 8Nm@45deg");
         return Err(Failure::input(ProblemKind::Quantity, message, ""));
     };
     // Either side: the joint is symmetric.
@@ -308,7 +309,7 @@ fn tolerances(text: &str) -> Result<ToleranceFields, Failure> {
     for part in text.split(',') {
         let wrong = || {
             let message = format!(
-                "--tolerance: \"{part}\" is no tolerance; expected wall, diameter, length, angle, pressure, modulus or stiffness with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%"
+                "--tolerance: \"{part}\" is not a valid tolerance; expected wall, diameter, length, angle, pressure, modulus or stiffness with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%"
             );
             Failure::input(ProblemKind::Quantity, message, "")
         };

@@ -17,7 +17,7 @@ pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_be
 
 use crate::failure::Failure;
 use crate::flags::Format;
-use crate::quantities::to_mind;
+use crate::quantities::unit_hint;
 use mckibben_app::ProblemKind;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -65,7 +65,7 @@ pub fn show<T: Serialize + JsonSchema>(
     let form = form(target.path, format)?;
     let out = match form {
         Form::Text => {
-            to_mind().into_iter().for_each(warn);
+            unit_hint().into_iter().for_each(warn);
             clean::lines(&text()).into_owned().into_bytes()
         }
         Form::Json => format!("{:#}\n", json(answer)?).into_bytes(),

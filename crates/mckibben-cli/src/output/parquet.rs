@@ -45,14 +45,14 @@ impl Column {
     fn write(&self, to: &mut ColumnWriter<'_>) -> Result<()> {
         match (self, to) {
             (Self::Number(v), ColumnWriter::DoubleColumnWriter(w)) => {
-                w.write_batch(&known(v), Some(&there(v)), None)?
+                w.write_batch(&known(v), Some(&definition_levels(v)), None)?
             }
             (Self::Flag(v), ColumnWriter::BoolColumnWriter(w)) => {
-                w.write_batch(&known(v), Some(&there(v)), None)?
+                w.write_batch(&known(v), Some(&definition_levels(v)), None)?
             }
             (Self::Text(v), ColumnWriter::ByteArrayColumnWriter(w)) => {
                 let bytes: Vec<_> = v.iter().flatten().map(|text| text.as_str().into()).collect();
-                w.write_batch(&bytes, Some(&there(v)), None)?
+                w.write_batch(&bytes, Some(&definition_levels(v)), None)?
             }
             _ => return Err(ParquetError::General("a column of another kind".into())),
         };

@@ -206,9 +206,9 @@ const FLAGS: &[Case] = &[
     ("finite elements at such a pressure", "force -p 1e6", 3, "not_converged", "no equilibrium found"),
     // Ranges.
     ("an empty range", "curve isobaric -p ..", 2, "quantity", "--pressure"),
-    ("half a range", "curve isobaric -p 0..", 2, "quantity", "nothing stands here"),
-    ("an empty list", "curve isobaric -p ,", 2, "quantity", "nothing stands here"),
-    ("a hole in a list", "curve isobaric -e 0,,0.1", 2, "quantity", "nothing stands here"),
+    ("half a range", "curve isobaric -p 0..", 2, "quantity", "the value is empty"),
+    ("an empty list", "curve isobaric -p ,", 2, "quantity", "the value is empty"),
+    ("a hole in a list", "curve isobaric -e 0,,0.1", 2, "quantity", "the value is empty"),
     ("a reversed range", "curve isobaric -p 0.2..0.1", 2, "range", "runs backwards"),
     ("no step", "curve isobaric -p 0..0.2:0", 2, "range", "must be above zero"),
     ("a step back", "curve isobaric -p 0..0.2:-0.1", 2, "range", "must be above zero"),

@@ -139,7 +139,7 @@ pub enum SpecError {
     NoPoint,
     /// A pull or contraction that is no operating point.
     #[error(
-        "the operating point {force_n} N at a contraction of {contraction} makes no sense: the pull must be above 0 N and the contraction from 0 to below 1"
+        "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1"
     )]
     Point {
         /// Pull in N.
@@ -149,7 +149,7 @@ pub enum SpecError {
     },
     /// A torque or angle that makes no sense.
     #[error(
-        "{torque_nm} N m at {angle_deg}° makes no sense: the torque must be above zero and the angle within ±{largest_deg}°"
+        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
     )]
     Torque {
         /// Torque in N m.

@@ -63,7 +63,7 @@ pub struct Spread {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpreadError {
     /// A corner is no muscle.
-    #[error("a corner of the tolerances is no muscle: {0}")]
+    #[error("a corner of the tolerances is not a valid muscle: {0}")]
     Muscle(#[from] MuscleError),
     /// The model has no answer at a corner.
     #[error("no answer at a corner of the tolerances: {0}")]

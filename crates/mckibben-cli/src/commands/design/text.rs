@@ -124,13 +124,13 @@ fn thousandth(share: f64) -> f64 {
 fn binds(best: &CandidateAnswer) -> String {
     let Some(limit) = best.binds else { return String::new() };
     let what = match limit {
-        Limit::Force => "the pull that is wanted",
+        Limit::Force => "the required pull",
         Limit::BulgedDiameter => "the largest bulged diameter",
         Limit::MaxStretch => "the largest stretch of its rubber",
         Limit::StrandStrain => "the largest strain of its strands",
         Limit::BurstMargin => "the burst pressure",
     };
-    format!("What binds for the first: {what}.\n")
+    format!("The first is limited by {what}.\n")
 }
 
 fn measures(r: &RejectedAnswer, u: &Units) -> String {
@@ -314,7 +314,7 @@ fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
         out.push_str("No single limit makes it fit.\n");
         return out;
     }
-    out.push_str("It fits with any one of these:\n");
+    out.push_str("Relax one of these:\n");
     for relaxation in &closest.relaxations {
         let line = match relaxation {
             Relaxation::MaxPressure { pressure_mpa, extrapolated } => {
