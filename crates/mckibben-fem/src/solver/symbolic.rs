@@ -232,18 +232,15 @@ mod tests {
     fn eliminated(pattern: &Pattern) -> Vec<Vec<u32>> {
         let n = pattern.dimension();
         let mut full = vec![vec![false; n]; n];
-        for j in 0..n {
+        for (j, column) in full.iter_mut().enumerate() {
             for k in pattern.columns[j]..pattern.columns[j + 1] {
-                full[j][pattern.rows[k as usize] as usize] = true;
+                column[pattern.rows[k as usize] as usize] = true;
             }
         }
         for k in 0..n {
-            for j in k + 1..n {
-                if full[k][j] {
-                    for i in j..n {
-                        full[j][i] |= full[k][i];
-                    }
-                }
+            let pivot = full[k].clone();
+            for j in (k + 1..n).filter(|j| pivot[*j]) {
+                full[j][j..].iter_mut().zip(&pivot[j..]).for_each(|(to, from)| *to |= from);
             }
         }
         full.iter().map(|c| (0..n as u32).filter(|i| c[*i as usize]).collect()).collect()
@@ -290,7 +287,7 @@ mod tests {
                 let earlier: Vec<u32> = (0..i).filter(inside).map(|d| d as u32).collect();
                 assert_eq!(s.updates(i), earlier);
             }
-            assert_eq!(s.entries(), (0..s.count()).map(|i| s.values(i).len()).sum());
+            assert_eq!(s.entries(), (0..s.count()).map(|i| s.values(i).len()).sum::<usize>());
         }
     }
 
