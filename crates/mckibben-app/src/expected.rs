@@ -104,10 +104,8 @@ impl Expected {
             (Self::Number(_), Value::Number(_)) => return Ok(()),
             (Self::Whole, Value::Number(number)) if !number.is_f64() => return Ok(()),
             (Self::Text, Value::String(_)) | (Self::Truth, Value::Bool(_)) => return Ok(()),
-            (Self::OneOf(kinds), _) => {
-                if kinds.iter().any(|of| of.within(field, value).is_ok()) {
-                    return Ok(());
-                }
+            (Self::OneOf(kinds), _) if kinds.iter().any(|of| of.within(field, value).is_ok()) => {
+                return Ok(());
             }
             _ => {}
         }

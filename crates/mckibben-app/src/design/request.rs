@@ -299,8 +299,8 @@ impl DesignRequest {
             return Err(Problem::new(ProblemKind::Usage, message, "leave out `stroke_mm` and `contraction`"));
         }
         let torques = self.torques.clone();
-        let numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
-        numbers.map(|v| finite("torques", v).map(drop)).collect::<Result<(), Problem>>()?;
+        let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
+        numbers.try_for_each(|v| finite("torques", v).map(drop))?;
         let largest = torques.iter().map(|t| t.angle_deg.abs()).fold(0.0, f64::max);
         let largest_angle_deg = finite("largest_angle_deg", self.largest_angle_deg.unwrap_or(largest))?;
         let (base, _) = self.with_stroke(vec![])?;

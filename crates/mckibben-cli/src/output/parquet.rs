@@ -64,7 +64,7 @@ fn known<T: Copy>(values: &[Option<T>]) -> Vec<T> {
     values.iter().copied().flatten().collect()
 }
 
-fn there<T>(values: &[Option<T>]) -> Vec<i16> {
+fn definition_levels<T>(values: &[Option<T>]) -> Vec<i16> {
     values.iter().map(|v| i16::from(v.is_some())).collect()
 }
 

@@ -293,7 +293,8 @@ mod tests {
     fn every_measure_is_read_where_it_was_put() {
         let mut full = Muscle::prototype().parts.clone();
         for (i, m) in MEASURES.iter().enumerate() {
-            (m.set)(&mut full, (m.get)(&full).unwrap_or(0.5 + 0.01 * i as f64));
+            let value = (m.get)(&full).unwrap_or(0.5 + 0.01 * i as f64);
+            (m.set)(&mut full, value);
         }
         for m in MEASURES {
             let Some(own) = (m.get)(&full) else { panic!("{} is not read", m.key) };
@@ -317,7 +318,8 @@ mod tests {
                 "braid.strand_length" => 400.0,
                 _ => 0.75,
             };
-            (m.set)(&mut parts, (m.get)(&parts).unwrap_or(other));
+            let value = (m.get)(&parts).unwrap_or(other);
+            (m.set)(&mut parts, value);
         }
         let muscle = Muscle::from_parts(parts).unwrap();
         let text = to_toml(&muscle);
