@@ -137,7 +137,7 @@ fn problems_name_the_field_and_never_a_flag() {
             "force",
             json!({ "pressure_mpa": 0.2, "contraction": 15 }),
             ProblemKind::Quantity,
-            "no contraction ratio",
+            "not a valid contraction ratio",
         ),
         (
             "force",

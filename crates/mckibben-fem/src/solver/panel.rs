@@ -1,6 +1,6 @@
 //! L Lᵀ and L D Lᵀ of a panel: some columns of a symmetric matrix from the diagonal down.
 //!
-//! Left-looking in strips of a few columns (Davis 2006 \[davis2006\], ch. 4): a strip takes off what the columns before it add,
+//! Left-looking in strips of a few columns (Davis 2006 \[davis2006b\], ch. 4): a strip takes off what the columns before it add,
 //! then its triangle on the diagonal is factorised, and the rows below are divided by it:
 //!
 //! ```text

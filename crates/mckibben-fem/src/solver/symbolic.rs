@@ -8,7 +8,7 @@
 //! ```
 //!
 //! so that the tree comes out of the same walk. Column j goes on with the supernode of column j − 1 where it is the parent of that one alone
-//! and brings no row of its own: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006\]). A supernode and the parent right
+//! and brings no row of its own: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right
 //! behind it are merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]): wide supernodes are
 //! quick, and a child's rows lie within the parent's columns and rows.
 
