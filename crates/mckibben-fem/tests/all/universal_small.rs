@@ -47,14 +47,19 @@ fn errors(count: usize, seed: u64) -> Vec<Point> {
 #[test]
 fn the_half_width_of_universal_small_holds_95_percent_of_random_muscles() {
     let all = errors(std::env::var("MCKIBBEN_ROUNDS").ok().and_then(|n| n.parse().ok()).unwrap_or(400), 3);
+    let list = |chosen: &dyn Fn(&Point) -> bool| -> Vec<f64> {
+        all.iter().filter(|point| chosen(point)).map(|point| point.2).collect()
+    };
+    let share = |list: &[f64]| list.iter().filter(|e| **e <= 1.0).count() as f64 / list.len() as f64;
     let among = |chosen: &dyn Fn(&Point) -> bool| {
-        let list: Vec<f64> = all.iter().filter(|point| chosen(point)).map(|point| point.2).collect();
+        let list = list(chosen);
         assert!(list.len() > 100, "{}", list.len());
-        list.iter().filter(|e| **e <= 1.0).count() as f64 / list.len() as f64
+        share(&list)
     };
     let within = |chosen: &dyn Fn(&Muscle) -> bool| among(&|point| chosen(&point.0));
     let everywhere = within(&|_| true);
-    let soft = among(&|point| point.1 < 0.2);
+    // Few points of 400 muscles, so that their share is printed and not held against a bound; docs/universal.md has it of more.
+    let soft = share(&list(&|point| point.1 < 0.2));
     println!("{} points: {everywhere:.3} within the ±, of P/μ below 0.2 {soft:.3}", all.len());
     assert!(everywhere >= 0.95, "{everywhere}");
     let slender = |m: &Muscle| m.length_mm() / m.outer_diameter_mm();

@@ -314,7 +314,7 @@ mod tests {
         for (text, words) in [
             (format!("[valve]\nname = 'x'\n{TAIL}"), "muscle"),
             (format!("muscle = 'm.toml'\n{TAIL}"), "[regulator]"),
-            (format!("{HEAD}[regulator]\ntime_constant = '20 ms'\n{TAIL}"), "beside a valve"),
+            (format!("{HEAD}[regulator]\ntime_constant = '20 ms'\n{TAIL}"), "conflicts with [valve]"),
             (format!("muscle = 'm.toml'\n[valve]\nsonic_conductance = '0 L/(s bar)'\n{TAIL}"), "above zero"),
             (format!("muscle = 'm.toml'\n[valve]\nname = 'festo-mh3'\n{TAIL}"), "festo-mh2"),
             (format!("{HEAD}critical_ratio = 1.5\n{TAIL}"), "critical"),
