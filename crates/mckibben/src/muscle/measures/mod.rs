@@ -1,6 +1,6 @@
 //! The measures of a muscle, each declared once: every number of tube, braid, terminals and friction.
 //!
-//! An entry of the [`table`] has the key in the muscle file, the field in requests, the unit, the bounds, how the number is read from
+//! An entry of [`MEASURES`] has the key in the muscle file, the field in requests, the unit, the bounds, how the number is read from
 //! and written to the parts of a muscle, and one sentence about it. From it follow the reader and the writer of muscle files, the bounds
 //! that [`Muscle::new`](super::Muscle::new) checks, the fields of requests with their schema, the flags of the command line, the arguments in Python, and what
 //! can be identified from measured points. Relations between measures (a wall thinner than the radius) are in the parts.
