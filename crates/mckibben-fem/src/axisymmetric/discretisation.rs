@@ -7,7 +7,7 @@ use crate::FemError;
 use crate::element::q2::{Geometry, NODES, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::State;
-use mckibben::muscle::{Bulk, Crimp, Muscle, StrandLay};
+use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
 use mckibben::rubber::{Law, RubberLaw};
 
 /// What holds the last station.
@@ -50,13 +50,18 @@ pub struct Problem {
 impl Problem {
     /// Rubber and braid of a muscle between bonded terminals.
     pub fn of(muscle: &Muscle) -> Self {
+        Self::of_parts(muscle.parts())
+    }
+
+    /// The same of its parts.
+    pub fn of_parts(Parts { tube, braid, .. }: &Parts) -> Self {
+        let rubber = &tube.rubber;
         let braid = BraidSpec {
-            lay: muscle.strand_lay(),
-            crimp: muscle.braid().crimp,
-            stiffness: muscle.family_stiffness_n_per_mm(),
-            compression: muscle.braid().compression,
+            lay: braid.lay(tube),
+            crimp: braid.crimp,
+            stiffness: braid.family_stiffness_n_per_mm(tube),
+            compression: braid.compression,
         };
-        let rubber = &muscle.tube().rubber;
         Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded)
     }
 
