@@ -179,10 +179,10 @@ impl Measure {
         Some(name.replace('_', "-"))
     }
 
-    /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number.
+    /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number that a keyboard has.
     pub fn value_name(&self) -> String {
         let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
-        (if self.is_plain() { self.symbol } else { noun }).to_uppercase()
+        (if self.is_plain() && self.symbol.is_ascii() { self.symbol } else { noun }).to_uppercase()
     }
 
     /// The sentence of its flag, with the value of the prototype.
@@ -293,7 +293,9 @@ mod tests {
     fn every_measure_is_read_where_it_was_put() {
         let mut full = Muscle::prototype().parts.clone();
         for (i, m) in MEASURES.iter().enumerate() {
-            (m.set)(&mut full, (m.get)(&full).unwrap_or(0.5 + 0.01 * i as f64));
+            let other = if m.key == "braid.strands" { 24.0 } else { 0.5 + 0.01 * i as f64 };
+            let value = (m.get)(&full).filter(|v| *v != 0.0).unwrap_or(other);
+            (m.set)(&mut full, value);
         }
         for m in MEASURES {
             let Some(own) = (m.get)(&full) else { panic!("{} is not read", m.key) };
@@ -317,7 +319,8 @@ mod tests {
                 "braid.strand_length" => 400.0,
                 _ => 0.75,
             };
-            (m.set)(&mut parts, (m.get)(&parts).unwrap_or(other));
+            let value = (m.get)(&parts).filter(|v| *v != 0.0).unwrap_or(other);
+            (m.set)(&mut parts, value);
         }
         let muscle = Muscle::from_parts(parts).unwrap();
         let text = to_toml(&muscle);
