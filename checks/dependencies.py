@@ -17,11 +17,11 @@ OF_OUR_DATA = {"ODbL-1.0", "CC-BY-4.0"}
 # Our crates with such data, and what their metadata must say.
 WITH_DATA = {"mckibben": {"ODbL-1.0"}, "mckibben-fem": {"ODbL-1.0", "CC-BY-4.0"}}
 # Crates that nobody maintains any more, and how they come here; off the list when they are gone.
-UNMAINTAINED = {"paste": "RUSTSEC-2024-0436: a macro without run time, through faer and its gemm; faer has not left it yet"}
+UNMAINTAINED = {"paste": "RUSTSEC-2024-0436: a macro without run time, through nalgebra and its simba"}
 # Licences of single crates, with what they ask for.
 SINGLE = {"dejavu": "the fonts' own terms, in NOTICE"}
 # Two versions at a time, until those that ask for the older one follow.
-TWICE = set("darling darling_core darling_macro equator equator-macro getrandom miniz_oxide r-efi safe_arch simba syn thiserror thiserror-impl wide".split())
+TWICE = set("getrandom miniz_oxide r-efi safe_arch simba syn wide".split())
 
 
 def fits(expression, allowed):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Integrates one motion on its own (SciPy, the bare equations in SI units) and compares it with what the program says, to 1e-6.
 
-Usage: cargo run -p mckibben-motion --example exported > FILE; motion.py FILE
+Usage: target/debug/examples/exported > FILE; motion.py FILE
 The numbers of the drive stand here again; nothing is read but the answer.
 """
 import json

@@ -259,6 +259,8 @@ class CandidateAnswer(Record):
         The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
     pressure_mpa : MPa
         Largest pressure any point needs, MPa.
     margin
@@ -269,6 +271,8 @@ class CandidateAnswer(Record):
         Free contraction at the maximum pressure.
     bulged_diameter_mm : mm
         Largest outer diameter over the points, mm.
+    family_stiffness_n_per_mm : N/mm
+        Stiffness k of one strand family, N/mm; none of strands that keep their length.
     stiffness_n_per_mm : N/mm
         Stiffness ∂F/∂L at the first point, N/mm.
     air_normal_litres : L (ANR)
@@ -298,7 +302,7 @@ class CandidateAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'pressure_mpa', 'margin', 'blocked_force_n', 'free_contraction', 'bulged_diameter_mm', 'stiffness_n_per_mm', 'air_normal_litres', 'work_j', 'strand_tension_n', 'braid_tension_n', 'max_stretch', 'burst_pressure_mpa', 'uncertainty_n', 'points', 'from_thick_wall', 'joint', 'model', 'binds')
+    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'rubber_mass_g', 'pressure_mpa', 'margin', 'blocked_force_n', 'free_contraction', 'bulged_diameter_mm', 'family_stiffness_n_per_mm', 'stiffness_n_per_mm', 'air_normal_litres', 'work_j', 'strand_tension_n', 'braid_tension_n', 'max_stretch', 'burst_pressure_mpa', 'uncertainty_n', 'points', 'from_thick_wall', 'joint', 'model', 'binds')
     _nested_ = {'points': 'DesignPoint', 'joint': 'CandidateJoint'}
     outer_diameter_mm: float
     wall_mm: float
@@ -307,11 +311,13 @@ class CandidateAnswer(Record):
     rubber: str
     braid: str
     sleeve: str | None
+    rubber_mass_g: float | None
     pressure_mpa: float
     margin: float
     blocked_force_n: float
     free_contraction: float | None
     bulged_diameter_mm: float | None
+    family_stiffness_n_per_mm: float | None
     stiffness_n_per_mm: float | None
     air_normal_litres: float | None
     work_j: float | None
@@ -601,6 +607,36 @@ class Cycle(Record):
     air_normal_litres: float | None
     air_exergy_j: float | None
     efficiency: float | None
+
+
+class DemandAnswer(Record):
+    """What the muscle must do.
+
+    Attributes
+    ----------
+    kind
+        See the documentation.
+    points
+        The operating points.
+    stroke_mm : mm
+        The stroke, mm.
+    contraction : ratio
+        The contraction ratio.
+    torques
+        Torques at angles.
+    radius_mm : mm
+        Radius of the pulley, mm.
+    """
+
+    __slots__ = ()
+    _fields_ = ('kind', 'points', 'stroke_mm', 'contraction', 'torques', 'radius_mm')
+    _nested_ = {'points': 'Wanted', 'torques': 'TorqueWanted'}
+    kind: str
+    points: list[Wanted] | None
+    stroke_mm: float | None
+    contraction: float | None
+    torques: list[TorqueWanted] | None
+    radius_mm: float | None
 
 
 class Derived(Record):
@@ -1420,10 +1456,17 @@ class JointRow(Record):
         Pressure below which the first muscle is slack at this angle, MPa.
     start_pressure_2_mpa : MPa
         Pressure below which the second muscle is slack at this angle, MPa.
+    angle_uncertainty_deg : deg
+        Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    pressure_1_uncertainty_mpa : MPa
+        Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for
+        that of the torque, MPa.
+    pressure_2_uncertainty_mpa : MPa
+        That of the second muscle, likewise, MPa.
     """
 
     __slots__ = ()
-    _fields_ = ('angle_deg', 'pressure_1_mpa', 'pressure_2_mpa', 'torque_nm', 'uncertainty_nm', 'torque_turning_plus_nm', 'torque_turning_minus_nm', 'stiffness_nm_per_rad', 'rest', 'force_1_n', 'force_2_n', 'contraction_1', 'contraction_2', 'arm_1_mm', 'arm_2_mm', 'slack_1', 'slack_2', 'start_pressure_1_mpa', 'start_pressure_2_mpa')
+    _fields_ = ('angle_deg', 'pressure_1_mpa', 'pressure_2_mpa', 'torque_nm', 'uncertainty_nm', 'torque_turning_plus_nm', 'torque_turning_minus_nm', 'stiffness_nm_per_rad', 'rest', 'force_1_n', 'force_2_n', 'contraction_1', 'contraction_2', 'arm_1_mm', 'arm_2_mm', 'slack_1', 'slack_2', 'start_pressure_1_mpa', 'start_pressure_2_mpa', 'angle_uncertainty_deg', 'pressure_1_uncertainty_mpa', 'pressure_2_uncertainty_mpa')
     angle_deg: float
     pressure_1_mpa: float
     pressure_2_mpa: float | None
@@ -1443,6 +1486,9 @@ class JointRow(Record):
     slack_2: bool | None
     start_pressure_1_mpa: float | None
     start_pressure_2_mpa: float | None
+    angle_uncertainty_deg: float | None
+    pressure_1_uncertainty_mpa: float | None
+    pressure_2_uncertainty_mpa: float | None
 
 
 class KindOfQuantity(Record):
@@ -1461,7 +1507,7 @@ class KindOfQuantity(Record):
     __slots__ = ()
     _fields_ = ('kind', 'expectation', 'units')
     _nested_ = {'units': 'UnitOfKind'}
-    kind: Literal["length", "pressure", "angle", "force", "ratio", "stiffness", "compliance", "area", "mass", "torque", "angular-stiffness", "inertia", "time", "frequency", "temperature", "conductance", "damping", "angular-damping", "volume"]
+    kind: Literal["length", "pressure", "angle", "force", "ratio", "stiffness", "compliance", "area", "mass", "torque", "angular-stiffness", "inertia", "time", "frequency", "temperature", "conductance", "damping", "angular-damping", "volume", "density"]
     expectation: str
     units: list[UnitOfKind]
 
@@ -2341,10 +2387,12 @@ class MuscleSummary(Record):
         The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
     """
 
     __slots__ = ()
-    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve')
+    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'rubber_mass_g')
     outer_diameter_mm: float
     wall_mm: float
     length_mm: float
@@ -2352,6 +2400,7 @@ class MuscleSummary(Record):
     rubber: str
     braid: str
     sleeve: str | None
+    rubber_mass_g: float | None
 
 
 class NamedFigure(Record):
@@ -2848,7 +2897,7 @@ class RejectedAnswer(Record):
 
 
 class RelaxationAnswer(Record):
-    """A limit to relax, and by how much.
+    """A way to make the closest muscle fit.
 
     Attributes
     ----------
@@ -2983,6 +3032,35 @@ class Seal(Record):
     _nested_ = {'check': 'CheckPoint'}
     sha256: str
     check: CheckPoint | None
+
+
+class SearchedAnswer(Record):
+    """What was searched with, and what bounds it.
+
+    Attributes
+    ----------
+    rubber
+        The rubber, or how many.
+    braid
+        The braid or sleeve, or how many; its stiffness may differ from muscle to muscle.
+    length_mm : mm
+        Length L0 of all muscles, mm, where it is not searched.
+    min_burst_margin
+        Least ratio of burst pressure to maximum pressure, where there is one.
+    burst_checked
+        Whether it was checked: the strength of the strands is known.
+    max_strand_strain : ratio
+        Largest strain of the strands, where there is one.
+    """
+
+    __slots__ = ()
+    _fields_ = ('rubber', 'braid', 'length_mm', 'min_burst_margin', 'burst_checked', 'max_strand_strain')
+    rubber: str
+    braid: str
+    length_mm: float | None
+    min_burst_margin: float | None
+    burst_checked: bool
+    max_strand_strain: float | None
 
 
 class SectionFile(Record):
@@ -3419,9 +3497,9 @@ class SpreadAnswer(Record):
     Attributes
     ----------
     force_n : N
-        Pull wanted, N.
+        Pull, N.
     contraction : ratio
-        At this contraction.
+        Contraction ratio.
     pressure_mpa : MPa
         And this pressure, MPa.
     low_n : N
@@ -3429,7 +3507,7 @@ class SpreadAnswer(Record):
     high_n : N
         Largest pull over all corners, N.
     likely_n : N
-        What to expect where the tolerances are independent, ± N.
+        What to expect where the tolerances are independent, ± N: root sum of squares of the single effects.
     """
 
     __slots__ = ()
@@ -3581,6 +3659,8 @@ class SureAnswer(Record):
         Pulls at contractions; of a load those that it takes.
     torques
         Torques at angles, of a joint.
+    load_factor
+        Of a load on muscles whose length is searched: how many times as heavy a load to ask for.
     outer_diameter_mm : mm
         Outer diameter D0 of the muscle that answers, mm.
     uncertainty_n : N
@@ -3588,10 +3668,11 @@ class SureAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('points', 'torques', 'outer_diameter_mm', 'uncertainty_n')
+    _fields_ = ('points', 'torques', 'load_factor', 'outer_diameter_mm', 'uncertainty_n')
     _nested_ = {'points': 'Wanted', 'torques': 'TorqueWanted'}
     points: list[Wanted] | None
     torques: list[TorqueWanted] | None
+    load_factor: float | None
     outer_diameter_mm: float
     uncertainty_n: float | None
 
@@ -4135,6 +4216,10 @@ class DesignAnswer(Record):
         The model that looked at most muscles.
     max_pressure_mpa : MPa
         Pressure of the supply, MPa.
+    wanted
+        What the muscle must do.
+    searched
+        What was searched with, and what bounds it.
     load
         The load that is lifted, as it was written.
     assumptions
@@ -4143,6 +4228,11 @@ class DesignAnswer(Record):
         Muscles that were looked at.
     fitting
         How many of them fit.
+    excluded_by_burst
+        How many of those that were looked at burst too early for the margin that is asked for; of strands whose
+        strength is not stated nobody can say.
+    excluded_by_burst_alone
+        How many of these meet every other limit.
     candidates
         The best, best first.
     rejected
@@ -4150,7 +4240,7 @@ class DesignAnswer(Record):
     verification
         Where another model was named: the winner by finite elements.
     warnings
-        What the user should know of the winner.
+        What the user should know of the winner; where nothing fits, whether burst was checked.
     tolerance
         Spread of the winner's pull under the tolerances, point by point.
     to_be_sure
@@ -4159,19 +4249,25 @@ class DesignAnswer(Record):
         Where nothing fits: the muscle that comes closest.
     figure
         The figure, where it was asked for and something fits.
+    muscle_files
+        The candidates as muscle files, in their order.
     """
 
     __slots__ = ()
-    _fields_ = ('model', 'searched_with', 'max_pressure_mpa', 'load', 'assumptions', 'looked_at', 'fitting', 'candidates', 'rejected', 'verification', 'warnings', 'tolerance', 'to_be_sure', 'closest', 'figure')
-    _nested_ = {'candidates': 'CandidateAnswer', 'rejected': 'RejectedAnswer', 'verification': 'Verified', 'tolerance': 'SpreadAnswer', 'to_be_sure': 'SureAnswer', 'closest': 'ClosestAnswer', 'figure': 'Figure'}
+    _fields_ = ('model', 'searched_with', 'max_pressure_mpa', 'wanted', 'searched', 'load', 'assumptions', 'looked_at', 'fitting', 'excluded_by_burst', 'excluded_by_burst_alone', 'candidates', 'rejected', 'verification', 'warnings', 'tolerance', 'to_be_sure', 'closest', 'figure', 'muscle_files')
+    _nested_ = {'wanted': 'DemandAnswer', 'searched': 'SearchedAnswer', 'candidates': 'CandidateAnswer', 'rejected': 'RejectedAnswer', 'verification': 'Verified', 'tolerance': 'SpreadAnswer', 'to_be_sure': 'SureAnswer', 'closest': 'ClosestAnswer', 'figure': 'Figure', 'muscle_files': 'TextFile'}
     _rows_ = 'candidates'
     model: str
     searched_with: str
     max_pressure_mpa: float
+    wanted: DemandAnswer
+    searched: SearchedAnswer
     load: str | None
     assumptions: list[str] | None
     looked_at: int
     fitting: int
+    excluded_by_burst: int
+    excluded_by_burst_alone: int
     candidates: list[CandidateAnswer]
     rejected: list[RejectedAnswer]
     verification: Verified | None
@@ -4180,6 +4276,7 @@ class DesignAnswer(Record):
     to_be_sure: SureAnswer | None
     closest: ClosestAnswer | None
     figure: Figure | None
+    muscle_files: list[TextFile] | None
 
 
 class FitAnswer(Record):
@@ -4633,6 +4730,8 @@ class MuscleShowAnswer(Record):
         The braid: `paper`, `inextensible`, its stiffness, or its strands; the sleeve's name before it.
     sleeve
         Name of the sleeve, where the braid is a named one: diameter and sleeve then set the angle.
+    rubber_mass_g : g
+        Mass of the rubber between the terminals, g, where its density is stated; braid and terminals are not in it.
     law
         Name of the rubber's law.
     constants_mpa : MPa
@@ -4645,8 +4744,10 @@ class MuscleShowAnswer(Record):
         Bulk modulus, MPa; none for an incompressible rubber.
     stiffness_n_per_mm : N/mm
         Stiffness k of one strand family, N/mm; none for inextensible strands.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3, where it is stated.
     seating_mm : mm
-        What both ends together give way under a pull, mm, where it is stated.
+        Seating: total displacement of both ends under load, mm, where it is stated.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N, where it is stated.
     grip_mm : mm
@@ -4664,7 +4765,7 @@ class MuscleShowAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'law', 'constants_mpa', 'shear_modulus_mpa', 'fitted_to_stretch', 'bulk_modulus_mpa', 'stiffness_n_per_mm', 'seating_mm', 'slip_mm_per_n', 'grip_mm', 'derived', 'build_sheet', 'warnings', 'characteristics', 'muscle_file')
+    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'rubber_mass_g', 'law', 'constants_mpa', 'shear_modulus_mpa', 'fitted_to_stretch', 'bulk_modulus_mpa', 'stiffness_n_per_mm', 'density_kg_per_m3', 'seating_mm', 'slip_mm_per_n', 'grip_mm', 'derived', 'build_sheet', 'warnings', 'characteristics', 'muscle_file')
     _nested_ = {'derived': 'Derived', 'build_sheet': 'BuildSheetAnswer', 'characteristics': 'Characteristics'}
     outer_diameter_mm: float
     wall_mm: float
@@ -4673,12 +4774,14 @@ class MuscleShowAnswer(Record):
     rubber: str
     braid: str
     sleeve: str | None
+    rubber_mass_g: float | None
     law: str
     constants_mpa: dict[str, float]
     shear_modulus_mpa: float
     fitted_to_stretch: float | None
     bulk_modulus_mpa: float | None
     stiffness_n_per_mm: float | None
+    density_kg_per_m3: float | None
     seating_mm: float | None
     slip_mm_per_n: float | None
     grip_mm: float | None

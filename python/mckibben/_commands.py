@@ -85,6 +85,7 @@ def compare(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -140,6 +141,8 @@ def compare(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -153,7 +156,7 @@ def compare(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -165,7 +168,7 @@ def compare(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     extrapolate
         Answer outside of the model's range, with a warning.
     two_sided
@@ -187,7 +190,7 @@ def compare(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
+    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
 
 
 def contraction(
@@ -198,6 +201,7 @@ def contraction(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -239,6 +243,8 @@ def contraction(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -252,7 +258,7 @@ def contraction(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -264,7 +270,7 @@ def contraction(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -301,7 +307,7 @@ def contraction(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def curve(
@@ -311,6 +317,7 @@ def curve(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -356,6 +363,8 @@ def curve(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -369,7 +378,7 @@ def curve(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -381,7 +390,7 @@ def curve(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -429,7 +438,7 @@ def curve(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
+    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
 
 
 def design(
@@ -509,7 +518,7 @@ def design(
         to which the rubber's law was fitted.
     max_strand_strain : ratio
         Largest strain of the strands at the maximum pressure, not shortened and at the operating points; 0.06 where
-        it is left out, which is as far as the models were compared with anything.
+        it is left out, the validated range.
     objective
         What to rank by.
     outer_diameter_mm : mm
@@ -666,6 +675,7 @@ def force(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -705,6 +715,8 @@ def force(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -718,7 +730,7 @@ def force(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -730,7 +742,7 @@ def force(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -762,7 +774,7 @@ def force(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def formula_show(
@@ -802,6 +814,7 @@ def identify(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -851,6 +864,8 @@ def identify(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -864,7 +879,7 @@ def identify(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -876,7 +891,7 @@ def identify(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -902,7 +917,7 @@ def identify(
     walls_mm : mm
         Walls s of `formula` in mm; that of the muscle where they are left out.
     weights
-        How much each of `data` counts, then `formula`; all alike where they are left out.
+        Weight of each of `data`, then of `formula`; 1 where they are left out.
     branches
         What is done with the branches of the hysteresis.
     two_sided
@@ -911,7 +926,7 @@ def identify(
         What is free: NAME, NAME=START or NAME=START:LOW:HIGH. Where nothing is named, the modulus, and stiffness and
         friction where the data tell them.
     fix
-        What is held: NAME=VALUE.
+        Fix a parameter: NAME=VALUE.
     bounds
         Bounds of what is free: NAME=LOW:HIGH.
     loss
@@ -933,7 +948,7 @@ def identify(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
+    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
 
 
 def joint(
@@ -1139,6 +1154,7 @@ def muscle_show(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1175,6 +1191,8 @@ def muscle_show(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1188,7 +1206,7 @@ def muscle_show(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -1200,7 +1218,7 @@ def muscle_show(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -1234,7 +1252,7 @@ def muscle_show(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa, "muscle_file": muscle_file}, "MuscleShowAnswer")  # type: ignore[no-any-return]
+    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa, "muscle_file": muscle_file}, "MuscleShowAnswer")  # type: ignore[no-any-return]
 
 
 def plan(
@@ -1272,6 +1290,7 @@ def pressure(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1311,6 +1330,8 @@ def pressure(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1324,7 +1345,7 @@ def pressure(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -1336,7 +1357,7 @@ def pressure(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -1368,7 +1389,7 @@ def pressure(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def rubber_fit(
@@ -1506,6 +1527,7 @@ def shape(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1540,6 +1562,8 @@ def shape(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1553,7 +1577,7 @@ def shape(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -1565,7 +1589,7 @@ def shape(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     mesh
         Mesh of `fe`: elements along the half length (8), through the wall x along (2x8), with a grading towards the
         terminal behind (2x8:2); of `fe3d`: bricks around the quarter (12), through x around (2x12), through x around
@@ -1587,7 +1611,7 @@ def shape(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
+    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
 
 
 def simulate(
@@ -1597,6 +1621,7 @@ def simulate(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1638,6 +1663,8 @@ def simulate(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1651,7 +1678,7 @@ def simulate(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -1663,7 +1690,7 @@ def simulate(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         `fe` or `fe3d`; `fe` where it is left out.
     mesh
@@ -1704,7 +1731,7 @@ def simulate(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
+    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
 
 
 def study(
@@ -1713,6 +1740,7 @@ def study(
     outer_diameter_mm: Number | None = None,
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
+    density_kg_per_m3: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1749,6 +1777,8 @@ def study(
         Wall thickness s of the tube at rest, mm.
     length_mm : mm
         Length L0 between the terminals at rest, mm.
+    density_kg_per_m3 : kg/m3
+        Density ρ of the rubber, kg/m3.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1762,7 +1792,7 @@ def study(
     stiffness : N/mm
         Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     seating_mm : mm
-        What both ends together give way under a pull, mm.
+        Seating: total displacement of both ends under load, mm.
     slip_mm_per_n : mm/N
         What both ends together slip under the load of a clamp, mm/N.
     grip_mm : mm
@@ -1774,7 +1804,7 @@ def study(
     strand_length_mm : mm
         Length of one strand measured on the muscle, mm, for the model belforte.
     turns
-        Turns of that strand.
+        Turns of that strand, for the model belforte.
     model
         Name of the model, or of one of the formulas.
     formulas
@@ -1808,7 +1838,7 @@ def study(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
+    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
 
 
 def sweep(
@@ -2216,7 +2246,7 @@ class MuscleCommands:
         walls_mm : mm
             Walls s of `formula` in mm; that of the muscle where they are left out.
         weights
-            How much each of `data` counts, then `formula`; all alike where they are left out.
+            Weight of each of `data`, then of `formula`; 1 where they are left out.
         branches
             What is done with the branches of the hysteresis.
         two_sided
@@ -2225,7 +2255,7 @@ class MuscleCommands:
             What is free: NAME, NAME=START or NAME=START:LOW:HIGH. Where nothing is named, the modulus, and stiffness
             and friction where the data tell them.
         fix
-            What is held: NAME=VALUE.
+            Fix a parameter: NAME=VALUE.
         bounds
             Bounds of what is free: NAME=LOW:HIGH.
         loss

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ._parts import Braid, Rubber
 
 # Fields of a muscle, after `muscle`, its file.
-MUSCLE = ("outer_diameter_mm", "wall_mm", "length_mm", "angle_deg", "rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness", "seating_mm", "slip_mm_per_n", "grip_mm", "end_factor", "cone_factor", "strand_length_mm", "turns")
+MUSCLE = ("outer_diameter_mm", "wall_mm", "length_mm", "density_kg_per_m3", "angle_deg", "rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness", "seating_mm", "slip_mm_per_n", "grip_mm", "end_factor", "cone_factor", "strand_length_mm", "turns")
 # Fields that hold several quantities.
 LISTS = {"angles_deg", "contractions", "forces_n", "hold_out_mm", "outer_diameters_mm", "pressures_mpa", "strand_length_per_turn_mm", "walls_mm"}
 # Fields that may be an interval, by command.
@@ -39,6 +39,7 @@ class MuscleFields:
         outer_diameter_mm: Number | None = None,
         wall_mm: Number | None = None,
         length_mm: Number | None = None,
+        density_kg_per_m3: Number | None = None,
         angle_deg: Number | None = None,
         rubber: str | Rubber | None = None,
         braid: str | Braid | None = None,
@@ -64,6 +65,8 @@ class MuscleFields:
             Wall thickness s of the tube at rest, mm.
         length_mm : mm
             Length L0 between the terminals at rest, mm.
+        density_kg_per_m3 : kg/m3
+            Density ρ of the rubber, kg/m3.
         angle_deg : deg
             Angle θ0 of the strands to the axis at rest, degrees.
         rubber
@@ -77,7 +80,7 @@ class MuscleFields:
         stiffness : N/mm
             Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
         seating_mm : mm
-            What both ends together give way under a pull, mm.
+            Seating: total displacement of both ends under load, mm.
         slip_mm_per_n : mm/N
             What both ends together slip under the load of a clamp, mm/N.
         grip_mm : mm
@@ -89,17 +92,22 @@ class MuscleFields:
         strand_length_mm : mm
             Length of one strand measured on the muscle, mm, for the model belforte.
         turns
-            Turns of that strand.
+            Turns of that strand, for the model belforte.
         """
         from ._plain import muscle_text
 
-        self._hold(muscle_text({"muscle": base, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns}))
+        self._hold(muscle_text({"muscle": base, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns}))
 
     def _hold(self, text: str) -> None:
         raise NotImplementedError
 
     def _field(self, name: str) -> Any:
         raise NotImplementedError
+
+    @property
+    def density_kg_per_m3(self) -> float | None:
+        """Density ρ of the rubber, kg/m3."""
+        return self._field("density_kg_per_m3")  # type: ignore[no-any-return]
 
     @property
     def strand_diameter_mm(self) -> float | None:
@@ -118,7 +126,7 @@ class MuscleFields:
 
     @property
     def seating_mm(self) -> float | None:
-        """What both ends together give way under a pull, mm."""
+        """Seating: total displacement of both ends under load, mm."""
         return self._field("seating_mm")  # type: ignore[no-any-return]
 
     @property
@@ -148,5 +156,5 @@ class MuscleFields:
 
     @property
     def turns(self) -> float | None:
-        """Turns of that strand."""
+        """Turns of that strand, for the model belforte."""
         return self._field("turns")  # type: ignore[no-any-return]

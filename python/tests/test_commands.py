@@ -55,6 +55,20 @@ def test_identification_from_the_bench(root: Path) -> None:
     assert [p.value for p in again.parameters] == [p.value for p in found.parameters]
 
 
+def test_a_muscle_keeps_what_its_bench_says_of_it(root: Path) -> None:
+    """An identity: read from its file, by its text and by no other value, it is the muscle that was identified, ± and all."""
+    found = mk.identify(root / "examples/bench.toml", root / "examples/bench.csv").identified
+    assert "[identified]" in found.to_toml()
+    for same in (mk.Muscle.from_toml(found.to_toml()), mk.Muscle(found), found.replace(length_mm=found.length_mm)):
+        assert same == found
+        assert same.force(0.3, 0.08).uncertainty_n == found.force(0.3, 0.08).uncertainty_n
+    # Of another muscle the bench says nothing.
+    other = found.replace(wall_mm=1.1 * found.wall_mm)
+    assert "[identified]" not in other.to_toml()
+    own, general = (muscle.force(0.3, 0.08).uncertainty_n for muscle in (found, other))
+    assert own is not None and general is not None and general > 2 * own
+
+
 def test_every_law_is_identified(root: Path) -> None:
     found = mk.identify(root / "examples/tondu2012.toml", root / "data/tondu2012/static_force_20deg.csv", branches="mean", model="thick-wall", free=["mu"], laws=True)
     rows = {row.law: row for row in found.laws or []}

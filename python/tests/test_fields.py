@@ -89,8 +89,27 @@ def test_texts_have_the_unit_of_the_field() -> None:
     assert design == mk.design(**given, tolerance={"stiffness": 0.1, "modulus": 0.05, "wall_mm": 0.1})
     with pytest.raises(mk.QuantityError):
         mk.design(**given, tolerance={"stiffness": "10 N/mm"})
-    with pytest.raises(mk.UsageError, match="expected f64"):
-        mk.Muscle(end_factor="1 mm")
+
+
+def test_what_a_field_holds_is_said_where_something_else_is_given() -> None:
+    """In plain words, with what was given: of a muscle, of a model, of a command, of every plain number of each of them."""
+    said = '`end_factor` is a number without a unit, not the text "1 mm"'
+    calls: list[Any] = [
+        lambda: mk.Muscle(end_factor="1 mm"),
+        lambda: mk.Muscle().replace(end_factor="1 mm"),
+        lambda: mk.force(pressure_mpa=0.2, end_factor="1 mm"),
+        lambda: mk.ask("force", {"pressure_mpa": 0.2, "end_factor": "1 mm"}),
+        lambda: mk.curve(test="isobaric", pressures_mpa=[0.2], end_factor="1 mm"),
+    ]
+    for call in calls:
+        with pytest.raises(mk.UsageError) as caught:
+            call()
+        assert said in str(caught.value) and caught.value.field == "end_factor"
+    for name in ("cone_factor", "turns"):
+        with pytest.raises(mk.UsageError, match=f"`{name}` is a number without a unit"):
+            mk.Muscle(**{name: "1 mm"})
+    with pytest.raises(mk.UsageError, match="`model` is a text, not 5"):
+        mk.Muscle().model(5)
 
 
 def test_kinds_by_name_are_those_of_the_schemas(root: Path) -> None:

@@ -1,9 +1,9 @@
 // How long from an input event to the painted frame that shows its answer, and how soon the first view stands. Prints; asserts nothing.
 // node tests/latency.mjs static|serve
 import { alive, launch, served, statically, tab } from "./browser.mjs";
+import { dist, program } from "./sites.mjs";
 
-const root = new URL("../..", import.meta.url).pathname;
-const site = process.argv[2] === "serve" ? await served(process.env.MCKIBBEN ?? `${root}target/release/mckibben`) : await statically(process.env.DIST ?? `${root}web/dist`);
+const site = process.argv[2] === "serve" ? await served(program) : await statically(dist);
 const browser = await launch();
 const quantile = (/** @type {number[]} */ list, /** @type {number} */ q) => list.sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(q * list.length))];
 const firsts = [];

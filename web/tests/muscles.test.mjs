@@ -1,5 +1,5 @@
 // One muscle on every page: what the pages ask about random muscles has the command line's numbers, after download, reload and by a link.
-// Without a browser: the state of the page, and the two engines. MUSCLES: how many; ENGINES: serve, static or all; FROM: the first.
+// Without a browser: the state of the page, and the two engines. MUSCLES: how many; FROM: the first.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { mkdtemp, rm, writeFile } from "node:fs/promises";
@@ -11,12 +11,9 @@ import { meant, takeUnits, typed } from "../page/js/units.js";
 import { served } from "./browser.mjs";
 import { inWasm, overHttp } from "./engines.mjs";
 import { dice, muscle } from "./random.mjs";
+import { dist, engines, program, root } from "./sites.mjs";
 
-const root = new URL("../..", import.meta.url).pathname;
-const program = process.env.MCKIBBEN ?? `${root}target/release/mckibben`;
-const dist = process.env.DIST ?? `${root}web/dist`;
 const COUNT = Number(process.env.MUSCLES ?? 100), FROM = Number(process.env.FROM ?? 1);
-const chosen = process.env.ENGINES ?? "all";
 
 /** The command line's answer as JSON, or nothing where it has none. @param {string[]} line @returns {Promise<any>} */
 const ask = (...line) => new Promise((resolve) => execFile(program, [...line, "--format", "json"], { cwd: root, maxBuffer: 1e8 }, (error, out) => resolve(error ? undefined : JSON.parse(out))));
@@ -24,9 +21,15 @@ const ask = (...line) => new Promise((resolve) => execFile(program, [...line, "-
 const maybe = (answer) => answer.then((said) => said, (problem) => { if (!problem.kind) throw problem; return undefined; });
 
 /**
- * The same answers: in one process of one machine to the last bit; WebAssembly has its own sines and square roots of a vector, and what is
- * iterated to a tolerance of 1e-9 then ends elsewhere within it. @param {any} a @param {any} b @param {number} within @param {string} where
+ * By how much answers may differ, relative, numbers below 1e-3 by this share of 1e-3. The server is the command line's program: points agree to
+ * the last bit; a motion is asked with a muscle file that somebody wrote against one that was saved, and its events are found to 1e-9 of their
+ * scale. WebAssembly has its own sines and no lanes, which differ in the last bits, and what is iterated ends elsewhere within its tolerance:
+ * Newton's method at a residual of 1e-10 of the forces, with a stiffness or P′ up to ten times as far from it (of 400 muscles the worst is
+ * 1.0e-10, a P′), a motion's events at 1e-9 of their scale, likewise (the worst 2.1e-9, a rise time).
  */
+const WITHIN = { serve: { point: 0, motion: 1e-9 }, static: { point: 1e-9, motion: 1e-8 } };
+
+/** The same answers. @param {any} a @param {any} b @param {number} within @param {string} where */
 function same(a, b, within, where) {
   if (typeof a === "number" && typeof b === "number") {
     if (a !== b) assert.ok(within > 0 && Math.abs(a - b) <= within * Math.max(1e-3, Math.abs(a), Math.abs(b)), `${where}: ${a}, on the command line ${b}`);
@@ -39,12 +42,13 @@ function same(a, b, within, where) {
   assert.deepEqual(a ?? null, b ?? null, where);
 }
 
-for (const [name, start, within] of /** @type {[string, () => Promise<{ ask: import("./engines.mjs").Ask, end: () => void }>, number][]} */ ([
-  ["serve", async () => { const site = await served(program); return { ask: overHttp(site.url), end: site.end }; }, 0],
-  ["static", async () => ({ ask: await inWasm(dist), end: () => {} }), 1e-6],
-]).filter(([name]) => ["all", name].includes(chosen))) {
+/** @typedef {{ ask: import("./engines.mjs").Ask, end: () => void }} Engine */
+for (const [name, { start, point: within, motion }] of engines({
+  static: { start: async () => ({ ask: await inWasm(dist), end: () => {} }), ...WITHIN.static },
+  serve: { start: async () => { const site = await served(program); return { ask: overHttp(site.url), end: site.end }; }, ...WITHIN.serve },
+})) {
   describe(name, () => {
-    /** @type {{ ask: import("./engines.mjs").Ask, end: () => void }} */ let engine;
+    /** @type {Engine} */ let engine;
     /** @type {string} */ let folder;
     let moves = 0;
     before(async () => {
@@ -130,8 +134,8 @@ for (const [name, start, within] of /** @type {[string, () => Promise<{ ask: imp
         ask("motion", "--muscle", whole, "-p", p, "--load", step.load, "--valve", step.valve, "--damping", step.damping, "--until", step.until, "--model", model),
         maybe(engine.ask("motion", page.motion(text, { model, pressure_mpa: state.p, supply_mpa: 0.6, load: step.load, valve: step.valve, damping_n_s_per_m: 300, until_s: 0.3 }))),
       ]);
-      for (const key of ["rise_time_s", "largest_speed", "air_normal_litres", "overshoot"]) same(moved?.[key], run?.[key], Math.max(1e3 * within, 1e-9), `Motion ${seed}, ${key}`);
-      same(moved?.series.contraction.at(-1), run?.series.contraction.at(-1), Math.max(1e2 * within, 1e-9), `Motion ${seed}`);
+      for (const key of ["rise_time_s", "largest_speed", "air_normal_litres", "overshoot"]) same(moved?.[key], run?.[key], motion, `Motion ${seed}, ${key}`);
+      same(moved?.series.contraction.at(-1), run?.series.contraction.at(-1), motion, `Motion ${seed}`);
 
       // Compare: the muscle itself, and with a length and stiffness of the side's own.
       const [length, k] = [d.between(150, 300), d.pick(["inextensible", 400])];
@@ -155,8 +159,9 @@ for (const [name, start, within] of /** @type {[string, () => Promise<{ ask: imp
       await Promise.all(Array.from({ length: availableParallelism() }, work));
       assert.deepEqual(wrong.map((error) => error.message), []);
       // The others are refused alike by both, which has been compared.
-      assert.ok(answered >= 0.9 * COUNT, `${answered} of ${COUNT} muscles have all answers`);
-      assert.ok(moves >= 0.3 * COUNT, `${moves} of ${COUNT} muscles move`);
+      // Of the first 400 all but one have all answers, and 374 move: of each hundred 99 and 90 at least.
+      assert.ok(answered >= 0.97 * COUNT, `${answered} of ${COUNT} muscles have all answers`);
+      assert.ok(moves >= 0.85 * COUNT, `${moves} of ${COUNT} muscles move`);
     });
 
     test("what is typed into a field has the value of the command line, and so has its link", async () => {

@@ -1,362 +1,341 @@
-// The workbench in a real browser, on both engines. DIST: the folder of web/build.sh; MCKIBBEN: the program.
+// The workbench in a real browser, on both engines.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync } from "node:fs";
-import { after, before, describe, test } from "node:test";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
 import axe from "axe-core";
-import { alive, launch, pull, served, statically, tab, trapping } from "./browser.mjs";
+import { alive, pull, trapping } from "./browser.mjs";
+import { ask, inBrowser, root, shots } from "./sites.mjs";
 
-const root = new URL("../..", import.meta.url).pathname;
-const program = process.env.MCKIBBEN ?? `${root}target/release/mckibben`;
-const shots = process.env.SHOTS ?? `${root}target/workbench`;
-mkdirSync(shots, { recursive: true });
 const PAGES = ["muscle", "design", "joint", "motion", "data", "formula", "compare", "about"];
 /** Something that says that a page has done its first work. */
 const DONE = { muscle: ".numbers dl", design: "table", joint: ".numbers dl", motion: "table", data: "form", formula: ".chart canvas", compare: "table", about: "table" };
-const ask = (/** @type {string[]} */ ...line) => JSON.parse(execFileSync(program, [...line, "--format", "json"], { encoding: "utf8", cwd: root }));
 
-/** @type {import("playwright-core").Browser} */ let browser;
-before(async () => { browser = await launch(); });
-after(() => browser.close());
-
-for (const [name, start] of /** @type {[string, () => Promise<{ url: string, end: () => void }>][]} */ ([["static", () => statically(process.env.DIST ?? `${root}web/dist`)], ["serve", () => served(program)]]).filter(([name]) => ["all", name].includes(process.env.ENGINES ?? "all"))) {
-  describe(name, { concurrency: false }, () => {
-    /** @type {{ url: string, end: () => void }} */ let site;
-    before(async () => { site = await start(); });
-    after(() => site.end());
-    /** @param {string} hash @param {any} [options] */
-    const open = async (hash, options) => {
-      const opened = await tab(browser, options);
-      await opened.page.goto(site.url + hash);
-      return opened;
-    };
-
-    test("every page opens, does its first work and says nothing wrong, light and dark, and axe finds nothing", async () => {
-      for (const page_name of PAGES) {
-        const { page, errors, context } = await open(`#${page_name}`, { colorScheme: "light" });
-        await page.waitForSelector(DONE[page_name], { timeout: 60_000 });
-        await page.waitForTimeout(1200);
-        await page.evaluate(axe.source);
-        for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
-          await page.emulateMedia({ colorScheme });
-          // Charts are drawn again in the other colours.
-          if (colorScheme === "dark") await page.waitForTimeout(500);
-          const { violations } = await page.evaluate(() => /** @type {any} */ (window).axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"] }));
-          assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html} ${v.nodes[0].failureSummary}`), [], `${page_name}, ${colorScheme}`);
-          if (name === "static") await page.screenshot({ path: `${shots}/${page_name}-${colorScheme}.png`, fullPage: true });
-        }
-        assert.deepEqual(errors, [], page_name);
-        await context.close();
+inBrowser(({ name, url, open, blank }) => {
+  test("every page opens, does its first work and says nothing wrong, light and dark, and axe finds nothing", async () => {
+    for (const page_name of PAGES) {
+      const { page, errors, context } = await open(`#${page_name}`, { colorScheme: "light" });
+      await page.waitForSelector(DONE[page_name], { timeout: 60_000 });
+      await page.waitForTimeout(1200);
+      await page.evaluate(axe.source);
+      for (const colorScheme of /** @type {const} */ (["light", "dark"])) {
+        await page.emulateMedia({ colorScheme });
+        // Charts are drawn again in the other colours.
+        if (colorScheme === "dark") await page.waitForTimeout(500);
+        const { violations } = await page.evaluate(() => /** @type {any} */ (window).axe.run(document, { runOnly: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"] }));
+        assert.deepEqual(violations.map((/** @type {any} */ v) => `${v.id}: ${v.nodes[0].html} ${v.nodes[0].failureSummary}`), [], `${page_name}, ${colorScheme}`);
+        if (name === "static") await page.screenshot({ path: `${shots}/${page_name}-${colorScheme}.png`, fullPage: true });
       }
-    });
-
-    test("the digits of the page are those of the command line", async () => {
-      const { page, context } = await open("#muscle?D=38&s=1&L=285&angle=28&p=2.3bar&e=12%25");
-      await alive(page);
-      const said = ask("force", "-D", "38", "-s", "1", "-p", "2.3bar", "-e", "12%");
-      const decimals = Math.max(0, 1 - Math.floor(Math.log10(said.uncertainty_n)));
-      assert.equal(await pull(page), `${said.force_n.toFixed(decimals)} ± ${said.uncertainty_n.toFixed(decimals)} N`);
-      await page.waitForFunction(() => /starts at\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
-      const numbers = await page.locator(".numbers").innerText();
-      assert.ok(numbers.includes(`${Number((10 * said.start_pressure_mpa).toPrecision(3))} bar`), numbers);
+      assert.deepEqual(errors, [], page_name);
       await context.close();
-    });
-
-    test("sliders by mouse and keyboard, fields with units and nonsense, undo", async () => {
-      const { page, errors, context } = await open("#muscle");
-      await alive(page);
-      const first = await pull(page);
-      const slider = page.getByRole("slider", { name: "Pressure" });
-      const box = /** @type {any} */ (await slider.boundingBox());
-      await page.mouse.move(box.x + box.width * 0.42, box.y + box.height / 2);
-      await page.mouse.down();
-      await page.mouse.move(box.x + box.width * 0.7, box.y + box.height / 2, { steps: 8 });
-      await page.mouse.up();
-      await page.waitForFunction((before) => document.querySelector(".stage .say b")?.textContent !== before, first);
-      const dragged = page.url();
-      assert.match(dragged, /p=/);
-      await slider.focus();
-      const before = await page.getByRole("textbox", { name: "Pressure" }).inputValue();
-      await page.keyboard.press("ArrowRight");
-      assert.notEqual(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), before);
-      const field = page.getByRole("textbox", { name: "Outer diameter" });
-      await field.fill("1.2in");
-      await field.press("Enter");
-      await page.waitForFunction(() => location.hash.includes("D=30.48"));
-      for (const wrong of ["3 bar", "abc", "1e999", "NaN"]) {
-        await field.fill(wrong);
-        await field.press("Enter");
-        await page.waitForFunction((id) => document.getElementById(id)?.getAttribute("aria-invalid") === "true", await field.getAttribute("id"));
-      }
-      await field.fill("4000");
-      await field.press("Enter");
-      await field.fill("30");
-      await field.press("Enter");
-      await page.waitForFunction((id) => !document.getElementById(id)?.hasAttribute("aria-invalid"), await field.getAttribute("id"));
-      await page.goBack();
-      await page.goBack();
-      await alive(page);
-      await page.goForward();
-      assert.deepEqual(errors, []);
-      await context.close();
-    });
-
-    test("a shared link shows the same, and what is not understood is named and kept", async () => {
-      const link = "#muscle?D=38&s=1&p=36psi&e=10%25&cut=1&show=stress_hoop_mpa&test=isometric&u=psi&colour=red&L=long";
-      const { page, context } = await open(link);
-      await alive(page);
-      assert.equal(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), "36");
-      assert.equal(await page.getByRole("button", { name: "Cut open" }).getAttribute("aria-pressed"), "true");
-      assert.equal(await page.getByRole("tab", { name: "Isometric" }).getAttribute("aria-selected"), "true");
-      const numbers = await page.locator(".numbers").innerText();
-      assert.match(numbers, /Not understood in the address: colour/);
-      assert.match(numbers, /"long" does not start with a number/);
-      await page.getByRole("button", { name: "Pump" }).click();
-      await page.getByRole("slider", { name: "Contraction" }).focus();
-      await page.keyboard.press("ArrowRight");
-      await page.waitForFunction(() => location.hash.includes("colour=red"));
-      await context.close();
-    });
-
-    test("the gauge beside the muscle is turned by hand", async () => {
-      const { page, context } = await open("#muscle");
-      await alive(page);
-      const box = /** @type {any} */ (await page.locator(".gauge").boundingBox());
-      const [x, y, r] = [box.x + box.width / 2, box.y + box.height / 2, 0.4 * box.width];
-      // Straight up is half of the dial, which ends at 6 bar.
-      await page.mouse.move(x - r, y);
-      await page.mouse.down();
-      await page.mouse.move(x, y - r, { steps: 4 });
-      await page.mouse.up();
-      assert.equal(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), "3");
-      assert.match(page.url(), /p=3bar/);
-      await context.close();
-    });
-
-    test("units change everywhere by a click", async () => {
-      const { page, context } = await open("#muscle");
-      await alive(page);
-      const unit = page.locator(".quantity", { hasText: "Pressure" }).getByRole("button");
-      for (const expected of ["kPa", "MPa", "psi", "bar"]) {
-        await unit.click();
-        assert.equal(await unit.innerText(), expected);
-      }
-      await context.close();
-    });
-
-    test("slack is a state with a sentence; a muscle that cannot be is said at its field", async () => {
-      const { page, context } = await open("#muscle?p=1bar&e=30%25");
-      await alive(page);
-      assert.equal(await pull(page), "Slack");
-      const wall = page.getByRole("textbox", { name: "Wall" });
-      await wall.fill("40");
-      await wall.press("Enter");
-      await page.waitForSelector(".problem");
-      await wall.fill("2");
-      await wall.press("Enter");
-      await page.waitForFunction(() => !document.querySelector(".problem"));
-      await context.close();
-    });
-
-    test("muscle files, good and broken", async () => {
-      const { page, context } = await open("#muscle");
-      await alive(page);
-      await page.getByText("Muscle file", { exact: true }).click();
-      const input = page.locator("input[type=file]");
-      await input.setInputFiles({ name: "mine.toml", mimeType: "text/plain", buffer: readFileSync(`${root}examples/festo-dmsp-20.toml`) });
-      await page.waitForFunction(() => location.hash.includes("file="));
-      await alive(page);
-      await input.setInputFiles({ name: "broken.toml", mimeType: "text/plain", buffer: Buffer.from("[tube]\nouter_diametre = \"3 mm\"\n") });
-      await page.waitForSelector(".problem");
-      assert.match(await page.locator(".problem").innerText(), /outer_diamet/);
-      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download this muscle" }).click()]);
-      assert.equal(download.suggestedFilename(), "muscle.toml");
-      await page.reload();
-      await alive(page);
-      await context.close();
-    });
-
-    test("curves as table, CSV, SVG and PNG", async () => {
-      const { page, context } = await open("#muscle");
-      await alive(page);
-      await page.waitForSelector(".js-plotly-plot, .plot .main-svg", { timeout: 30_000 });
-      for (const [button, end] of [["CSV", ".csv"], ["SVG", ".svg"], ["PNG", ".png"]]) {
-        const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button, exact: true }).first().click()]);
-        assert.ok(download.suggestedFilename().endsWith(end));
-        const bytes = readFileSync(/** @type {string} */ (await download.path()));
-        if (end === ".csv") assert.match(bytes.toString(), /^curve,contraction ε \[%\],pull F \[N\]\n0.5 bar,0,/);
-        if (end === ".png") assert.equal(bytes.subarray(1, 4).toString(), "PNG");
-      }
-      await page.getByRole("button", { name: "Table" }).first().click();
-      assert.ok((await page.locator(".chart table tr").count()) > 20);
-      await context.close();
-    });
-
-    test("design, its map, and a muscle from it", async () => {
-      const { page, errors, context } = await open("#design");
-      await page.waitForSelector("table", { timeout: 60_000 });
-      const best = ask("design", "--force", "700N", "--contraction", "15%", "--max-pressure", "2.5bar").candidates[0];
-      const heading = await page.locator(".middle h2").first().innerText();
-      assert.ok(heading.includes(`${Number(best.outer_diameter_mm.toPrecision(4))} mm`), heading);
-      const map = page.getByRole("region", { name: "design map" });
-      const [cells] = await Promise.all([page.waitForEvent("download"), map.getByRole("button", { name: "CSV" }).click()]);
-      const lines = readFileSync(/** @type {string} */ (await cells.path())).toString().trim().split("\n");
-      assert.match(lines[0], /^curve,outer diameter D0 \[mm\],wall s \[mm\],"needs \[bar\], or misses"$/);
-      assert.equal(lines.length, 1 + 29 * 25);
-      await map.locator(".heatmaplayer, .contourlayer").first().waitFor({ state: "attached", timeout: 30_000 });
-      const box = /** @type {any} */ (await map.locator(".plot").first().boundingBox());
-      await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
-      await page.getByRole("link", { name: "see this muscle" }).click();
-      await alive(page);
-      await page.goBack();
-      await page.waitForSelector("table");
-      await page.locator("tr.pick").first().click();
-      await alive(page);
-      assert.deepEqual(errors, []);
-      await context.close();
-    });
-
-    test("a specification of several pulls with tolerances has the command line's winner and spread", async () => {
-      const { page, errors, context } = await open("#design?at=700N@15%25,1200N@5%25&ts=0.1mm&tp=0.1bar");
-      await page.getByRole("region", { name: "spread of the pull" }).waitFor({ timeout: 60_000 });
-      const said = ask("design", "--at", "700N@15%,1200N@5%", "--max-pressure", "2.5bar", "--tolerance", "wall=0.1mm,pressure=0.1bar");
-      const spread = await page.getByRole("region", { name: "spread of the pull" }).innerText();
-      for (const { low_n, high_n } of said.tolerance) for (const pull of [low_n, high_n]) assert.ok(spread.includes(`${Number(pull.toPrecision(4))} N`), spread);
-      const heading = await page.locator(".middle h2").first().innerText();
-      assert.ok(heading.includes(`${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm`), heading);
-      await page.goto(site.url + "#design?joint=8Nm@45deg&pmax=2.5bar&D=30mm&s=1mm");
-      await page.getByText("Pulley of radius").waitFor({ timeout: 60_000 });
-      assert.deepEqual(errors, []);
-      await context.close();
-    });
-
-    test("nothing fits is a sentence with what would", async () => {
-      const { page, context } = await open("#design?F=9000N&e=15%25&pmax=2bar&D=10..40mm");
-      await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
-      assert.ok((await page.locator(".middle li").count()) > 0);
-      await context.close();
-    });
-
-    test("tables of data, good and broken; constants identified", async () => {
-      const { page, errors, context } = await open("#data");
-      await page.waitForSelector("form");
-      await page.locator("input[type=file]").setInputFiles({ name: "broken.csv", mimeType: "text/csv", buffer: Buffer.from("pressure_bar,contraction,force_n\n1,0.1,abc\n") });
-      await page.waitForSelector(".problem");
-      assert.match(await page.locator(".problem").innerText(), /line 2|row/i);
-      await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
-      await page.getByText("points.").first().waitFor({ timeout: 30_000 });
-      await page.getByRole("button", { name: "Identify" }).click();
-      await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
-      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download the muscle" }).click()]);
-      assert.match(readFileSync(/** @type {string} */ (await download.path())).toString(), /# Identified from/);
-      await page.locator("input[type=file]").setInputFiles({ name: "unnamed.csv", mimeType: "text/csv", buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n") });
-      await page.waitForSelector(".problem");
-      await page.getByRole("combobox", { name: "Pressure" }).selectOption("P1");
-      await page.getByRole("combobox", { name: "in", exact: true }).first().selectOption("bar");
-      await page.getByText("unnamed.csv: 2 points.").waitFor({ timeout: 30_000 });
-      assert.match(decodeURIComponent(page.url()), /columns=pressure=P1:bar/);
-      assert.deepEqual(errors, []);
-      await context.close();
-    });
-
-    test("a campaign is cancelled, begun again, and its formula downloaded", async () => {
-      const { page, context } = await open("#formula");
-      const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
-      const usual = await plan.inputValue();
-      await plan.fill(usual.replace("30,40,45,50 mm", "30..50:0.5 mm").replace("1..5:1 mm", "1..5:0.25 mm"));
-      await page.getByRole("button", { name: "Compute the plan" }).click();
-      await page.getByRole("button", { name: "Cancel" }).first().click({ timeout: 20_000 });
-      await page.getByText("Cancelled.").waitFor();
-      await plan.fill(usual);
-      await page.getByRole("button", { name: "Compute the plan" }).click();
-      await page.getByRole("button", { name: "Download the formula" }).waitFor({ timeout: 60_000 });
-      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download the formula" }).click()]);
-      assert.equal(JSON.parse(readFileSync(/** @type {string} */ (await download.path())).toString()).terms.length, 48);
-      await context.close();
-    });
-
-    test("a joint by dragging its arm", async () => {
-      const { page, context } = await open("#joint");
-      await page.waitForSelector(".numbers dl", { timeout: 30_000 });
-      const box = /** @type {any} */ (await page.locator(".stage").boundingBox());
-      await page.mouse.move(box.x + 0.75 * box.width, box.y + 0.4 * box.height);
-      await page.mouse.down();
-      await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.8 * box.height, { steps: 5 });
-      await page.mouse.up();
-      await page.waitForFunction(() => /rests at\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""));
-      await page.locator("summary").filter({ hasText: "Another muscle 2" }).click();
-      const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
-      await page.locator("input[type=file]").setInputFiles({ name: "thin.toml", mimeType: "application/toml", buffer: Buffer.from(thin) });
-      await page.getByText("Muscle 2 is that of its file.").waitFor();
-      assert.match(page.url(), /file2=/);
-      await page.getByRole("button", { name: "Twice the same muscle" }).click();
-      await page.getByText("Both muscles are those of the page Muscle.").waitFor();
-      await context.close();
-    });
-
-    test("narrow and very wide, larger text, less motion", async () => {
-      for (const [width, height] of [[400, 800], [3840, 2160]]) {
-        const { page, context } = await open("#muscle", { viewport: { width, height }, reducedMotion: "reduce" });
-        await alive(page);
-        await page.waitForTimeout(1500);
-        const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-        assert.ok(over <= 0, `${width} px: ${over} px too wide`);
-        await page.screenshot({ path: `${shots}/muscle-${width}-${name}.png` });
-        await page.addStyleTag({ content: ":root{font-size:200%}" });
-        const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-        assert.ok(wide <= 0, `${width} px at 200 %: ${wide} px too wide`);
-        await context.close();
-      }
-    });
-
-    if (name === "static") test("a worker that dies is replaced, and one that cannot start says so", async () => {
-      const { page, context } = await open("#muscle");
-      await alive(page);
-      for (const worker of page.workers()) await worker.evaluate(() => { setTimeout(() => { throw new Error("gone"); }); });
-      await page.waitForTimeout(300);
-      const field = page.getByRole("textbox", { name: "Pressure" });
-      const before = await pull(page);
-      await field.fill("1");
-      await field.press("Enter");
-      await page.waitForFunction((text) => document.querySelector(".stage .say b")?.textContent !== text, before);
-      await context.close();
-      const blocked = await tab(browser);
-      await blocked.page.route("**/live.wasm", (route) => route.abort());
-      await blocked.page.goto(site.url + "#muscle?D=25");
-      await blocked.page.getByText("The engine does not answer").waitFor();
-      await blocked.page.unroute("**/live.wasm");
-      await blocked.page.getByRole("button", { name: "Try again" }).click();
-      await alive(blocked.page);
-      assert.match(blocked.page.url(), /D=25/);
-      await blocked.context.close();
-    });
-
-    if (name === "static") test("an engine that panics says its last words, and another one is started", async () => {
-      const { page, context } = await tab(browser);
-      await page.route("**/live.wasm", (route) => route.fulfill({ contentType: "application/wasm", body: trapping("panicked at row 7") }));
-      await page.goto(site.url + "#muscle?D=25");
-      await page.getByText("panicked at row 7").first().waitFor();
-      await page.unroute("**/live.wasm");
-      await page.reload();
-      await alive(page);
-      assert.match(page.url(), /D=25/);
-      await context.close();
-    });
-
-    test("without WebGL a section, without the chart library a table", async () => {
-      const { page, context } = await tab(browser);
-      await page.addInitScript(() => {
-        const usual = HTMLCanvasElement.prototype.getContext;
-        HTMLCanvasElement.prototype.getContext = function (/** @type {any} */ kind, /** @type {any[]} */ ...rest) { return kind === "webgl2" ? null : /** @type {any} */ (usual).call(this, kind, ...rest); };
-      });
-      await page.route("**/plotly.js", (route) => route.abort());
-      await page.goto(site.url);
-      await alive(page);
-      await page.waitForSelector("svg.section polygon");
-      await page.getByText("The chart library could not be loaded.").waitFor();
-      await page.getByRole("button", { name: "Table" }).click();
-      assert.ok((await page.locator(".chart table tr").count()) > 20);
-      await context.close();
-    });
+    }
   });
-}
+
+  test("the digits of the page are those of the command line", async () => {
+    const { page, context } = await open("#muscle?D=38&s=1&L=285&angle=28&p=2.3bar&e=12%25");
+    await alive(page);
+    const said = ask("force", "-D", "38", "-s", "1", "-p", "2.3bar", "-e", "12%");
+    const decimals = Math.max(0, 1 - Math.floor(Math.log10(said.uncertainty_n)));
+    assert.equal(await pull(page), `${said.force_n.toFixed(decimals)} ± ${said.uncertainty_n.toFixed(decimals)} N`);
+    await page.waitForFunction(() => /starts at\s*[\d.]/.test(document.querySelector(".numbers")?.textContent ?? ""));
+    const numbers = await page.locator(".numbers").innerText();
+    assert.ok(numbers.includes(`${Number((10 * said.start_pressure_mpa).toPrecision(3))} bar`), numbers);
+    await context.close();
+  });
+
+  test("sliders by mouse and keyboard, fields with units and nonsense, undo", async () => {
+    const { page, errors, context } = await open("#muscle");
+    await alive(page);
+    const first = await pull(page);
+    const slider = page.getByRole("slider", { name: "Pressure" });
+    const box = /** @type {any} */ (await slider.boundingBox());
+    await page.mouse.move(box.x + box.width * 0.42, box.y + box.height / 2);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width * 0.7, box.y + box.height / 2, { steps: 8 });
+    await page.mouse.up();
+    await page.waitForFunction((before) => document.querySelector(".stage .say b")?.textContent !== before, first);
+    const dragged = page.url();
+    assert.match(dragged, /p=/);
+    await slider.focus();
+    const before = await page.getByRole("textbox", { name: "Pressure" }).inputValue();
+    await page.keyboard.press("ArrowRight");
+    assert.notEqual(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), before);
+    const field = page.getByRole("textbox", { name: "Outer diameter" });
+    await field.fill("1.2in");
+    await field.press("Enter");
+    await page.waitForFunction(() => location.hash.includes("D=30.48"));
+    for (const wrong of ["3 bar", "abc", "1e999", "NaN"]) {
+      await field.fill(wrong);
+      await field.press("Enter");
+      await page.waitForFunction((id) => document.getElementById(id)?.getAttribute("aria-invalid") === "true", await field.getAttribute("id"));
+    }
+    await field.fill("4000");
+    await field.press("Enter");
+    await field.fill("30");
+    await field.press("Enter");
+    await page.waitForFunction((id) => !document.getElementById(id)?.hasAttribute("aria-invalid"), await field.getAttribute("id"));
+    await page.goBack();
+    await page.goBack();
+    await alive(page);
+    await page.goForward();
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a shared link shows the same, and what is not understood is named and kept", async () => {
+    const link = "#muscle?D=38&s=1&p=36psi&e=10%25&cut=1&show=stress_hoop_mpa&test=isometric&u=psi&colour=red&L=long";
+    const { page, context } = await open(link);
+    await alive(page);
+    assert.equal(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), "36");
+    assert.equal(await page.getByRole("button", { name: "Cut open" }).getAttribute("aria-pressed"), "true");
+    assert.equal(await page.getByRole("tab", { name: "Isometric" }).getAttribute("aria-selected"), "true");
+    const numbers = await page.locator(".numbers").innerText();
+    assert.match(numbers, /Not understood in the address: colour/);
+    assert.match(numbers, /"long" does not start with a number/);
+    await page.getByRole("button", { name: "Pump" }).click();
+    await page.getByRole("slider", { name: "Contraction" }).focus();
+    await page.keyboard.press("ArrowRight");
+    await page.waitForFunction(() => location.hash.includes("colour=red"));
+    await context.close();
+  });
+
+  test("the gauge beside the muscle is turned by hand", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    const box = /** @type {any} */ (await page.locator(".gauge").boundingBox());
+    const [x, y, r] = [box.x + box.width / 2, box.y + box.height / 2, 0.4 * box.width];
+    // Straight up is half of the dial, which ends at 6 bar.
+    await page.mouse.move(x - r, y);
+    await page.mouse.down();
+    await page.mouse.move(x, y - r, { steps: 4 });
+    await page.mouse.up();
+    assert.equal(await page.getByRole("textbox", { name: "Pressure" }).inputValue(), "3");
+    assert.match(page.url(), /p=3bar/);
+    await context.close();
+  });
+
+  test("units change everywhere by a click", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    const unit = page.locator(".quantity", { hasText: "Pressure" }).getByRole("button");
+    for (const expected of ["kPa", "MPa", "psi", "bar"]) {
+      await unit.click();
+      assert.equal(await unit.innerText(), expected);
+    }
+    await context.close();
+  });
+
+  test("slack is a state with a sentence; a muscle that cannot be is said at its field", async () => {
+    const { page, context } = await open("#muscle?p=1bar&e=30%25");
+    await alive(page);
+    assert.equal(await pull(page), "Slack");
+    const wall = page.getByRole("textbox", { name: "Wall" });
+    await wall.fill("40");
+    await wall.press("Enter");
+    await page.waitForSelector(".problem");
+    await wall.fill("2");
+    await wall.press("Enter");
+    await page.waitForFunction(() => !document.querySelector(".problem"));
+    await context.close();
+  });
+
+  test("muscle files, good and broken", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await page.getByText("Muscle file", { exact: true }).click();
+    const input = page.locator("input[type=file]");
+    await input.setInputFiles({ name: "mine.toml", mimeType: "text/plain", buffer: readFileSync(`${root}examples/festo-dmsp-20.toml`) });
+    await page.waitForFunction(() => location.hash.includes("file="));
+    await alive(page);
+    await input.setInputFiles({ name: "broken.toml", mimeType: "text/plain", buffer: Buffer.from("[tube]\nouter_diametre = \"3 mm\"\n") });
+    await page.waitForSelector(".problem");
+    assert.match(await page.locator(".problem").innerText(), /outer_diamet/);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download this muscle" }).click()]);
+    assert.equal(download.suggestedFilename(), "muscle.toml");
+    await page.reload();
+    await alive(page);
+    await context.close();
+  });
+
+  test("curves as table, CSV, SVG and PNG", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    await page.waitForSelector(".js-plotly-plot, .plot .main-svg", { timeout: 30_000 });
+    for (const [button, end] of [["CSV", ".csv"], ["SVG", ".svg"], ["PNG", ".png"]]) {
+      const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: button, exact: true }).first().click()]);
+      assert.ok(download.suggestedFilename().endsWith(end));
+      const bytes = readFileSync(/** @type {string} */ (await download.path()));
+      if (end === ".csv") assert.match(bytes.toString(), /^curve,contraction ε \[%\],pull F \[N\]\n0.5 bar,0,/);
+      if (end === ".png") assert.equal(bytes.subarray(1, 4).toString(), "PNG");
+    }
+    await page.getByRole("button", { name: "Table" }).first().click();
+    assert.ok((await page.locator(".chart table tr").count()) > 20);
+    await context.close();
+  });
+
+  test("design, its map, and a muscle from it", async () => {
+    const { page, errors, context } = await open("#design");
+    await page.waitForSelector("table", { timeout: 60_000 });
+    const best = ask("design", "--force", "700N", "--contraction", "15%", "--max-pressure", "2.5bar").candidates[0];
+    const heading = await page.locator(".middle h2").first().innerText();
+    assert.ok(heading.includes(`${Number(best.outer_diameter_mm.toPrecision(4))} mm`), heading);
+    const map = page.getByRole("region", { name: "design map" });
+    const [cells] = await Promise.all([page.waitForEvent("download"), map.getByRole("button", { name: "CSV" }).click()]);
+    const lines = readFileSync(/** @type {string} */ (await cells.path())).toString().trim().split("\n");
+    assert.match(lines[0], /^curve,outer diameter D0 \[mm\],wall s \[mm\],"needs \[bar\], or misses"$/);
+    assert.equal(lines.length, 1 + 29 * 25);
+    await map.locator(".heatmaplayer, .contourlayer").first().waitFor({ state: "attached", timeout: 30_000 });
+    const box = /** @type {any} */ (await map.locator(".plot").first().boundingBox());
+    await page.mouse.click(box.x + 0.5 * box.width, box.y + 0.5 * box.height);
+    await page.getByRole("link", { name: "see this muscle" }).click();
+    await alive(page);
+    await page.goBack();
+    await page.waitForSelector("table");
+    await page.locator("tr.pick").first().click();
+    await alive(page);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a specification of several pulls with tolerances has the command line's winner and spread", async () => {
+    const { page, errors, context } = await open("#design?at=700N@15%25,1200N@5%25&ts=0.1mm&tp=0.1bar");
+    await page.getByRole("region", { name: "spread of the pull" }).waitFor({ timeout: 60_000 });
+    const said = ask("design", "--at", "700N@15%,1200N@5%", "--max-pressure", "2.5bar", "--tolerance", "wall=0.1mm,pressure=0.1bar");
+    const spread = await page.getByRole("region", { name: "spread of the pull" }).innerText();
+    for (const { low_n, high_n } of said.tolerance) for (const pull of [low_n, high_n]) assert.ok(spread.includes(`${Number(pull.toPrecision(4))} N`), spread);
+    const heading = await page.locator(".middle h2").first().innerText();
+    assert.ok(heading.includes(`${Number(said.candidates[0].outer_diameter_mm.toPrecision(4))} mm`), heading);
+    await page.goto(url() + "#design?joint=8Nm@45deg&pmax=2.5bar&D=30mm&s=1mm");
+    await page.getByText("Pulley of radius").waitFor({ timeout: 60_000 });
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("nothing fits is a sentence with what would", async () => {
+    const { page, context } = await open("#design?F=9000N&e=15%25&pmax=2bar&D=10..40mm");
+    await page.getByText("Nothing fits.").waitFor({ timeout: 60_000 });
+    assert.ok((await page.locator(".middle li").count()) > 0);
+    await context.close();
+  });
+
+  test("tables of data, good and broken; constants identified", async () => {
+    const { page, errors, context } = await open("#data");
+    await page.waitForSelector("form");
+    await page.locator("input[type=file]").setInputFiles({ name: "broken.csv", mimeType: "text/csv", buffer: Buffer.from("pressure_bar,contraction,force_n\n1,0.1,abc\n") });
+    await page.waitForSelector(".problem");
+    assert.match(await page.locator(".problem").innerText(), /line 2|row/i);
+    await page.locator("input[type=file]").setInputFiles(`${root}examples/bench.csv`);
+    await page.getByText("points.").first().waitFor({ timeout: 30_000 });
+    await page.getByRole("button", { name: "Identify" }).click();
+    await page.getByRole("heading", { name: "Identified" }).waitFor({ timeout: 60_000 });
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download the muscle" }).click()]);
+    assert.match(readFileSync(/** @type {string} */ (await download.path())).toString(), /# Identified from/);
+    await page.locator("input[type=file]").setInputFiles({ name: "unnamed.csv", mimeType: "text/csv", buffer: Buffer.from("P1,eps,F [N]\n1,0.1,200\n2,0.1,400\n") });
+    await page.waitForSelector(".problem");
+    await page.getByRole("combobox", { name: "Pressure" }).selectOption("P1");
+    await page.getByRole("combobox", { name: "in", exact: true }).first().selectOption("bar");
+    await page.getByText("unnamed.csv: 2 points.").waitFor({ timeout: 30_000 });
+    assert.match(decodeURIComponent(page.url()), /columns=pressure=P1:bar/);
+    assert.deepEqual(errors, []);
+    await context.close();
+  });
+
+  test("a campaign is cancelled, begun again, and its formula downloaded", async () => {
+    const { page, context } = await open("#formula");
+    const plan = page.getByRole("textbox", { name: "Plan (TOML)" });
+    const usual = await plan.inputValue();
+    await plan.fill(usual.replace("30,40,45,50 mm", "30..50:0.5 mm").replace("1..5:1 mm", "1..5:0.25 mm"));
+    await page.getByRole("button", { name: "Compute the plan" }).click();
+    await page.getByRole("button", { name: "Cancel" }).first().click({ timeout: 20_000 });
+    await page.getByText("Cancelled.").waitFor();
+    await plan.fill(usual);
+    await page.getByRole("button", { name: "Compute the plan" }).click();
+    await page.getByRole("button", { name: "Download the formula" }).waitFor({ timeout: 60_000 });
+    const [download] = await Promise.all([page.waitForEvent("download"), page.getByRole("button", { name: "Download the formula" }).click()]);
+    assert.equal(JSON.parse(readFileSync(/** @type {string} */ (await download.path())).toString()).terms.length, 48);
+    await context.close();
+  });
+
+  test("a joint by dragging its arm", async () => {
+    const { page, context } = await open("#joint");
+    await page.waitForSelector(".numbers dl", { timeout: 30_000 });
+    const box = /** @type {any} */ (await page.locator(".stage").boundingBox());
+    await page.mouse.move(box.x + 0.75 * box.width, box.y + 0.4 * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.8 * box.height, { steps: 5 });
+    await page.mouse.up();
+    await page.waitForFunction(() => /rests at\s*−\d/.test(document.querySelector(".numbers")?.textContent ?? ""));
+    await page.locator("summary").filter({ hasText: "Another muscle 2" }).click();
+    const thin = `[tube]\nouter_diameter = "24 mm"\nwall_thickness = "2 mm"\nlength = "285 mm"\nrubber = "paper"\n[braid]\nangle = "28 deg"\nstiffness = 150\n`;
+    await page.locator("input[type=file]").setInputFiles({ name: "thin.toml", mimeType: "application/toml", buffer: Buffer.from(thin) });
+    await page.getByText("Muscle 2 is that of its file.").waitFor();
+    assert.match(page.url(), /file2=/);
+    await page.getByRole("button", { name: "Twice the same muscle" }).click();
+    await page.getByText("Both muscles are those of the page Muscle.").waitFor();
+    await context.close();
+  });
+
+  test("narrow and very wide, larger text, less motion", async () => {
+    for (const [width, height] of [[400, 800], [3840, 2160]]) {
+      const { page, context } = await open("#muscle", { viewport: { width, height }, reducedMotion: "reduce" });
+      await alive(page);
+      await page.waitForTimeout(1500);
+      const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      assert.ok(over <= 0, `${width} px: ${over} px too wide`);
+      await page.screenshot({ path: `${shots}/muscle-${width}-${name}.png` });
+      await page.addStyleTag({ content: ":root{font-size:200%}" });
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      assert.ok(wide <= 0, `${width} px at 200 %: ${wide} px too wide`);
+      await context.close();
+    }
+  });
+
+  if (name === "static") test("a worker that dies is replaced, and one that cannot start says so", async () => {
+    const { page, context } = await open("#muscle");
+    await alive(page);
+    for (const worker of page.workers()) await worker.evaluate(() => { setTimeout(() => { throw new Error("gone"); }); });
+    await page.waitForTimeout(300);
+    const field = page.getByRole("textbox", { name: "Pressure" });
+    const before = await pull(page);
+    await field.fill("1");
+    await field.press("Enter");
+    await page.waitForFunction((text) => document.querySelector(".stage .say b")?.textContent !== text, before);
+    await context.close();
+    const blocked = await blank();
+    await blocked.page.route("**/live.wasm", (route) => route.abort());
+    await blocked.page.goto(url() + "#muscle?D=25");
+    await blocked.page.getByText("The engine does not answer").waitFor();
+    await blocked.page.unroute("**/live.wasm");
+    await blocked.page.getByRole("button", { name: "Try again" }).click();
+    await alive(blocked.page);
+    assert.match(blocked.page.url(), /D=25/);
+    await blocked.context.close();
+  });
+
+  if (name === "static") test("an engine that panics says its last words, and another one is started", async () => {
+    const { page, context } = await blank();
+    await page.route("**/live.wasm", (route) => route.fulfill({ contentType: "application/wasm", body: trapping("panicked at row 7") }));
+    await page.goto(url() + "#muscle?D=25");
+    await page.getByText("panicked at row 7").first().waitFor();
+    await page.unroute("**/live.wasm");
+    await page.reload();
+    await alive(page);
+    assert.match(page.url(), /D=25/);
+    await context.close();
+  });
+
+  test("without WebGL a section, without the chart library a table", async () => {
+    const { page, context } = await blank();
+    await page.addInitScript(() => {
+      const usual = HTMLCanvasElement.prototype.getContext;
+      HTMLCanvasElement.prototype.getContext = function (/** @type {any} */ kind, /** @type {any[]} */ ...rest) { return kind === "webgl2" ? null : /** @type {any} */ (usual).call(this, kind, ...rest); };
+    });
+    await page.route("**/plotly.js", (route) => route.abort());
+    await page.goto(url());
+    await alive(page);
+    await page.waitForSelector("svg.section polygon");
+    await page.getByText("The chart library could not be loaded.").waitFor();
+    await page.getByRole("button", { name: "Table" }).click();
+    assert.ok((await page.locator(".chart table tr").count()) > 20);
+    await context.close();
+  });
+});

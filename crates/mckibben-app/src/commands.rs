@@ -3,6 +3,8 @@
 #[cfg(feature = "schema")]
 use crate::annotate::annotate;
 use crate::border::within;
+#[cfg(feature = "schema")]
+use crate::expected::Expected;
 use crate::json_size::JsonSize;
 use crate::problem::{Problem, ProblemKind};
 use crate::*;
@@ -33,9 +35,9 @@ pub struct CommandEntry {
     understood: fn(&Value) -> Result<(), Problem>,
     /// Whether it may take more than a moment, and reports its progress: a job.
     pub long: bool,
-    /// Fields of its request, from the schema, which is made once.
+    /// What its request holds, from the schema, which is made once.
     #[cfg(feature = "schema")]
-    fields: OnceLock<Vec<String>>,
+    expected: OnceLock<Expected>,
 }
 
 impl CommandEntry {
@@ -57,22 +59,17 @@ impl CommandEntry {
         (self.schema)()
     }
 
-    /// The fields of its request.
+    /// What its request holds.
     #[cfg(feature = "schema")]
-    fn fields(&self) -> &[String] {
-        self.fields.get_or_init(|| {
-            let schema = self.schema();
-            let properties = schema["request"]["properties"].as_object();
-            properties.into_iter().flat_map(|p| p.keys().cloned()).collect()
-        })
+    fn expected(&self) -> &Expected {
+        self.expected.get_or_init(|| Expected::of(&self.schema()["request"]))
     }
 
     /// Whether its request may carry tables of measured or computed points, which may be long.
     #[cfg(feature = "schema")]
     pub fn takes_tables(&self) -> bool {
-        self.fields()
-            .iter()
-            .any(|field| ["data", "table", "tables", "load_tables", "cases"].contains(&field.as_str()))
+        let tables = ["data", "table", "tables", "load_tables", "cases"];
+        self.expected().fields().iter().any(|(field, _)| tables.contains(&field.as_str()))
     }
 
     /// Whether a request is one of this command, before any work is done for it: what is said at once of what begins later.
@@ -85,20 +82,17 @@ impl CommandEntry {
         (self.understood)(request)
     }
 
-    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default.
+    /// A field that no request of this kind has is an error: a mistyped one must not turn into a default. So is one with something in it
+    /// that does not belong there.
     #[cfg(feature = "schema")]
     fn check_fields(&self, request: &Value) -> Result<(), Problem> {
-        if !request.is_object() {
-            let message = "a request is an object of fields";
-            return Err(Problem::new(ProblemKind::Usage, message, "such as {\"pressure_mpa\": 0.2}"));
-        }
-        let known = self.fields();
-        let given = request.as_object().into_iter().flat_map(|fields| fields.keys());
-        let Some(field) = given.into_iter().find(|field| !known.is_empty() && !known.contains(field)) else {
-            return Ok(());
-        };
-        let hint = nearest(field, known.iter().map(String::as_str))
-            .map_or_else(String::new, |name| format!("did you mean `{name}`?"));
+        let expected = self.expected();
+        let known = || expected.fields().iter().map(|(name, _)| name.as_str());
+        let mut given = request.as_object().into_iter().flat_map(|fields| fields.keys());
+        let unknown =
+            given.find(|field| !expected.fields().is_empty() && !known().any(|name| name == *field));
+        let Some(field) = unknown else { return expected.check(request) };
+        let hint = nearest(field, known()).map_or_else(String::new, |name| format!("did you mean `{name}`?"));
         let message = format!("there is no field \"{field}\" in this request");
         Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field.clone()))
     }
@@ -118,7 +112,7 @@ macro_rules! command {
             #[cfg(feature = "schema")]
             understood: |value| <$request>::deserialize(value).map(drop).map_err(|e| not_understood(&e)),
             #[cfg(feature = "schema")]
-            fields: OnceLock::new(),
+            expected: OnceLock::new(),
             long: false,
         }
     };
@@ -272,6 +266,25 @@ fn of_value(command: &str, value: Value, progress: &dyn Progress) -> Result<Valu
     #[cfg(feature = "schema")]
     command.check_fields(&value)?;
     (command.ask)(value, progress)
+}
+
+/// A request, or a group of its fields.
+#[cfg(feature = "schema")]
+pub trait RequestFields: serde::de::DeserializeOwned + JsonSchema {}
+
+#[cfg(feature = "schema")]
+impl<T: serde::de::DeserializeOwned + JsonSchema> RequestFields for T {}
+
+/// A request that is asked for by its type, or a group of fields of one.
+///
+/// # Errors
+/// [`Problem`] of kind `usage` for a field with something in it that does not belong there.
+#[cfg(feature = "schema")]
+pub fn understood<T: RequestFields>(fields: Value) -> Result<T, Problem> {
+    T::deserialize(&fields).map_err(|e| {
+        let expected = Expected::of(&schemas::<T, ()>()["request"]);
+        expected.check(&fields).err().unwrap_or_else(|| not_understood(&e))
+    })
 }
 
 /// The command of a name.

@@ -56,7 +56,7 @@ pub struct IdentifyRequest {
     pub outer_diameters_mm: Option<Vec<f64>>,
     /// Walls s of `formula` in mm; that of the muscle where they are left out.
     pub walls_mm: Option<Vec<f64>>,
-    /// How much each of `data` counts, then `formula`; all alike where they are left out.
+    /// Weight of each of `data`, then of `formula`; 1 where they are left out.
     pub weights: Vec<f64>,
     /// What is done with the branches of the hysteresis.
     pub branches: Branches,
@@ -65,7 +65,7 @@ pub struct IdentifyRequest {
     /// What is free: NAME, NAME=START or NAME=START:LOW:HIGH. Where nothing is named, the modulus, and stiffness and friction
     /// where the data tell them.
     pub free: Vec<String>,
-    /// What is held: NAME=VALUE.
+    /// Fix a parameter: NAME=VALUE.
     pub fix: Vec<String>,
     /// Bounds of what is free: NAME=LOW:HIGH.
     pub bounds: Vec<String>,

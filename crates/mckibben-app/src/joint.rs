@@ -139,6 +139,15 @@ pub struct JointRow {
     /// Pressure below which the second muscle is slack at this angle, MPa.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub start_pressure_2_mpa: Option<f64>,
+    /// Of a joint at rest: 95 % half-width of the angle, from that of the torque and the stiffness, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub angle_uncertainty_deg: Option<f64>,
+    /// Of pressures that were sought: 95 % half-width of that of the first muscle, by which it alone makes up for that of the torque, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_1_uncertainty_mpa: Option<f64>,
+    /// That of the second muscle, likewise, MPa.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_2_uncertainty_mpa: Option<f64>,
 }
 
 /// How a joint rests.
@@ -290,7 +299,7 @@ impl Asked<'_> {
         }
         for &p in families.iter().flatten() {
             if !(p.is_finite() && p >= 0.0) {
-                let message = format!("{p} MPa is no gauge pressure of a muscle");
+                let message = format!("{p} MPa is not a valid gauge pressure of a muscle");
                 return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("pressures_mpa"));
             }
         }
@@ -322,7 +331,15 @@ impl Asked<'_> {
                     };
                     let wanted = WantedOfJoint { angle_deg, torque_nm, stiffness_nm_per_rad };
                     let point = self.model.pressures(&mut self.workspaces, wanted, max)?;
-                    rows.push(self.row(point, None)?);
+                    let halves = self.model.pressure_uncertainties_mpa(&mut self.workspaces, &point);
+                    let half = |i: usize| halves.get(i).copied().flatten();
+                    let row = self.row(point, None)?;
+                    let (first, second) = (half(0), half(1));
+                    rows.push(JointRow {
+                        pressure_1_uncertainty_mpa: first,
+                        pressure_2_uncertainty_mpa: second,
+                        ..row
+                    });
                 }
             }
             (false, Some(angles)) => {
@@ -343,7 +360,10 @@ impl Asked<'_> {
                     for rest in self.model.rests(&mut self.workspaces, pressures, outside)? {
                         let angle = rest.angle_deg();
                         let point = self.model.at(&mut self.workspaces, pressures, angle, Turning::Mean)?;
-                        rows.push(self.row(point, Some(word(&rest)))?);
+                        let balance = matches!(rest, Rest::Balance { .. });
+                        let half = self.model.angle_uncertainty_deg(&point).filter(|_| balance);
+                        let row = self.row(point, Some(word(&rest)))?;
+                        rows.push(JointRow { angle_uncertainty_deg: half, ..row });
                     }
                 }
             }
@@ -386,6 +406,9 @@ impl Asked<'_> {
             slack_2: second.map(|m| m.answer.slack),
             start_pressure_1_mpa: first.and_then(|m| m.answer.start_pressure_mpa),
             start_pressure_2_mpa: second.and_then(|m| m.answer.start_pressure_mpa),
+            angle_uncertainty_deg: None,
+            pressure_1_uncertainty_mpa: None,
+            pressure_2_uncertainty_mpa: None,
         })
     }
 }

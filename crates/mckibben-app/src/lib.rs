@@ -35,6 +35,8 @@ mod commands;
 mod compare;
 mod curve;
 mod design;
+#[cfg(feature = "schema")]
+mod expected;
 mod fields;
 mod figure;
 mod fit;
@@ -73,9 +75,9 @@ pub use border::{guarded, panics_are_problems, within};
 pub use braid::*;
 #[cfg(feature = "files")]
 pub use campaign::*;
-#[cfg(feature = "schema")]
-pub use commands::schema;
 pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find, packed, parsed};
+#[cfg(feature = "schema")]
+pub use commands::{RequestFields, schema, understood};
 pub use compare::*;
 pub use curve::*;
 pub use design::*;
@@ -86,7 +88,7 @@ pub use joint::*;
 pub use json_size::JsonSize;
 pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
-    AnswerColumns, BoundModel, Column, Many, NoList, Pairs, Unanswered, Wanted as WantedOfPoint,
+    AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, Unanswered, Wanted as WantedOfPoint,
     curve_columns, with_parameters,
 };
 pub use mckibben_motion::{Event, Subject};

@@ -212,7 +212,7 @@ impl MeshFields {
         elements.with_mesh(text).map_err(|error| {
             let message = match error {
                 MeshTextError::Syntax(expected) => {
-                    format!("\"{text}\" is no mesh of {}; expected {expected}", elements.name())
+                    format!("\"{text}\" is not a valid mesh of {}; expected {expected}", elements.name())
                 }
                 MeshTextError::Mesh(error) => error.to_string(),
             };

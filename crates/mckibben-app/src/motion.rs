@@ -33,7 +33,6 @@ pub struct MotionRequest {
     pub drive: Option<TextFile>,
     /// In place of a drive file: a muscle with a load, filled through a valve.
     #[serde(skip_serializing_if = "Option::is_none")]
-    #[serde(deserialize_with = "object")]
     pub step: Option<StepFields>,
     /// The muscle file that it names, of a drive with one muscle.
     pub muscle: Option<TextFile>,
@@ -52,13 +51,6 @@ pub struct MotionRequest {
     pub rise_time_s: Option<f64>,
     /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
-}
-
-/// Fields by name alone: a derived reader takes a list of their values as well.
-fn object<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Option<StepFields>, D::Error> {
-    let fields = Option::<serde_json::Map<String, serde_json::Value>>::deserialize(from)?;
-    let read = |map| StepFields::deserialize(serde_json::Value::Object(map));
-    fields.map(read).transpose().map_err(serde::de::Error::custom)
 }
 
 /// A step of the pressure of one muscle. It stands on its stop, at its length at rest, until it is lifted.

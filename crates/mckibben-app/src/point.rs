@@ -230,7 +230,7 @@ pub(crate) fn ratio(contraction: f64) -> Result<f64, Problem> {
 
 /// A number that is no contraction ratio.
 pub(crate) fn no_ratio(field: &str, e: f64) -> Problem {
-    let message = format!("{e} is no contraction ratio ΔL/L0, which lies below 1");
+    let message = format!("{e} is not a valid contraction ratio ΔL/L0, which lies below 1");
     let hint = if e > 1.0 && e < 100.0 {
         format!("for {e} % write {}", e / 100.0)
     } else {

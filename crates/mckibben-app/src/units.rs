@@ -214,7 +214,7 @@ impl FromStr for Units {
                 let names: Vec<&str> = kinds.into_iter().flat_map(Dimension::unit_names).collect();
                 let word: String = word.chars().take(40).collect();
                 return Err(format!(
-                    "\"{word}\" is no unit of pressure, force or length; one of {}, or several with commas: psi,lbf,in",
+                    "\"{word}\" is not a unit of pressure, force or length; one of {}, or several with commas: psi,lbf,in",
                     names.join(", ")
                 ));
             };

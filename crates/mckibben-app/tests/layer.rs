@@ -137,7 +137,7 @@ fn problems_name_the_field_and_never_a_flag() {
             "force",
             json!({ "pressure_mpa": 0.2, "contraction": 15 }),
             ProblemKind::Quantity,
-            "no contraction ratio",
+            "not a valid contraction ratio",
         ),
         (
             "force",
@@ -145,7 +145,12 @@ fn problems_name_the_field_and_never_a_flag() {
             ProblemKind::Usage,
             "there is no field \"modle\"",
         ),
-        ("force", json!({ "pressure_mpa": "2bar" }), ProblemKind::Usage, "cannot be understood"),
+        (
+            "force",
+            json!({ "pressure_mpa": "2bar" }),
+            ProblemKind::Usage,
+            "`pressure_mpa` is a number in MPa, not the text \"2bar\"",
+        ),
         ("force", json!({ "pressure_mpa": 0.2, "model": "fee" }), ProblemKind::Model, "did you mean fe?"),
         ("force", json!({ "pressure_mpa": 0.2, "mesh": "0x9" }), ProblemKind::Mesh, "through"),
         ("force", json!({ "pressure_mpa": 0.2, "model": "belforte" }), ProblemKind::MissingInput, "strand"),

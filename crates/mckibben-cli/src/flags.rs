@@ -172,7 +172,7 @@ pub fn mesh_fields(mesh: Option<&str>, keep: Keep, terminal: Option<&str>) -> Re
 fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
     let wrong = || {
         let message = format!(
-            "--terminal: \"{text}\" is no terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
+            "--terminal: \"{text}\" is not a terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
         );
         Failure::input(ProblemKind::Terminal, message, "leave it out for a rigid plane")
     };
@@ -226,7 +226,7 @@ impl OutputFlags {
 /// everywhere.
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteFlag {
-    /// Replace whatever stands there [only a file of the same kind]
+    /// Overwrite an existing file, whoever wrote it [only one that this program wrote]
     #[arg(long, help_heading = "Output")]
     pub overwrite: bool,
 }
@@ -234,7 +234,7 @@ pub struct OverwriteFlag {
 /// The same, of commands in which `--force` means nothing else.
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteOrForceFlag {
-    /// Replace whatever stands there [only a file of the same kind]
+    /// Overwrite an existing file, whoever wrote it [only one that this program wrote]
     #[arg(long, visible_alias = "force", help_heading = "Output")]
     pub overwrite: bool,
 }

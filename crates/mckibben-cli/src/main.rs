@@ -24,7 +24,7 @@ use failure::Failure;
 use flags::Format;
 use mckibben::threads;
 use mckibben_app::{guarded, panics_are_problems};
-use quantities::to_mind;
+use quantities::unit_hint;
 use std::borrow::Cow;
 use std::io::Write;
 use std::process::ExitCode;
@@ -65,7 +65,7 @@ fn main() -> ExitCode {
     threads::shortage().into_iter().for_each(output::warn);
     match progress::last_word(done) {
         Ok(code) => ExitCode::from(code),
-        Err(failure) => report(&failure.with_hint(to_mind()), cli.format),
+        Err(failure) => report(&failure.with_hint(unit_hint()), cli.format),
     }
 }
 

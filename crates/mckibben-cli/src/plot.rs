@@ -1,7 +1,8 @@
 //! Figures into files.
 
 use crate::failure::Failure;
-use crate::output::{Content, Target, check as check_lost, ending};
+use crate::files;
+use crate::output::{ending, of_input};
 use mckibben_app::ProblemKind;
 use mckibben_report::{Figure, FigureError};
 use std::path::Path;
@@ -19,11 +20,16 @@ pub fn check(path: Option<&Path>) -> Result<(), Failure> {
 pub fn save(figure: Option<Figure>, path: Option<&Path>) -> Result<(), Failure> {
     match (figure, path) {
         (Some(figure), Some(path)) => {
-            check_lost(Target::file(path, false), &Content::Figure)?;
+            unread(path)?;
             Ok(figure.save(path)?)
         }
         _ => Ok(()),
     }
+}
+
+/// Refuses a file that this command has read, by whatever way. What else stands there was looked at before the work (`overlap`).
+pub fn unread(path: &Path) -> Result<(), Failure> {
+    if files::was_read(path) { Err(of_input(path)) } else { Ok(()) }
 }
 
 impl From<FigureError> for Failure {

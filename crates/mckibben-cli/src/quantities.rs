@@ -18,7 +18,7 @@ pub fn quantity(flag: &str, text: Option<&str>, dimension: Dimension) -> Result<
 static MIND: OnceLock<String> = OnceLock::new();
 
 /// What the user should mind about a pressure that was typed as a bare number; to be said beside an answer, and where there is none.
-pub fn to_mind() -> Option<&'static str> {
+pub fn unit_hint() -> Option<&'static str> {
     MIND.get().map(String::as_str)
 }
 
@@ -51,7 +51,7 @@ pub fn contraction(flag: &str, text: Option<&str>) -> Result<Option<f64>, Failur
 
 fn no_contraction(flag: &str, text: &str, e: f64) -> Failure {
     let text = text.trim();
-    let message = format!("{flag}: \"{text}\" is no contraction ratio ΔL/L0, which lies below 1");
+    let message = format!("{flag}: \"{text}\" is not a valid contraction ratio ΔL/L0, which lies below 1");
     let hint = if e > 1.0 && e < 100.0 && !text.contains('%') {
         format!("write {e}% or {}", e / 100.0)
     } else {

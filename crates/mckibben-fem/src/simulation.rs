@@ -472,7 +472,7 @@ impl fmt::Display for Elements {
 
 /// A word that names no finite elements.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("\"{word}\" is no finite-element model; there are {}", Elements::NAMES.join(" and "))]
+#[error("\"{word}\" is not a finite-element model; there are {}", Elements::NAMES.join(" and "))]
 pub struct UnknownElements {
     /// The word.
     pub word: String,

@@ -89,11 +89,6 @@ impl Linear {
         self.coordinate
     }
 
-    /// The state matrix: position, speed, then pressure and mass of each muscle with what belongs to it, then the controller.
-    pub fn state_matrix(&self) -> &DMatrix<f64> {
-        &self.a
-    }
-
     /// Eigenvalues in 1/s, (real, imaginary).
     pub fn eigenvalues(&self) -> Vec<(f64, f64)> {
         // In one scale: pressures and positions differ by orders of magnitude.

@@ -20,7 +20,7 @@ pub(crate) struct Answer {
 
 /// The slack muscle: where it hangs, and how its volume follows the pressure alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Hanging {
+pub(crate) struct SlackState {
     pub contraction: f64,
     pub answer: Answer,
     /// dε_free/dP
@@ -31,14 +31,14 @@ pub(crate) struct Hanging {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stand {
     /// At one moment within a step.
-    Moment(Hanging),
+    Moment(SlackState),
     /// About a pressure and contraction: first order.
-    Near(f64, f64, Hanging),
+    Near(f64, f64, SlackState),
 }
 
 impl Stand {
     /// At the share `s` of a step of length `h` between two answers with their derivatives in time.
-    pub fn between(a: &(Hanging, Hanging), b: &(Hanging, Hanging), s: f64, h: f64) -> Self {
+    pub fn between(a: &(SlackState, SlackState), b: &(SlackState, SlackState), s: f64, h: f64) -> Self {
         let r = 1.0 - s;
         let cubic = |x: f64, k: f64, y: f64, l: f64| {
             x * r * r * (1.0 + 2.0 * s) + y * s * s * (3.0 - 2.0 * s) + h * (k * s * r * r - l * s * s * r)
@@ -54,14 +54,14 @@ impl Stand {
             volume_p: line(of.volume_p, to.volume_p),
         };
         let contraction = cubic(a.0.contraction, a.1.contraction, b.0.contraction, b.1.contraction);
-        Self::Moment(Hanging {
+        Self::Moment(SlackState {
             contraction,
             answer,
             contraction_p: line(a.0.contraction_p, b.0.contraction_p),
         })
     }
 
-    fn at(&self, pressure_mpa: f64, contraction: f64) -> Hanging {
+    fn at(&self, pressure_mpa: f64, contraction: f64) -> SlackState {
         match *self {
             Self::Moment(h) => h,
             Self::Near(p, e, h) => {
@@ -72,7 +72,7 @@ impl Stand {
                     volume_mm3: a.volume_mm3 + a.volume_p * dp + a.volume_e * de,
                     ..a
                 };
-                Hanging { answer, ..h }
+                SlackState { answer, ..h }
             }
         }
     }
@@ -94,7 +94,7 @@ pub(crate) struct Member<'a> {
     /// Questions asked last, with their answers: differences for the Jacobian ask the same again.
     kept: RefCell<[Option<(f64, f64, Answer)>; 4]>,
     next: Cell<usize>,
-    hung: Cell<Option<f64>>,
+    clamp_slack: Cell<Option<f64>>,
     pub asked: Cell<usize>,
     /// In place of the model, where there is one.
     pub stand: Cell<Option<Stand>>,
@@ -109,7 +109,7 @@ impl<'a> Member<'a> {
             workspace: RefCell::new(Workspace::within(budget.clone())),
             kept: RefCell::new([None; 4]),
             next: Cell::new(0),
-            hung: Cell::new(None),
+            clamp_slack: Cell::new(None),
             asked: Cell::new(0),
             stand: Cell::new(None),
         }
@@ -188,13 +188,13 @@ impl<'a> Member<'a> {
         if finite { Ok(answer) } else { Err(not_finite()) }
     }
 
-    /// The slack muscle at a pressure: Newton's method from where it hung last, else a search.
-    pub fn hanging(&self, pressure_mpa: f64) -> Result<Hanging, ModelError> {
+    /// The slack muscle at a pressure: Newton's method from where it was slack last, else a search.
+    pub fn hanging(&self, pressure_mpa: f64) -> Result<SlackState, ModelError> {
         if let Some(Stand::Moment(h)) = self.stand.get() {
             return Ok(h);
         }
         let p = pressure_mpa.max(LEAST_MPA);
-        let near = self.hung.get().and_then(|last| self.polished(p, last));
+        let near = self.clamp_slack.get().and_then(|last| self.polished(p, last));
         let contraction = match near {
             Some(e) => e,
             None => {
@@ -207,10 +207,10 @@ impl<'a> Member<'a> {
                 self.polished(p, e).unwrap_or(e)
             }
         };
-        self.hung.set(Some(contraction));
+        self.clamp_slack.set(Some(contraction));
         let at = self.answer(p, contraction)?;
         let contraction_p = if at.force_e < 0.0 { -at.force_p / at.force_e } else { 0.0 };
-        Ok(Hanging { contraction, answer: at, contraction_p })
+        Ok(SlackState { contraction, answer: at, contraction_p })
     }
 
     /// The free contraction by Newton's method from near it, to the model's last digits.

@@ -184,7 +184,7 @@ pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, 
     let budget = progress.budget();
     budget.admit(Resource::Points, drive.until_s / drive.output_step_s)?;
     let system = System::new(drive, &budget)?;
-    let mut course = Course::begin(&system, progress)?;
+    let mut course = Integration::begin(&system, progress)?;
     let ended = match course.go() {
         Ok(()) => None,
         Err(error) if error.ends_early() && course.t > 0.0 => Some(error),
@@ -193,7 +193,7 @@ pub fn run_as_far(drive: &Drive<'_>, progress: &dyn Progress) -> Result<Motion, 
     course.end(ended)
 }
 
-struct Course<'s, 'd> {
+struct Integration<'s, 'd> {
     system: &'s System<'d>,
     progress: &'s dyn Progress,
     budget: Budget,
@@ -218,7 +218,7 @@ struct Course<'s, 'd> {
 const MOST_EVENTS: usize = 50;
 const SPAN_S: f64 = 1e-5;
 
-impl<'s, 'd> Course<'s, 'd> {
+impl<'s, 'd> Integration<'s, 'd> {
     fn begin(system: &'s System<'d>, progress: &'s dyn Progress) -> Result<Self, MotionError> {
         let y = system.initial_state()?;
         let muscles = vec![MuscleSeries::default(); system.members.len()];

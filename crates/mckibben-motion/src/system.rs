@@ -5,7 +5,7 @@ use crate::control::PidOutput;
 use crate::drive::{Actuated, Actuator, Drive, Target};
 use crate::error::MotionError;
 use crate::integrate::Equations;
-use crate::member::{Answer, Hanging, Member, Stand};
+use crate::member::{Answer, Member, SlackState, Stand};
 use crate::valve::ValveKind;
 use mckibben::budget::Budget;
 use std::cell::{Cell, RefCell};
@@ -336,7 +336,7 @@ impl<'a> System<'a> {
     }
 
     /// What each muscle answers at a time, with its derivative in time: for everything between two of them.
-    pub fn answers(&self, t: f64, y: &[f64]) -> Result<Vec<(Hanging, Hanging)>, MotionError> {
+    pub fn answers(&self, t: f64, y: &[f64]) -> Result<Vec<(SlackState, SlackState)>, MotionError> {
         let mut rates = vec![0.0; self.len];
         self.point(t, y, Some(&mut rates))?;
         let at = |list: &[f64], i: usize| list.get(i).copied().unwrap_or(0.0);
@@ -352,7 +352,7 @@ impl<'a> System<'a> {
                 let h = if mode.slack {
                     member.hanging(p).map_err(failed)?
                 } else {
-                    Hanging {
+                    SlackState {
                         contraction: e,
                         answer: member.answer(p, e).map_err(failed)?,
                         contraction_p: 0.0,
@@ -365,7 +365,7 @@ impl<'a> System<'a> {
                     volume_mm3: a.volume_p * p_rate + a.volume_e * e_rate,
                     ..Answer::default()
                 };
-                Ok((h, Hanging { contraction: e_rate, answer, contraction_p: 0.0 }))
+                Ok((h, SlackState { contraction: e_rate, answer, contraction_p: 0.0 }))
             })
             .collect()
     }
@@ -528,7 +528,7 @@ impl Equations for System<'_> {
             let p = y.get(slot.pressure).copied().unwrap_or(0.0) - ATMOSPHERE_MPA;
             let e = self.drive.mechanism.lever(i, y.first().copied().unwrap_or(0.0)).contraction;
             if let Ok(answer) = member.answer(p, e) {
-                let h = Hanging { contraction: e, answer, contraction_p: 0.0 };
+                let h = SlackState { contraction: e, answer, contraction_p: 0.0 };
                 member.stand.set(Some(Stand::Near(p, e, h)));
             }
         }

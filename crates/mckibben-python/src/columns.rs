@@ -1,14 +1,12 @@
 //! Answers whose points are columns of numbers.
 
 use crate::error::Wrong;
-use crate::model::fields;
 use crate::{run, value};
 use mckibben::progress::Progress;
-use mckibben_app::{AnswerColumns, Column, Problem, curve_columns, plan_columns};
+use mckibben_app::{AnswerColumns, Column, Problem, RequestFields, curve_columns, plan_columns, understood};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
-use serde::de::DeserializeOwned;
 
 /// A family of curves: what is said of all of it, and its points as columns.
 #[pyfunction]
@@ -32,7 +30,7 @@ pub fn plan<'py>(
     columns(py, request, progress, plan_columns)
 }
 
-fn columns<'py, R: DeserializeOwned>(
+fn columns<'py, R: RequestFields>(
     py: Python<'py>,
     request: &Bound<'py, PyAny>,
     progress: Option<&Bound<'py, PyAny>>,
@@ -40,7 +38,7 @@ fn columns<'py, R: DeserializeOwned>(
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyDict>)> {
     let request = value::request(request)?;
     let AnswerColumns { head, columns } = run::long(py, progress, |progress| {
-        let request: R = fields(request)?;
+        let request: R = understood(request)?;
         Ok::<_, Wrong>(answer(&request, progress)?)
     })?;
     let out = PyDict::new(py);

@@ -1,6 +1,6 @@
 //! What is wrong, as the exceptions of the package.
 
-use mckibben_app::{NoList, Problem};
+use mckibben_app::{ArrayError, Problem};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -19,8 +19,8 @@ impl From<Problem> for Wrong {
     }
 }
 
-impl From<NoList> for Wrong {
-    fn from(no: NoList) -> Self {
+impl From<ArrayError> for Wrong {
+    fn from(no: ArrayError) -> Self {
         Self::Problem(no.problem, no.index)
     }
 }

@@ -5,26 +5,17 @@ use crate::pairs::{Spread, lists};
 use crate::{run, value};
 use mckibben::progress::Progress;
 use mckibben_app::{
-    AskFields, BoundModel, Many, ModelFields, Pairs, Problem, ProblemKind, TextFile, Unanswered,
-    WantedOfPoint, muscle_of,
+    AskFields, BoundModel, Many, ModelFields, Pairs, TextFile, Unanswered, WantedOfPoint, muscle_of,
+    understood,
 };
 use numpy::{PyReadonlyArrayDyn, PyReadwriteArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use serde::de::DeserializeOwned;
-use serde_json::Value;
 
 /// A model bound to its muscle.
 #[pyclass(frozen, module = "mckibben._native")]
 pub struct Model {
     bound: BoundModel,
-}
-
-/// A group of fields of a request.
-pub fn fields<T: DeserializeOwned>(value: Value) -> Result<T, Wrong> {
-    serde_json::from_value(value).map_err(|e| {
-        Problem::new(ProblemKind::Usage, format!("the request is not understood: {e}"), "").into()
-    })
 }
 
 #[pymethods]
@@ -36,7 +27,8 @@ impl Model {
         let request = value::request(request)?;
         Ok(run::quick(py, |progress| {
             let muscle = muscle_of(&TextFile { name: "muscle".into(), text: muscle })?;
-            let (model, asking): (ModelFields, AskFields) = (fields(request.clone())?, fields(request)?);
+            let (model, asking): (ModelFields, AskFields) =
+                (understood(request.clone())?, understood(request)?);
             Ok(Self { bound: BoundModel::new(&muscle, &model, asking, progress)? })
         })?)
     }

@@ -1,13 +1,12 @@
 //! Muscles as the text of their file: what a muscle of Python holds, and by which it is compared, hashed and pickled.
 
 use crate::error::Wrong;
-use crate::model::fields;
 use crate::{run, value};
 use mckibben::identify::{Target, own_value};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::file::to_toml;
 use mckibben_app::{
-    DesignRequest, MuscleFields, Problem, ProblemKind, TextFile, design as designed, muscle_of,
+    DesignRequest, MuscleFields, Problem, ProblemKind, TextFile, design as designed, muscle_of, understood,
     with_parameters,
 };
 use pyo3::prelude::*;
@@ -25,7 +24,7 @@ pub fn muscle_text(
 ) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::quick(py, |_| {
-        let request: MuscleFields = fields(request)?;
+        let request: MuscleFields = understood(request)?;
         let base = match &request.named.muscle {
             Some(file) => muscle_of(file)?,
             None => Muscle::prototype(),
@@ -39,8 +38,8 @@ pub fn muscle_text(
             Some(text) => other("braid", text)?.braid().clone(),
             None => base.braid().clone(),
         };
-        let base = Muscle::new(tube, braid, base.terminals().clone(), base.friction().copied())
-            .map_err(Problem::from)?;
+        let made = Muscle::new(tube, braid, base.terminals().clone(), base.friction().copied());
+        let base = made.map_err(Problem::from)?.with_bench_of(&base);
         Ok(to_toml(&request.over(&base)?))
     })?)
 }
@@ -86,9 +85,9 @@ pub fn design<'py>(
 ) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
     let request = value::request(request)?;
     let (answer, muscles) = run::long(py, progress, |progress| {
-        let request: DesignRequest = fields(request)?;
+        let request: DesignRequest = understood(request)?;
         let answer = designed(&request, progress)?;
-        let muscles = answer.outcome.candidates.iter().map(|c| to_toml(&c.muscle)).collect();
+        let muscles = answer.muscle_files.iter().map(|file| file.text.clone()).collect();
         let wrong = |e: serde_json::Error| Problem::new(ProblemKind::Internal, e.to_string(), "");
         Ok::<(_, Vec<String>), Wrong>((serde_json::to_value(&answer).map_err(wrong)?, muscles))
     })?;

@@ -54,7 +54,7 @@ fn of(object: Borrowed<'_, '_, PyAny>, deeper: usize) -> PyResult<Value> {
     if object.cast::<PyList>().is_ok() || object.cast::<PyTuple>().is_ok() {
         return object.try_iter()?.map(|item| of(item?.as_borrowed(), deeper)).collect();
     }
-    Err(PyTypeError::new_err(format!("{} is no part of a request", kind(&object))))
+    Err(PyTypeError::new_err(format!("{} is not a part of a request", kind(&object))))
 }
 
 fn kind(object: &Bound<'_, PyAny>) -> String {

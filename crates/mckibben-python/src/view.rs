@@ -1,9 +1,8 @@
 //! The muscle in space, and reports, as pages in one piece.
 
 use crate::error::Wrong;
-use crate::model::fields;
 use crate::{run, value};
-use mckibben_app::{Problem, ProblemKind, ReportRequest, ShapeRequest, body, report};
+use mckibben_app::{Problem, ProblemKind, ReportRequest, ShapeRequest, body, report, understood};
 use mckibben_report::Document;
 use pyo3::prelude::*;
 
@@ -19,7 +18,7 @@ fn page(document: &Document) -> Result<String, Wrong> {
 pub fn body_html(py: Python<'_>, request: &Bound<'_, PyAny>) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::long(py, None, |progress| {
-        let request: ShapeRequest = fields(request)?;
+        let request: ShapeRequest = understood(request)?;
         page(&body(&request, progress)?)
     })?)
 }
@@ -34,7 +33,7 @@ pub fn report_html(
 ) -> PyResult<String> {
     let request = value::request(request)?;
     Ok(run::long(py, progress, |progress| {
-        let request: ReportRequest = fields(request)?;
+        let request: ReportRequest = understood(request)?;
         page(&report(&request, progress)?.document)
     })?)
 }

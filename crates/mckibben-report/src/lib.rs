@@ -22,6 +22,7 @@ mod labels;
 mod layout;
 mod legend;
 mod line_labels;
+mod mark;
 #[cfg(feature = "png")]
 mod outlines;
 mod palette;
@@ -42,6 +43,7 @@ mod xml;
 pub use document::{Body, Document, Part};
 pub use error::FigureError;
 pub use figure::{Axis, Figure, Mark, Palette, Panel, Series, Style};
+pub use mark::{is_figure, is_page};
 #[cfg(feature = "png")]
 pub use outlines::texts_as_outlines;
 pub use scene::{Face, Scene, Thread, View};

@@ -2,6 +2,7 @@
 
 use resvg::{tiny_skia, usvg};
 
+use crate::mark::PNG_TEXT;
 use crate::{Figure, FigureError, Scene, texts_as_outlines};
 
 /// Pixels for each unit of the drawing (a millimetre has four units): 254 dots per inch.
@@ -45,5 +46,9 @@ fn render(svg: &str) -> Result<Vec<u8>, FigureError> {
     pixels.fill(tiny_skia::Color::WHITE);
     let to = tiny_skia::Transform::from_scale(scale, scale);
     resvg::render(&tree, to, &mut pixels.as_mut());
-    pixels.encode_png().map_err(|e| raster(e.to_string()))
+    let mut png = pixels.encode_png().map_err(|e| raster(e.to_string()))?;
+    // Behind the signature and the first chunk, which have a fixed length.
+    let place = 33.min(png.len());
+    png.splice(place..place, PNG_TEXT.iter().copied());
+    Ok(png)
 }

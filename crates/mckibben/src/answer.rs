@@ -104,13 +104,13 @@ pub fn point<M: ForceModel + ?Sized>(
 
 /// A muscle that hangs slack between its ends: what it is at its free contraction.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hanging {
+pub(crate) struct SlackState {
     free_contraction: f64,
     /// Without derivatives: those of a muscle that is held there do not apply.
     response: Response,
 }
 
-impl Hanging {
+impl SlackState {
     /// None where the model finds no free contraction at this pressure.
     fn at<M: ForceModel + ?Sized>(
         model: &M,
@@ -143,13 +143,13 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     pressure_mpa: f64,
     contraction: f64,
     options: Options,
-    hanging: &mut Option<Hanging>,
+    hanging: &mut Option<SlackState>,
 ) -> Result<Answer, ModelError> {
     let said = check_range(model, pressure_mpa, contraction, options)?;
     let mut warnings: Vec<Warning> = said.into_iter().map(Warning::from).collect();
     warnings.extend(model.muscle().warnings().into_iter().map(Warning::from));
     warnings.extend(model.notes(workspace).into_iter().map(Warning::from));
-    let beyond = |h: &Hanging| contraction > h.free_contraction && !options.two_sided;
+    let beyond = |h: &SlackState| contraction > h.free_contraction && !options.two_sided;
     let found = match hanging {
         Some(known) if beyond(known) => None,
         _ => match response_on(model, workspace, pressure_mpa, contraction, options.direction) {
@@ -157,7 +157,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
             // A muscle that was shortened by more than it shortens by itself may have no equilibrium: it hangs slack.
             Err(error) => {
                 if hanging.is_none() && !options.two_sided && contraction > 0.0 && pressure_mpa >= 0.0 {
-                    *hanging = Hanging::at(model, workspace, pressure_mpa, options);
+                    *hanging = SlackState::at(model, workspace, pressure_mpa, options);
                 }
                 match hanging {
                     Some(known) if contraction >= known.free_contraction => None,
@@ -179,7 +179,7 @@ pub(crate) fn point_beyond<M: ForceModel + ?Sized>(
     let pulls = response.filter(|r| !pushes(r));
     let slack = pulls.is_none();
     if slack && hanging.is_none() {
-        *hanging = Hanging::at(model, workspace, pressure_mpa, options);
+        *hanging = SlackState::at(model, workspace, pressure_mpa, options);
     }
     let hangs = hanging.filter(|h| slack && contraction >= h.free_contraction);
     // Of one that hangs nowhere nothing is known but that it does not pull.
@@ -235,7 +235,7 @@ pub fn pressure<M: ForceModel + ?Sized>(
 }
 
 /// A ± of a pressure above this, in MPa, and above the pressure itself is none.
-const FLAT_MPA: f64 = 0.1;
+pub(crate) const FLAT_MPA: f64 = 0.1;
 
 /// What is said where the pull hardly changes with what is sought.
 fn flat(sought: &str, half_n: f64) -> String {
@@ -245,7 +245,7 @@ fn flat(sought: &str, half_n: f64) -> String {
 }
 
 /// ∂F/∂P in mm²: the model's, or by differences of its pull.
-fn slope_by_pressure<M: ForceModel + ?Sized>(
+pub(crate) fn slope_by_pressure<M: ForceModel + ?Sized>(
     model: &M,
     workspace: &mut Workspace,
     response: &Response,

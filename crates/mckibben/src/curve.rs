@@ -5,7 +5,7 @@
 //! - isobaric: P fixed, F(ε).
 
 use crate::analysis::AnalysisError;
-use crate::answer::{self, Answer, Hanging, Options};
+use crate::answer::{self, Answer, Options, SlackState};
 use crate::model::{ForceModel, ModelError, Workspace};
 use serde::{Deserialize, Serialize};
 
@@ -87,7 +87,7 @@ fn point<M: ForceModel + ?Sized>(
     fixed: f64,
     x: f64,
     options: Options,
-    hanging: &mut Option<Hanging>,
+    hanging: &mut Option<SlackState>,
 ) -> CurvePoint {
     // A search asks the model many times before it gives up: of what is to end, not once.
     let open = workspace.budget().check().map_err(|e| AnalysisError::from(ModelError::Exceeded(e)));

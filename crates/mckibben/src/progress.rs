@@ -28,9 +28,9 @@ pub struct Silent;
 impl Progress for Silent {}
 
 /// Only the wish to end, and the budget: for a part of the work that tells no steps of its own.
-pub struct Quiet<'a>(pub &'a dyn Progress);
+pub struct CancelOnly<'a>(pub &'a dyn Progress);
 
-impl Progress for Quiet<'_> {
+impl Progress for CancelOnly<'_> {
     fn cancelled(&self) -> bool {
         self.0.cancelled()
     }

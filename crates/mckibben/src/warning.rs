@@ -114,7 +114,7 @@ impl fmt::Display for Warning {
             ),
             Self::StrandStrain { strain } => write!(
                 f,
-                "the strands stretch by {:.1} %: past {:.0} % the models have not been compared with anything",
+                "the strands stretch by {:.1} %: the validated range ends at {:.0} %",
                 100.0 * strain,
                 100.0 * VALIDATED_STRAND_STRAIN
             ),

@@ -1,16 +1,19 @@
 //! What a design answers with.
 
-use super::request::{Searching, TorqueWanted, Wanted};
+use super::policy::ModelPolicy;
+use super::request::{TorqueWanted, Wanted};
 use crate::burst::{put_first, said_of};
+use crate::fields::TextFile;
 use crate::muscle::MuscleSummary;
 use crate::units::Units;
-use crate::words::{number, percent};
+use crate::words::{braid_name, number, percent, rubber_name};
 use mckibben::analysis::{Burst, NoBurst};
 use mckibben::design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected,
-    Relaxation, Spec, Spread, Sure,
+    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, Outcome, Rejected, Relaxation, Spec,
+    Spread, Sure, Way,
 };
-use mckibben::model::Response;
+use mckibben::muscle::file::to_toml;
+use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -25,6 +28,10 @@ pub struct DesignAnswer {
     pub searched_with: String,
     /// Pressure of the supply, MPa.
     pub max_pressure_mpa: f64,
+    /// What the muscle must do.
+    pub wanted: DemandAnswer,
+    /// What was searched with, and what bounds it.
+    pub searched: SearchedAnswer,
     /// The load that is lifted, as it was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub load: Option<String>,
@@ -35,6 +42,11 @@ pub struct DesignAnswer {
     pub looked_at: usize,
     /// How many of them fit.
     pub fitting: usize,
+    /// How many of those that were looked at burst too early for the margin that is asked for; of strands whose strength is not stated
+    /// nobody can say.
+    pub excluded_by_burst: usize,
+    /// How many of these meet every other limit.
+    pub excluded_by_burst_alone: usize,
     /// The best, best first.
     pub candidates: Vec<CandidateAnswer>,
     /// Muscles that just miss, or come closest.
@@ -42,12 +54,12 @@ pub struct DesignAnswer {
     /// Where another model was named: the winner by finite elements.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verification: Option<Verified>,
-    /// What the user should know of the winner.
+    /// What the user should know of the winner; where nothing fits, whether burst was checked.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// Spread of the winner's pull under the tolerances, point by point.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub tolerance: Vec<SpreadAnswer>,
+    pub tolerance: Vec<Spread>,
     /// Where the winner has less to spare than its ±: what to ask for to be sure of what is wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub to_be_sure: Option<SureAnswer>,
@@ -57,12 +69,57 @@ pub struct DesignAnswer {
     /// The figure, where it was asked for and something fits.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// The specification as it was searched.
-    #[serde(skip)]
-    pub spec: Spec,
-    /// What came out, muscles and all.
-    #[serde(skip)]
-    pub outcome: Outcome,
+    /// The candidates as muscle files, in their order.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub muscle_files: Vec<TextFile>,
+}
+
+/// What the muscle must do.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case", tag = "kind")]
+pub enum DemandAnswer {
+    /// Pulls at contractions.
+    Points {
+        /// The operating points.
+        points: Vec<Wanted>,
+    },
+    /// To lift a load by a stroke.
+    Stroke {
+        /// The stroke, mm.
+        stroke_mm: f64,
+    },
+    /// To lift a load to a contraction.
+    Contraction {
+        /// The contraction ratio.
+        contraction: f64,
+    },
+    /// To turn a joint.
+    Joint {
+        /// Torques at angles.
+        torques: Vec<TorqueWanted>,
+        /// Radius of the pulley, mm.
+        radius_mm: f64,
+    },
+}
+
+/// What was searched with, and what bounds it.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct SearchedAnswer {
+    /// The rubber, or how many.
+    pub rubber: String,
+    /// The braid or sleeve, or how many; its stiffness may differ from muscle to muscle.
+    pub braid: String,
+    /// Length L0 of all muscles, mm, where it is not searched.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_mm: Option<f64>,
+    /// Least ratio of burst pressure to maximum pressure, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub min_burst_margin: Option<f64>,
+    /// Whether it was checked: the strength of the strands is known.
+    pub burst_checked: bool,
+    /// Largest strain of the strands, where there is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_strand_strain: Option<f64>,
 }
 
 /// A muscle that fits.
@@ -81,6 +138,8 @@ pub struct CandidateAnswer {
     pub free_contraction: Option<f64>,
     /// Largest outer diameter over the points, mm.
     pub bulged_diameter_mm: Option<f64>,
+    /// Stiffness k of one strand family, N/mm; none of strands that keep their length.
+    pub family_stiffness_n_per_mm: Option<f64>,
     /// Stiffness ∂F/∂L at the first point, N/mm.
     pub stiffness_n_per_mm: Option<f64>,
     /// Largest air per stroke over the points, normal litres.
@@ -98,7 +157,7 @@ pub struct CandidateAnswer {
     /// Largest 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
     /// The operating points, in the order of the specification.
-    pub points: Vec<DesignPoint>,
+    pub points: Vec<CandidatePoint>,
     /// Quantities that the model does not give and the thick-wall model gave instead.
     pub from_thick_wall: Vec<String>,
     /// Of a joint: its pulley, and how the muscle is put on it.
@@ -122,22 +181,6 @@ pub struct CandidateJoint {
     pub largest_angle_deg: f64,
 }
 
-/// A candidate at one operating point.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct DesignPoint {
-    /// What the muscle is like there, at the pressure it takes.
-    #[serde(flatten)]
-    pub response: Response,
-    /// Pull at the maximum pressure, N.
-    pub force_at_max_pressure_n: f64,
-    /// That pull over the pull wanted, minus 1.
-    pub margin: f64,
-    /// Air from rest to this point, normal litres.
-    pub air_normal_litres: Option<f64>,
-    /// 95 % half-width of the pull, N.
-    pub uncertainty_n: Option<f64>,
-}
-
 /// What to ask for so that the lower end of the ± of the muscle that answers it is what is wanted.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SureAnswer {
@@ -147,6 +190,9 @@ pub struct SureAnswer {
     /// Torques at angles, of a joint.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub torques: Vec<TorqueWanted>,
+    /// Of a load on muscles whose length is searched: how many times as heavy a load to ask for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub load_factor: Option<f64>,
     /// Outer diameter D0 of the muscle that answers, mm.
     pub outer_diameter_mm: f64,
     /// Its largest 95 % half-width, N.
@@ -183,61 +229,9 @@ pub struct ClosestAnswer {
     #[serde(flatten)]
     pub rejected: RejectedAnswer,
     /// Limits that could give, each alone.
-    pub relaxations: Vec<RelaxationAnswer>,
+    pub relaxations: Vec<Relaxation>,
     /// Contractions that no braid of the search reaches, and the angle that would; a stiffer sleeve that would do.
     pub hint: Option<String>,
-}
-
-/// A limit to relax, and by how much.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-#[serde(tag = "relax", rename_all = "snake_case")]
-pub enum RelaxationAnswer {
-    /// Supply this pressure.
-    MaxPressure {
-        /// MPa.
-        pressure_mpa: f64,
-        /// The model had to be asked outside of its range.
-        extrapolated: bool,
-    },
-    /// Accept these pulls.
-    Force {
-        /// The points that fall short, as they could be.
-        points: Vec<Wanted>,
-    },
-    /// Accept these contractions.
-    Contraction {
-        /// The points that fall short, as they could be.
-        points: Vec<Wanted>,
-    },
-    /// Take a wider tube with the same wall.
-    OuterDiameter {
-        /// mm.
-        outer_diameter_mm: f64,
-        /// The model that says so.
-        model: String,
-        /// The model of the search, to which that model was scaled because it lies outside of its range.
-        scaled_to: Option<String>,
-    },
-    /// Allow this diameter when bulged.
-    MaxBulgedDiameter {
-        /// mm.
-        bulged_diameter_mm: f64,
-    },
-    /// Allow this stretch of the rubber.
-    MaxStretch {
-        /// Largest principal stretch.
-        max_stretch: f64,
-    },
-    /// Allow this strain of the strands.
-    MaxStrandStrain {
-        /// Largest strain at the maximum pressure.
-        strand_strain: f64,
-    },
-    /// Accept this burst margin.
-    MinBurstMargin {
-        /// Burst pressure over maximum pressure.
-        burst_margin: f64,
-    },
 }
 
 /// A winner computed again.
@@ -266,29 +260,12 @@ pub struct VerifiedPoint {
     pub cause: Option<String>,
 }
 
-/// The pull at one operating point under tolerances.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct SpreadAnswer {
-    /// Pull wanted, N.
-    pub force_n: f64,
-    /// At this contraction.
-    pub contraction: f64,
-    /// And this pressure, MPa.
-    pub pressure_mpa: f64,
-    /// Least pull over all corners, N.
-    pub low_n: f64,
-    /// Largest pull over all corners, N.
-    pub high_n: f64,
-    /// What to expect where the tolerances are independent, ± N.
-    pub likely_n: f64,
-}
-
 impl DesignAnswer {
     pub(super) fn new(
-        spec: Spec,
-        model: &Searching,
-        outcome: Outcome,
-        spreads: &[Spread],
+        spec: &Spec,
+        model: &ModelPolicy,
+        outcome: &Outcome,
+        tolerance: Vec<Spread>,
         verification: Option<Verified>,
         figure: Option<Figure>,
     ) -> Self {
@@ -300,24 +277,85 @@ impl DesignAnswer {
             assumptions: vec![],
             looked_at: outcome.looked_at.0,
             fitting: outcome.looked_at.1,
-            candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, &spec)).collect(),
+            excluded_by_burst: outcome.too_weak.0,
+            excluded_by_burst_alone: outcome.too_weak.1,
+            candidates: outcome.candidates.iter().map(|c| CandidateAnswer::new(c, spec)).collect(),
             rejected: outcome.rejected.iter().map(RejectedAnswer::from).collect(),
             verification,
             warnings: outcome
                 .candidates
                 .first()
                 .map(|c| warnings(c, spec.max_pressure_mpa))
-                .unwrap_or_default()
+                .unwrap_or_else(|| not_checked(outcome, spec.max_pressure_mpa))
                 .into_iter()
                 .chain(model.seal_warning().map(Warning::from))
                 .collect(),
-            tolerance: spreads.iter().map(SpreadAnswer::from).collect(),
+            tolerance,
             to_be_sure: None,
-            closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, &spec)),
+            closest: outcome.closest.as_ref().map(|c| ClosestAnswer::new(c, spec)),
             figure,
-            spec,
-            outcome,
+            wanted: DemandAnswer::of(&spec.wanted),
+            searched: SearchedAnswer::of(spec),
+            muscle_files: outcome.candidates.iter().enumerate().map(|(i, c)| muscle_file(i, c)).collect(),
         }
+    }
+}
+
+fn muscle_file(place: usize, candidate: &Candidate) -> TextFile {
+    let name = if place == 0 { "winner.toml".to_owned() } else { format!("candidate-{}.toml", place + 1) };
+    TextFile { name, text: to_toml(&candidate.muscle) }
+}
+
+impl DemandAnswer {
+    fn of(demand: &Demand) -> Self {
+        match demand {
+            Demand::Points(points) => Self::Points { points: points.clone() },
+            &Demand::Load { way: Way::Stroke(stroke_mm), .. } => Self::Stroke { stroke_mm },
+            &Demand::Load { way: Way::Contraction(contraction), .. } => Self::Contraction { contraction },
+            Demand::Joint(joint) => {
+                Self::Joint { torques: joint.torques.clone(), radius_mm: joint.radius_mm }
+            }
+        }
+    }
+}
+
+impl SearchedAnswer {
+    fn of(spec: &Spec) -> Self {
+        let has_strength = |braid: &Braid| braid.strands.is_some_and(|s| s.strength_n.is_some());
+        Self {
+            rubber: rubber_of(spec),
+            braid: braid_of(spec),
+            length_mm: spec.length_mm.is_none().then(|| spec.base.length_mm()),
+            min_burst_margin: spec.limits.burst_margin.filter(|m| *m > 0.0),
+            burst_checked: match &spec.braid {
+                BraidChoice::Sleeves(list) => list.iter().all(has_strength),
+                _ => has_strength(spec.base.braid()),
+            },
+            max_strand_strain: spec.limits.strand_strain,
+        }
+    }
+}
+
+/// The rubber that is searched with.
+fn rubber_of(spec: &Spec) -> String {
+    let names: Vec<&str> = spec.rubbers.iter().filter_map(|rubber| rubber.name.as_deref()).collect();
+    match names[..] {
+        [] => format!("rubber {}", rubber_name(&spec.base)),
+        [one] => format!("rubber {one}"),
+        _ => format!("{} rubbers", names.len()),
+    }
+}
+
+/// The braid that is searched with.
+fn braid_of(spec: &Spec) -> String {
+    let base = &spec.base;
+    match (&spec.braid, base.braid().stiffness, base.braid().strands) {
+        (BraidChoice::Sleeves(list), ..) => match &list[..] {
+            [one] => format!("sleeve {}", one.sleeve.as_ref().map_or("of the muscle file", |s| &s.name)),
+            _ => format!("{} sleeves", list.len()),
+        },
+        (_, BraidStiffness::OfStrands, Some(strands)) => format!("braid of {} strands", strands.count),
+        _ => format!("braid {}", braid_name(base)),
     }
 }
 
@@ -338,6 +376,7 @@ impl CandidateAnswer {
             blocked_force_n: c.blocked_force_n,
             free_contraction: c.free_contraction,
             bulged_diameter_mm: c.bulged_diameter_mm(),
+            family_stiffness_n_per_mm: c.muscle.family_stiffness_n_per_mm(),
             stiffness_n_per_mm: c.points.first().and_then(|q| q.response.stiffness_n_per_mm),
             air_normal_litres: c.air_normal_litres(),
             work_j: c.work_j,
@@ -346,7 +385,7 @@ impl CandidateAnswer {
             max_stretch: c.largest(|q| q.response.max_stretch),
             burst_pressure_mpa: c.burst_pressure_mpa,
             uncertainty_n: c.largest(|q| q.uncertainty_n),
-            points: c.points.iter().map(DesignPoint::from).collect(),
+            points: c.points.clone(),
             from_thick_wall: c.from_thick_wall.iter().map(|&name| name.into()).collect(),
             model: c.model.clone(),
             binds: c.binds,
@@ -357,26 +396,13 @@ impl CandidateAnswer {
 impl From<&Sure> for SureAnswer {
     fn from(sure: &Sure) -> Self {
         let muscle = &sure.candidate.muscle;
-        let torque = |&(torque_nm, angle_deg): &(f64, f64)| TorqueWanted { torque_nm, angle_deg };
         let (points, torques) = match &sure.demand {
-            Demand::Joint(joint) => (vec![], joint.torques.iter().map(torque).collect()),
-            other => (other.points(muscle.length_mm()).iter().map(|&q| q.into()).collect(), vec![]),
+            Demand::Joint(joint) => (vec![], joint.torques.clone()),
+            other => (other.points(muscle.length_mm()).into_owned(), vec![]),
         };
         let uncertainty_n = sure.candidate.largest(|q| q.uncertainty_n);
-        Self { points, torques, outer_diameter_mm: muscle.outer_diameter_mm(), uncertainty_n }
-    }
-}
-
-impl From<&CandidatePoint> for DesignPoint {
-    fn from(q: &CandidatePoint) -> Self {
-        Self {
-            // The pressure of the response is the one it takes, its pull the one that is wanted.
-            response: Response { pressure_mpa: q.pressure_mpa, force_n: q.wanted.force_n, ..q.response },
-            force_at_max_pressure_n: q.available_n,
-            margin: q.margin,
-            air_normal_litres: q.air_normal_litres,
-            uncertainty_n: q.uncertainty_n,
-        }
+        let load_factor = sure.load_factor;
+        Self { points, torques, load_factor, outer_diameter_mm: muscle.outer_diameter_mm(), uncertainty_n }
     }
 }
 
@@ -395,57 +421,20 @@ impl From<&Rejected> for RejectedAnswer {
     }
 }
 
-impl From<OperatingPoint> for Wanted {
-    fn from(q: OperatingPoint) -> Self {
-        Self { force_n: q.force_n, contraction: q.contraction }
-    }
-}
-
-impl From<&Relaxation> for RelaxationAnswer {
-    fn from(relaxation: &Relaxation) -> Self {
-        let wanted = |points: &[OperatingPoint]| points.iter().map(|&q| q.into()).collect();
-        match relaxation {
-            &Relaxation::Pressure { pressure_mpa, extrapolated } => {
-                Self::MaxPressure { pressure_mpa, extrapolated }
-            }
-            Relaxation::Force(points) => Self::Force { points: wanted(points) },
-            Relaxation::Contraction(points) => Self::Contraction { points: wanted(points) },
-            Relaxation::OuterDiameter { outer_diameter_mm, model, scaled_to } => Self::OuterDiameter {
-                outer_diameter_mm: *outer_diameter_mm,
-                model: model.clone(),
-                scaled_to: scaled_to.clone(),
-            },
-            &Relaxation::BulgedDiameter { diameter_mm } => {
-                Self::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }
-            }
-            &Relaxation::Stretch { stretch } => Self::MaxStretch { max_stretch: stretch },
-            &Relaxation::StrandStrain { strain } => Self::MaxStrandStrain { strand_strain: strain },
-            &Relaxation::BurstMargin { margin } => Self::MinBurstMargin { burst_margin: margin },
-        }
-    }
-}
-
-impl From<&Spread> for SpreadAnswer {
-    fn from(s: &Spread) -> Self {
-        Self {
-            force_n: s.wanted.force_n,
-            contraction: s.wanted.contraction,
-            pressure_mpa: s.pressure_mpa,
-            low_n: s.low_n,
-            high_n: s.high_n,
-            likely_n: s.likely_n,
-        }
-    }
-}
-
 impl ClosestAnswer {
     fn new(closest: &Closest, spec: &Spec) -> Self {
         Self {
             rejected: (&closest.rejected).into(),
-            relaxations: closest.relaxations.iter().map(RelaxationAnswer::from).collect(),
+            relaxations: closest.relaxations.clone(),
             hint: out_of_reach(spec),
         }
     }
+}
+
+/// What is said of a burst where nothing fits: that it was not checked, of strands whose strength is not stated.
+fn not_checked(outcome: &Outcome, max_pressure_mpa: f64) -> Vec<Warning> {
+    let missing = outcome.closest.as_ref().and_then(|closest| Burst::missing(&closest.muscle));
+    missing.and_then(|why| said_of(&Burst::Unknown(why), max_pressure_mpa, 0.0)).into_iter().collect()
 }
 
 /// What the user should know of a candidate: of its burst pressure, of its muscle, and of its operating points.

@@ -39,10 +39,10 @@ pub(super) fn stiffer_sleeve(spec: &Spec, build: &Build<'_>, closest: &Closest) 
         muscle.with_braid(braid).is_ok_and(|stiff| fits(spec, build, &stiff))
     });
     let strained = matches!(closest.rejected.reason, Reason::StrandStrain { .. })
-        || closest.relaxations.iter().any(|r| matches!(r, Relaxation::StrandStrain { .. }));
+        || closest.relaxations.iter().any(|r| matches!(r, Relaxation::MaxStrandStrain { .. }));
     let limit = percent(spec.limits.strand_strain?);
     let first = format!(
-        "The braid is the paper's, whose stiffness of one strand family is {} N/mm here; its strands may stretch by {limit}, as far as the models were compared with anything.",
+        "The braid is the paper's, whose stiffness of one strand family is {} N/mm here; its strands may stretch by {limit}, the validated range.",
         number(own, 3)
     );
     let name = "a sleeve (`braids`), a `stiffness`, or a muscle file with strands";

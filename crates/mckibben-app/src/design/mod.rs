@@ -2,11 +2,12 @@
 
 mod answer;
 mod assumed;
+mod policy;
 mod request;
 
 pub use answer::{
-    CandidateAnswer, CandidateJoint, ClosestAnswer, DesignAnswer, DesignPoint, RejectedAnswer,
-    RelaxationAnswer, SpreadAnswer, SureAnswer, Verified, VerifiedPoint,
+    CandidateAnswer, CandidateJoint, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer,
+    SearchedAnswer, SureAnswer, Verified, VerifiedPoint,
 };
 pub use request::{Choice, DesignRequest, ObjectiveWord, ToleranceFields, TorqueWanted, Verify, Wanted};
 
@@ -17,15 +18,16 @@ use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
 use mckibben::budget::{Exceeded, Resource};
 use mckibben::design::{
-    Build, Candidate, Models, OperatingPoint, Outcome, Spec, Spread, Sure, design_joint, design_with, fits,
-    is_doubtful, spread, to_be_sure,
+    Build, Candidate, CandidatePoint, Models, OperatingPoint, Outcome, Spec, Spread, Sure, Tolerances,
+    design_joint, design_with, fits, is_doubtful, spread, to_be_sure,
 };
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
-use mckibben::progress::{Progress, Quiet};
+use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
 use mckibben::warning::Warning;
-use request::{Search, Searching};
+use policy::ModelPolicy;
+use request::Search;
 
 /// Curves are drawn of so many candidates.
 const DRAWN: usize = 3;
@@ -37,17 +39,19 @@ const DRAWN: usize = 3;
 pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<DesignAnswer, Problem> {
     let budget = progress.budget();
     budget.admit(Resource::Points, request.points_held())?;
-    let Search { spec, model, radius_mm } = request.search()?;
+    let tolerances = request.tolerances()?;
+    let Search { spec, models: model, radius_mm } = request.search()?;
     // A mesh that one muscle has no room for is no reason against each of them.
     model.decide(&spec.base, &budget)?;
     let (look, decide) = (|m: &Muscle| model.look(m, &budget), |m: &Muscle| model.decide(m, &budget));
-    let settle: Option<&Build<'_>> = if matches!(model, Searching::Named(_)) { None } else { Some(&decide) };
+    let settle: Option<&Build<'_>> =
+        if matches!(model, ModelPolicy::Named(_)) { None } else { Some(&decide) };
     let models = Models { search: &look, settle };
     let (spec, outcome) = match &radius_mm {
         Some(radius_mm) => design_joint(&spec, radius_mm, models, progress)?,
         None => design_with(&spec, models, progress).map(|outcome| (spec, outcome))?,
     };
-    let spreads = spreads(request, &decide, &outcome)?;
+    let spreads = spreads(tolerances, &decide, &outcome)?;
     let winner = outcome.candidates.first();
     let verified = match (request.verify, winner) {
         (Verify::Fe, Some(winner)) if winner.model != Model::FE.name() => Some(verified(&spec, winner)?),
@@ -60,14 +64,14 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
     let hint = outcome.closest.as_ref().and_then(|closest| assumed::stiffer_sleeve(&spec, &decide, closest));
     let assumptions = assumed::assumptions(request, &spec);
     let sure = sure(&spec, &outcome, radius_mm.as_ref(), models, progress);
-    let mut answer = DesignAnswer::new(spec, &model, outcome, &spreads, verified, figure);
+    let mut answer = DesignAnswer::new(&spec, &model, &outcome, spreads, verified, figure);
     if let (Some(closest), Some(hint)) = (&mut answer.closest, hint) {
         closest.hint = Some(closest.hint.take().map_or(hint.clone(), |first| format!("{first} {hint}")));
     }
     match sure {
         Ok(sure) => answer.to_be_sure = sure.as_ref().map(Into::into),
         Err(Exceeded::Cancelled) => return Err(Problem::cancelled()),
-        // What was searched stands.
+        // What was searched is an answer without it.
         Err(spent) => answer.warnings.push(Warning::from(format!(
             "what to ask for to be sure of what is wanted was not computed: {spent}"
         ))),
@@ -86,7 +90,7 @@ fn sure(
     if !outcome.candidates.first().is_some_and(is_doubtful) {
         return Ok(None);
     }
-    let quiet = Quiet(progress);
+    let quiet = CancelOnly(progress);
     let quick = |s: &Spec| design_with(s, models, &quiet);
     let whole = |s: &Spec| match radius_mm {
         Some(radius_mm) => design_joint(s, radius_mm, models, &quiet).map(|(_, outcome)| outcome),
@@ -103,12 +107,15 @@ fn sure(
     Ok(found.unwrap_or_default())
 }
 
-fn spreads(request: &DesignRequest, build: &Build<'_>, outcome: &Outcome) -> Result<Vec<Spread>, Problem> {
-    let Some(tolerances) = request.tolerances()? else { return Ok(vec![]) };
+fn spreads(
+    tolerances: Option<Tolerances>,
+    build: &Build<'_>,
+    outcome: &Outcome,
+) -> Result<Vec<Spread>, Problem> {
+    let Some(tolerances) = tolerances else { return Ok(vec![]) };
     let Some(winner) = outcome.candidates.first() else { return Ok(vec![]) };
-    let one = |q: &mckibben::design::CandidatePoint| {
-        spread(&winner.muscle, build, q.wanted, q.pressure_mpa, tolerances)
-    };
+    let one =
+        |q: &CandidatePoint| spread(&winner.muscle, build, q.wanted(), q.response.pressure_mpa, tolerances);
     Ok(winner.points.iter().map(one).collect::<Result<Vec<_>, _>>()?)
 }
 
@@ -118,7 +125,7 @@ fn verified(spec: &Spec, winner: &Candidate) -> Result<Verified, Problem> {
     let mut workspace = Workspace::new();
     let options = Options { extrapolate: true, ..spec.options() };
     let mut points = vec![];
-    for OperatingPoint { force_n, contraction } in winner.points.iter().map(|q| q.wanted) {
+    for OperatingPoint { force_n, contraction } in winner.points.iter().map(CandidatePoint::wanted) {
         let max = spec.max_pressure_mpa;
         let available = force_on(&*fe, &mut workspace, max, contraction, options.direction);
         let pressure = pressure_at(&*fe, &mut workspace, force_n, contraction, options);
@@ -147,7 +154,7 @@ fn draw(
     let drawn = outcome.candidates.iter().take(DRAWN);
     let drawn: Vec<(&Candidate, Box<dyn ForceModel>)> =
         drawn.map(|c| Ok((c, build(&c.muscle)?))).collect::<Result<_, ModelError>>()?;
-    let points = outcome.candidates.first().map(|c| c.points.iter().map(|q| q.wanted).collect());
+    let points = outcome.candidates.first().map(|c| c.points.iter().map(CandidatePoint::wanted).collect());
     let points: Vec<OperatingPoint> = points.unwrap_or_default();
     Ok(figure::design(&drawn, &points, spec.max_pressure_mpa, options, unit))
 }

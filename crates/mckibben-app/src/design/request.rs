@@ -1,5 +1,6 @@
 //! What is wanted, and what may be varied.
 
+use super::policy::ModelPolicy;
 use crate::fields::{ModelFields, MuscleFields, NamedFields, Stiffness, TextFile};
 use crate::load::LoadFields;
 use crate::model::{Model, Purpose};
@@ -7,12 +8,10 @@ use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::budget::Budget;
 use mckibben::design::{
-    BraidChoice, Demand, JointDemand, Limits, Objective, OperatingPoint, SAFETY, Spec, Tolerances,
-    VALIDATED_STRAND_STRAIN, Way,
+    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
 };
-use mckibben::model::{ForceModel, ModelError};
+pub use mckibben::design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
@@ -53,7 +52,7 @@ pub struct DesignRequest {
     /// rubber's law was fitted.
     pub max_stretch: Option<f64>,
     /// Largest strain of the strands at the maximum pressure, not shortened and at the operating points; 0.06 where it is left out,
-    /// which is as far as the models were compared with anything.
+    /// the validated range.
     pub max_strand_strain: Option<f64>,
     /// What to rank by.
     pub objective: ObjectiveWord,
@@ -94,24 +93,6 @@ pub struct DesignRequest {
     pub figure: Option<Units>,
 }
 
-/// An operating point that is wanted.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Wanted {
-    /// Pull, N.
-    pub force_n: f64,
-    /// Contraction ratio.
-    pub contraction: f64,
-}
-
-/// A torque that a joint must hold at an angle, to either side.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct TorqueWanted {
-    /// Torque away from the neutral angle, N m.
-    pub torque_nm: f64,
-    /// Angle from the neutral one, degrees.
-    pub angle_deg: f64,
-}
-
 /// Values to search through: one, several, or all between two.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -127,25 +108,6 @@ pub enum Choice {
         /// Its upper end.
         high: f64,
     },
-}
-
-/// What is ranked first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum ObjectiveWord {
-    /// Smallest outer diameter at rest.
-    #[default]
-    Diameter,
-    /// Lowest pressure needed.
-    Pressure,
-    /// Least air per stroke.
-    Air,
-    /// Most pull to spare at the maximum pressure.
-    Margin,
-    /// Smallest outer diameter at the operating points.
-    BulgedDiameter,
-    /// Shortest between the terminals at rest.
-    Length,
 }
 
 /// With what the winner of a design is computed again.
@@ -184,70 +146,9 @@ pub struct ToleranceFields {
 /// A specification with the models that search it.
 pub(super) struct Search {
     pub(super) spec: Spec,
-    pub(super) model: Searching,
+    pub(super) models: ModelPolicy,
     /// Radii of a joint's pulley in mm.
     pub(super) radius_mm: Option<Values>,
-}
-
-/// Which model looks at a muscle of the search, and which one decides.
-#[derive(Debug, Clone)]
-pub(super) enum Searching {
-    /// The one that was named does both.
-    Named(Model),
-    /// `universal` searches muscles near its box, `fe` all others; `fe` decides.
-    Fastest { universal: Model, elements: Model },
-}
-
-/// Muscles that `universal` searches: L0/D0 at least, θ0 in degrees. Its box is narrower; it only ranks what `fe` then decides of and
-/// corrects by up to a quarter of the diameter. On random muscles 95 % of its pulls are within 1.4 % of the blocked force of those of `fe`
-/// where L0/D0 is 3 to 5, 5.4 % where it is 2 to 3, 12.6 % where it is 1.5 to 2, 1.2 % where θ0 is 14° to 18°, 0.04 % where it is 35° to 42° (mckibben-fem's example
-/// `universal_beyond`).
-const LEAST_SLENDERNESS: f64 = 1.5;
-const ANGLES: std::ops::RangeInclusive<f64> = 14.0..=42.0;
-
-/// Whether a muscle is searched with `universal`.
-fn near_the_box(muscle: &Muscle) -> bool {
-    muscle.length_mm() >= LEAST_SLENDERNESS * muscle.outer_diameter_mm()
-        && ANGLES.contains(&muscle.braid().angle_deg)
-}
-
-impl Searching {
-    /// What belongs into every answer of a formula whose file was changed or carries no seal.
-    pub(super) fn seal_warning(&self) -> Option<String> {
-        match self {
-            Self::Named(model) => model.seal_warning(),
-            Self::Fastest { .. } => None,
-        }
-    }
-
-    /// The name of the model that decides, whose numbers are printed.
-    pub(super) fn name(&self) -> &str {
-        match self {
-            Self::Named(model) | Self::Fastest { elements: model, .. } => model.name(),
-        }
-    }
-
-    /// The name of the model that looks at most muscles.
-    pub(super) fn searches(&self) -> &str {
-        match self {
-            Self::Named(model) | Self::Fastest { universal: model, .. } => model.name(),
-        }
-    }
-
-    /// The model that looks at a muscle in the search.
-    pub(super) fn look(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
-        match self {
-            Self::Fastest { universal, .. } if near_the_box(muscle) => universal.build(muscle),
-            _ => self.decide(muscle, budget),
-        }
-    }
-
-    /// The model that decides of a muscle.
-    pub(super) fn decide(&self, muscle: &Muscle, budget: &Budget) -> Result<Box<dyn ForceModel>, ModelError> {
-        let (Self::Named(model) | Self::Fastest { elements: model, .. }) = self;
-        model.admit(muscle, budget)?;
-        model.build(muscle)
-    }
 }
 
 /// Contraction that no braid reaches: that of inextensible strands at 0°, 1 − 1/√3, rounded. It bounds the radii of a joint's pulley.
@@ -265,9 +166,9 @@ impl DesignRequest {
             given("max_pressure_mpa", self.max_pressure_mpa, "a pressure, such as 0.25 MPa")?;
         let model = Model::choose(&self.model, Purpose::Search)?;
         let (diameters, walls) = model.sections().unwrap_or(SECTIONS);
-        let model = match self.model.model {
-            Some(_) => Searching::Named(model),
-            None => Searching::Fastest {
+        let models = match self.model.model {
+            Some(_) => ModelPolicy::Named(model),
+            None => ModelPolicy::Fastest {
                 universal: model,
                 elements: Model::choose(&self.model, Purpose::Answer)?,
             },
@@ -312,11 +213,11 @@ impl DesignRequest {
                 fitted_stretch: true,
                 strand_strain: Some(self.max_strand_strain.unwrap_or(VALIDATED_STRAND_STRAIN)),
             },
-            objective: self.objective.into(),
+            objective: self.objective,
             top: self.top.unwrap_or(5).clamp(1, 1000),
             extrapolate: self.extrapolate,
         };
-        Ok(Search { spec, model, radius_mm })
+        Ok(Search { spec, models, radius_mm })
     }
 
     /// Operating points and values of the search that are held at once.
@@ -397,12 +298,10 @@ impl DesignRequest {
             let message = "the angles and the pulley set the contraction of a joint's muscles";
             return Err(Problem::new(ProblemKind::Usage, message, "leave out `stroke_mm` and `contraction`"));
         }
-        let torques: Vec<(f64, f64)> = self
-            .torques
-            .iter()
-            .map(|t| Ok((finite("torques", t.torque_nm)?, finite("torques", t.angle_deg)?)))
-            .collect::<Result<_, Problem>>()?;
-        let largest = torques.iter().map(|t| t.1.abs()).fold(0.0, f64::max);
+        let torques = self.torques.clone();
+        let mut numbers = torques.iter().flat_map(|t| [t.torque_nm, t.angle_deg]);
+        numbers.try_for_each(|v| finite("torques", v).map(drop))?;
+        let largest = torques.iter().map(|t| t.angle_deg.abs()).fold(0.0, f64::max);
         let largest_angle_deg = finite("largest_angle_deg", self.largest_angle_deg.unwrap_or(largest))?;
         let (base, _) = self.with_stroke(vec![])?;
         let radius = match &self.radius_mm {
@@ -412,7 +311,7 @@ impl DesignRequest {
                     Some(choice) => choice.values("length_mm")?.bounds().1,
                     None => base.length_mm(),
                 };
-                let turn = torques.iter().map(|t| t.1).fold(0.0, f64::max) + largest_angle_deg;
+                let turn = torques.iter().map(|t| t.angle_deg).fold(0.0, f64::max) + largest_angle_deg;
                 let most = LARGEST_CONTRACTION * longest / turn.max(1.0).to_radians();
                 Values::Interval(SMALLEST_RADIUS * most, most)
             }
@@ -437,7 +336,7 @@ impl DesignRequest {
 
     /// The muscle around the search, and the points: a stroke in mm sets the length where contractions are given, and the
     /// contraction where they are not.
-    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<OperatingPoint>), Problem> {
+    fn with_stroke(&self, wanted: Vec<(f64, Option<f64>)>) -> Result<(Muscle, Vec<Wanted>), Problem> {
         let wrong = |message: String, hint: &str| Problem::new(ProblemKind::Specification, message, hint);
         let length_mm = match &self.length_mm {
             Some(Choice::One(length)) => Some(*length),
@@ -461,9 +360,9 @@ impl DesignRequest {
         }
         let point = |(force_n, contraction): &(f64, Option<f64>)| {
             let contraction = contraction.or(stroke.map(|s| s / length)).unwrap_or(0.0);
-            OperatingPoint { force_n: *force_n, contraction }
+            Wanted { force_n: *force_n, contraction }
         };
-        let points: Vec<OperatingPoint> = wanted.iter().map(point).collect();
+        let points: Vec<Wanted> = wanted.iter().map(point).collect();
         let (Some(stroke), true) = (stroke, wanted.iter().all(|w| w.1.is_some())) else {
             return Ok((base, points));
         };
@@ -540,19 +439,6 @@ impl From<Values> for Choice {
                 _ => Self::Several(list),
             },
             Values::Interval(low, high) => Self::Between { low, high },
-        }
-    }
-}
-
-impl From<ObjectiveWord> for Objective {
-    fn from(word: ObjectiveWord) -> Self {
-        match word {
-            ObjectiveWord::Diameter => Self::Diameter,
-            ObjectiveWord::Pressure => Self::Pressure,
-            ObjectiveWord::Air => Self::Air,
-            ObjectiveWord::Margin => Self::Margin,
-            ObjectiveWord::BulgedDiameter => Self::BulgedDiameter,
-            ObjectiveWord::Length => Self::Length,
         }
     }
 }

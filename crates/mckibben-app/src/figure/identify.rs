@@ -88,7 +88,7 @@ pub(crate) fn identified(
         figure = figure.panel(fit(found, build, section, &levels, u, sections.len() > 1));
     }
     let left = |x: fn(&Fitted) -> f64, axis: Axis, scale: f64| {
-        let mut panel = Panel::new(axis, Axis::new(u.force.heading("model less data")).from_zero());
+        let mut panel = Panel::new(axis, Axis::new(u.force.heading("model − data")).from_zero());
         for n in 0..levels.fixed.len() {
             let mine = found.points.iter().filter(|f| levels.nearest(f) == n);
             let points: Vec<(f64, f64)> = mine.map(|f| (scale * x(f), u.force.value(f.residual_n))).collect();

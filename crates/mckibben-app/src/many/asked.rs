@@ -45,14 +45,14 @@ impl Many {
 
 /// Why a list has no answer: the point that has none, and its reason.
 #[derive(Debug, Clone, PartialEq)]
-pub struct NoList {
+pub struct ArrayError {
     /// The point's place in the list, from 0; none where the list itself is at fault.
     pub index: Option<usize>,
     /// The reason.
     pub problem: Problem,
 }
 
-impl From<Problem> for NoList {
+impl From<Problem> for ArrayError {
     fn from(problem: Problem) -> Self {
         Self { index: None, problem }
     }

@@ -13,7 +13,7 @@ mod slopes;
 #[cfg(test)]
 mod tests;
 
-pub use asked::{Many, NoList, Unanswered, Wanted};
+pub use asked::{ArrayError, Many, Unanswered, Wanted};
 pub use columns::{AnswerColumns, Column, curve_columns};
 pub use pairs::Pairs;
 pub use slopes::with_parameters;
@@ -121,14 +121,14 @@ impl BoundModel {
     /// answer. What is found does not depend on the number of threads.
     ///
     /// # Errors
-    /// [`NoList`]: the first point without an answer, unless such are to be NaN; work that was cancelled; lengths that differ.
+    /// [`ArrayError`]: the first point without an answer, unless such are to be NaN; work that was cancelled; lengths that differ.
     pub fn fill(
         &self,
         pairs: &Pairs<'_>,
         many: &Many,
         out: &mut [f64],
         progress: &dyn Progress,
-    ) -> Result<usize, NoList> {
+    ) -> Result<usize, ArrayError> {
         let (width, count) = (many.width(), pairs.count()?);
         if count.checked_mul(width) != Some(out.len()) {
             let message = format!("{} places for {count} points of {width} numbers", out.len());
@@ -141,13 +141,13 @@ impl BoundModel {
         };
         let budget = progress.budget();
         let (done, failed, first) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(usize::MAX));
-        let reason: Mutex<Option<NoList>> = Mutex::new(None);
+        let reason: Mutex<Option<ArrayError>> = Mutex::new(None);
         let refuse = |index: usize, problem: Problem| {
             if first.fetch_min(index, Ordering::Relaxed) > index
                 && let Ok(mut reason) = reason.lock()
                 && reason.as_ref().and_then(|r| r.index).is_none_or(|i| i > index)
             {
-                *reason = Some(NoList { index: Some(index), problem });
+                *reason = Some(ArrayError { index: Some(index), problem });
             }
         };
         let work = |place: usize, part: &mut [f64]| {

@@ -20,7 +20,7 @@ fn many(slopes: bool, parameters: Vec<Target>) -> Many {
     Many { wanted: Wanted::Force, slopes, parameters, unanswered: Unanswered::Refused }
 }
 
-fn asked(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, NoList> {
+fn asked(model: &BoundModel, many: &Many, p: &[f64], e: &[f64]) -> Result<Vec<f64>, ArrayError> {
     let mut out = vec![f64::NAN; p.len() * many.width()];
     model.fill(&Pairs::Lists([p, e]), many, &mut out, &Silent)?;
     Ok(out)

@@ -120,7 +120,7 @@ pub enum CampaignError {
         codec: String,
     },
     /// Something that is not of this campaign stands where a file of it would.
-    #[error("{} is no file of a campaign ({why}), and would be lost", .path.display())]
+    #[error("{} is not a file of a campaign ({why}), and would be lost", .path.display())]
     Foreign {
         /// What stands there.
         path: PathBuf,

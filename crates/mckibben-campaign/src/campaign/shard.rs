@@ -43,7 +43,9 @@ impl FromStr for Shard {
         });
         match numbers {
             Some((index, count)) if index >= 1 && index <= count => Ok(Self { index, count }),
-            _ => Err(format!("\"{text}\" is no share; expected i/n with i from 1 to n, such as 2/8")),
+            _ => {
+                Err(format!("\"{text}\" is not a valid share; expected i/n with i from 1 to n, such as 2/8"))
+            }
         }
     }
 }

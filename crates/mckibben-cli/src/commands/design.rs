@@ -14,7 +14,6 @@ use crate::quantities::{contraction as contraction_ratio, quantity, ratio, value
 use crate::shown;
 use crate::word::word;
 use clap::Args;
-use mckibben::muscle::file::to_toml;
 use mckibben::units::{Dimension, Values};
 use mckibben_app::{
     Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields,
@@ -99,7 +98,7 @@ pub struct DesignArgs {
     /// Largest stretch of the rubber at the operating points; 2 means twice its length [as far as its law was fitted]
     #[arg(long, value_name = "STRETCH", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_stretch: Option<String>,
-    /// Largest strain of the strands at the maximum pressure [6 %: as far as the models were compared with anything]
+    /// Largest strain of the strands at the maximum pressure [6 %: the validated range]
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, help_heading = "Limits")]
     pub max_strand_strain: Option<String>,
     /// What to rank by
@@ -201,9 +200,9 @@ pub fn run(args: &DesignArgs, format: Format) -> Result<u8, Failure> {
     let request = request(args, (chart || args.plot.plot.is_some()).then(|| unit.clone()))?;
     let mut answer = mckibben_app::design(&request, &Bar::new("muscles"))?;
     let figure = answer.figure.take();
-    let winner = answer.outcome.candidates.first().map(|c| &c.muscle);
+    let winner = answer.muscle_files.first();
     if let Some(winner) = winner {
-        save(target, Content::Muscle, to_toml(winner).as_bytes())?;
+        save(target, Content::Muscle, winner.text.as_bytes())?;
     }
     let text = || burst_first(&answer.warnings) + &text::of(&answer, args.output.as_deref(), &unit);
     show(&answer, format, "candidates", text, Target::STDOUT)?;
@@ -283,7 +282,7 @@ fn request(args: &DesignArgs, figure: Option<Units>) -> Result<DesignRequest, Fa
 fn at(text: &str) -> Result<Wanted, Failure> {
     let Some((force, contraction)) = text.split_once('@') else {
         let message = format!(
-            "--at: \"{text}\" is no operating point; expected a pull at a contraction such as 700N@15%"
+            "--at: \"{text}\" is not a valid operating point; expected a pull at a contraction such as 700N@15%"
         );
         return Err(Failure::input(ProblemKind::Quantity, message, ""));
     };
@@ -294,7 +293,8 @@ fn at(text: &str) -> Result<Wanted, Failure> {
 
 fn torque(text: &str) -> Result<TorqueWanted, Failure> {
     let Some((torque, angle)) = text.split_once('@') else {
-        let message = format!("--joint: \"{text}\" is no torque at an angle; expected one such as 8Nm@45deg");
+        let message =
+            format!("--joint: \"{text}\" is not a valid torque at an angle; expected one such as 8Nm@45deg");
         return Err(Failure::input(ProblemKind::Quantity, message, ""));
     };
     // Either side: the joint is symmetric.
@@ -309,7 +309,7 @@ fn tolerances(text: &str) -> Result<ToleranceFields, Failure> {
     for part in text.split(',') {
         let wrong = || {
             let message = format!(
-                "--tolerance: \"{part}\" is no tolerance; expected wall, diameter, length, angle, pressure, modulus or stiffness with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%"
+                "--tolerance: \"{part}\" is not a valid tolerance; expected wall, diameter, length, angle, pressure, modulus or stiffness with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%"
             );
             Failure::input(ProblemKind::Quantity, message, "")
         };

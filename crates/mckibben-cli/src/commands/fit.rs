@@ -89,7 +89,9 @@ pub fn run(args: &FitArgs, format: Format) -> Result<u8, Failure> {
     if let Some(folder) = &args.plots {
         make(folder)?;
         for named in std::mem::take(&mut answer.figures) {
-            plot::save(Some(named.figure), Some(&folder.join(format!("{}.svg", named.name))))?;
+            let file = folder.join(format!("{}.svg", named.name));
+            check(Target::file(&file, target.overwrite), &Content::Figure)?;
+            plot::save(Some(named.figure), Some(&file))?;
         }
     }
     save(target, Content::Formula, answer.formula_file().as_bytes())?;
@@ -141,5 +143,5 @@ fn write_tables(folder: &Path, answer: &mut FitAnswer, overwrite: bool) -> Resul
     let method = answer.fitted.as_ref().map_or("", |f| &f.formula.provenance.method);
     let file = folder.join("tables.json");
     let text = format!("{:#}\n", json(&Tables { method, tables })?);
-    save(Target::file(&file, overwrite), Content::Json, text.as_bytes())
+    save(Target::file(&file, overwrite), Content::json(text.as_bytes()), text.as_bytes())
 }

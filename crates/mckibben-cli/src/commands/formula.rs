@@ -43,7 +43,7 @@ pub fn show(args: &FormulaShowArgs, format: Format) -> Result<u8, Failure> {
     answer.warnings.iter().for_each(warn);
     match answer.latex.as_ref().filter(|_| format == Format::Text) {
         Some(latex) => {
-            check(args.output.target(), &Content::Latex)?;
+            check(args.output.target(), &Content::text(latex.as_bytes()))?;
             emit(latex, args.output.output.as_deref())?;
         }
         None => print(&answer, format, "terms", || text(&answer.formula), args.output.target())?,

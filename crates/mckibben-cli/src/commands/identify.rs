@@ -59,7 +59,7 @@ pub struct IdentifyArgs {
         help_heading = "Data"
     )]
     pub contraction: Option<String>,
-    /// How much each --data counts, then --formula [1,1,...]
+    /// Weight of each --data, then of --formula [1,1,...]
     #[arg(
         long,
         value_name = "LIST",
@@ -83,7 +83,7 @@ pub struct IdentifyArgs {
         help_heading = "Parameters"
     )]
     pub free: Vec<String>,
-    /// What is held: NAME=VALUE
+    /// Fix a parameter: NAME=VALUE
     #[arg(
         long,
         value_name = "LIST",

@@ -157,11 +157,16 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     let two = points.iter().any(|q| q.pressure_2_mpa.is_some());
     let branches = points.iter().any(|q| q.torque_turning_plus_nm.is_some());
     let resting = points.iter().any(|q| q.rest.is_some());
+    let angle_half = points.iter().any(|q| q.angle_uncertainty_deg.is_some());
+    let halves =
+        points.iter().any(|q| q.pressure_1_uncertainty_mpa.or(q.pressure_2_uncertainty_mpa).is_some());
     let (pressure, force) =
         (|i: u8| u.pressure.heading(&format!("P{i}")), |i: u8| u.force.heading(&format!("F{i}")));
-    let mut header = vec!["φ [°]".to_owned(), pressure(1)];
-    if two {
-        header.push(pressure(2));
+    let mut header = vec!["φ [°]".to_owned()];
+    header.extend(angle_half.then(|| "± [°]".to_owned()));
+    for i in 1..=if two { 2 } else { 1 } {
+        header.push(pressure(i));
+        header.extend(halves.then(|| u.pressure.heading("±")));
     }
     header.extend(["τ [N m]".into(), "± [N m]".into()]);
     if branches {
@@ -188,11 +193,17 @@ fn rows(points: &[JointRow], u: &Units) -> String {
     let first = pulls(&|q| (Some(q.force_1_n), q.slack_1));
     let second = pulls(&|q| (q.force_2_n, q.slack_2 == Some(true)));
     let row = |(i, q): (usize, &JointRow)| {
-        let mut row = vec![
-            number(if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg }, 5),
-            u.pressure.bare(q.pressure_1_mpa),
+        let unknown = || "–".to_owned();
+        let mut row = vec![number(if q.angle_deg.abs() < 1e-9 { 0.0 } else { q.angle_deg }, 5)];
+        row.extend(angle_half.then(|| q.angle_uncertainty_deg.map_or_else(unknown, |half| number(half, 2))));
+        let sought = [
+            (Some(q.pressure_1_mpa), q.pressure_1_uncertainty_mpa),
+            (q.pressure_2_mpa, q.pressure_2_uncertainty_mpa),
         ];
-        row.extend(q.pressure_2_mpa.map(|p| u.pressure.bare(p)));
+        for (p, half) in sought.into_iter().filter_map(|(p, half)| Some((p?, half))) {
+            row.push(u.pressure.bare(p));
+            row.extend(halves.then(|| half.map_or_else(unknown, |half| u.pressure.to(half, 2))));
+        }
         row.extend([torque(q.torque_nm), q.uncertainty_nm.map_or_else(|| "–".into(), |v| number(v, 2))]);
         if branches {
             row.extend([some(q.torque_turning_plus_nm), some(q.torque_turning_minus_nm)]);

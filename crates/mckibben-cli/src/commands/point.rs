@@ -222,16 +222,18 @@ fn text(answer: &PointAnswer, asked: Asked, u: &Units) -> String {
     add("stretch of the rubber at mid-length, inside", r.middle_stretch, &|v| number(v, 3));
     add("99 % of the rubber is stretched by less than", r.max_stretch, &|v| number(v, 3));
     if let Some(parts) = &a.uncertainty_parts_n {
+        let mut named: Vec<(&str, f64)> = parts.named().collect();
+        named.sort_by(|a, b| b.1.total_cmp(&a.1));
         let each: Vec<String> =
-            parts.named().map(|(name, part)| format!("{name} {}", u.force.to(part, 2))).collect();
-        let (of, force) = (each.join(", "), &u.force.name);
-        let whole = match asked {
-            Asked::Force => String::new(),
-            _ => format!(" {} {force} of the pull:", u.force.to(parts.total_n(), 2)),
+            named.into_iter().map(|(name, part)| format!("{name} {}", u.force.to(part, 2))).collect();
+        let (whole, force) = (u.force.to(parts.total_n(), 2), &u.force.name);
+        let of = match asked {
+            Asked::Force => "",
+            _ => " of the pull",
         };
         list.push((
-            "the ± is",
-            format!("95 %, against a measured muscle:{whole} {of} {force} (mckibben models {})", a.model),
+            "uncertainty",
+            format!("± {whole} {force}{of} (95 %): {} (mckibben models {})", each.join(", "), a.model),
         ));
     }
     pairs(&list) + &answer.loaded.as_ref().map_or_else(String::new, |load| loaded(load, u))

@@ -46,7 +46,7 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
     let page = args.output.as_deref().filter(|_| printed_too.is_none());
     let content = match format {
         Format::Text => Content::Page,
-        Format::Json => Content::Json,
+        Format::Json => Content::Json { key: "muscle".to_owned() },
         Format::Csv => {
             let message = "--format csv: a report is a page, and has no table";
             return Err(Failure::input(ProblemKind::Usage, message, "leave it out, or take json"));
@@ -72,7 +72,7 @@ pub fn run(args: &ReportArgs, format: Format) -> Result<u8, Failure> {
         return Ok(0);
     }
     let bytes = match content {
-        Content::Json => format!("{:#}\n", json(&answer)?).into_bytes(),
+        Content::Json { .. } => format!("{:#}\n", json(&answer)?).into_bytes(),
         _ => answer.document.to_html(&mckibben_web::viewer())?.into_bytes(),
     };
     match page {

@@ -1,10 +1,11 @@
 //! `schema`: the JSON Schema of requests and answers.
 
 use crate::failure::Failure;
-use crate::output::{Content, Target, check, emit};
+use crate::flags::OverwriteFlag;
+use crate::output::{Content, Target, emit, save};
 use clap::Args;
 use mckibben_app::{COMMANDS, schema};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `schema`.
 #[derive(Debug, Args)]
@@ -15,13 +16,19 @@ pub struct SchemaArgs {
     /// Write to a file instead of standard output; without COMMAND into a folder, a file for each command
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub replace: OverwriteFlag,
 }
 
 /// Prints a schema.
 pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
+    let put = |path: &Path, text: &str| {
+        save(Target::file(path, args.replace.overwrite), Content::json(text.as_bytes()), text.as_bytes())
+    };
     if let Some(command) = &args.command {
-        check(Target { path: args.output.as_deref(), overwrite: true }, &Content::Json)?;
-        return emit(&text(command)?, args.output.as_deref()).map(|()| 0);
+        let text = text(command)?;
+        let written = args.output.as_ref().map_or_else(|| emit(&text, None), |path| put(path, &text));
+        return written.map(|()| 0);
     }
     let Some(folder) = &args.output else {
         let all: serde_json::Map<String, serde_json::Value> = COMMANDS
@@ -31,7 +38,7 @@ pub fn run(args: &SchemaArgs) -> Result<u8, Failure> {
         return emit(format!("{:#}\n", serde_json::Value::Object(all)), None).map(|()| 0);
     };
     for command in COMMANDS.iter() {
-        emit(&text(command.name)?, Some(&folder.join(format!("{}.json", command.name))))?;
+        put(&folder.join(format!("{}.json", command.name)), &text(command.name)?)?;
     }
     Ok(0)
 }

@@ -36,7 +36,7 @@ pub struct ServeArgs {
 /// Serves until a signal ends it.
 pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
     if !args.address.is_loopback() && args.host_name.is_empty() {
-        let message = format!("--address: {} is asked by a name that nobody stated", args.address);
+        let message = format!("--address: {} requires --host-name", args.address);
         let hint = "say by which name or address others ask, as in --host-name bench.local";
         return Err(Failure::input(ProblemKind::Usage, message, hint));
     }

@@ -138,7 +138,7 @@ pub fn run(args: &SimulateArgs, format: Format) -> Result<u8, Failure> {
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if let (Some(path), Some(scene)) = (&args.picture, &answer.picture) {
-        check(Target::file(path, false), &Content::Figure)?;
+        plot::unread(path)?;
         scene.save(path)?;
     }
     if let Some(problem) = answer.problem.take_if(|_| format == Format::Text) {

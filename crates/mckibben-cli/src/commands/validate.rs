@@ -25,7 +25,7 @@ pub struct ValidateArgs {
     /// The finest meshes as well (some seconds more)
     #[arg(long, conflicts_with = "sweep")]
     pub all: bool,
-    /// Instead: ask so many random muscles one question each, and say which share is answered
+    /// Robustness sweep over N random muscles: the share of single questions that is answered
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub sweep: Option<u32>,
     /// Seed of the random muscles

@@ -1,4 +1,7 @@
-//! What stands where a result goes: a file of the same kind is replaced, any other only where that was asked for.
+//! What stands where a result goes: a file of the same kind that this program wrote is replaced, any other only where that was asked for.
+//!
+//! Formulas, muscle files and Parquet are read; figures, pages, PDFs and decks carry the program's mark. Of what can carry none the beginning is
+//! compared with that of the result: the first line of a table, the first key of JSON, the first two words of a text.
 
 use super::Target;
 use crate::failure::Failure;
@@ -17,8 +20,11 @@ pub enum Content {
     Muscle,
     /// A formula.
     Formula,
-    /// An answer as JSON.
-    Json,
+    /// An answer as JSON, which begins with this key.
+    Json {
+        /// The first key.
+        key: String,
+    },
     /// An answer as Parquet.
     Parquet,
     /// A report as a page.
@@ -27,32 +33,55 @@ pub enum Content {
     Pdf,
     /// An input deck.
     Deck,
-    /// An equation.
-    Latex,
     /// A figure or a picture.
     Figure,
     /// A file for ParaView, in a folder of them.
     Vtk,
-    /// A table in a folder of them, with this first line.
+    /// A table with this first line.
     Table {
         /// The first line.
         head: String,
     },
-    /// A table or a text.
-    Other,
+    /// A text that begins with these words.
+    Text {
+        /// The first words.
+        begins: String,
+    },
 }
 
+/// A string of a document's title as printed by a browser: UTF-16, in hexadecimal digits.
+const PRINTED_TITLE: &str = "<FEFF004D0063004B0069006200620065006E";
+
 impl Content {
+    /// An answer as JSON.
+    pub fn json(text: &[u8]) -> Self {
+        Self::Json { key: first_key(&text_of(text)).unwrap_or_default().to_owned() }
+    }
+
+    /// A table by its bytes.
+    pub fn table(text: &[u8]) -> Self {
+        Self::Table { head: text_of(text).lines().next().unwrap_or_default().to_owned() }
+    }
+
+    /// A text by its bytes.
+    pub fn text(text: &[u8]) -> Self {
+        Self::Text { begins: first_words(&text_of(text)) }
+    }
+
     /// Whether a file may be lost for one of this kind.
     fn replaces(&self, path: &Path) -> bool {
         match self {
             Self::Muscle => read_muscle(path).is_ok(),
             Self::Formula => is_formula(path),
-            Self::Json => !is_formula(path),
+            Self::Json { key } => first_key(&text_of(&head(path))) == Some(key) && !is_formula(path),
             Self::Parquet => super::parquet::is_ours(path),
             Self::Vtk => text_of(&head(path)).contains("<VTKFile"),
             Self::Table { head } => text_of(&self::head(path)).lines().next() == Some(head),
-            Self::Page | Self::Pdf | Self::Deck | Self::Latex | Self::Figure | Self::Other => true,
+            Self::Text { begins } => first_words(&text_of(&head(path))) == *begins,
+            Self::Page => mckibben_report::is_page(&head(path)),
+            Self::Figure => mckibben_report::is_figure(&head(path)),
+            Self::Pdf => text_of(&head(path)).contains(PRINTED_TITLE),
+            Self::Deck => text_of(&head(path)).contains("mm, MPa, N; mckibben "),
         }
     }
 
@@ -60,16 +89,15 @@ impl Content {
         match self {
             Self::Muscle => "a muscle file",
             Self::Formula => "a formula",
-            Self::Json => "an answer in JSON",
+            Self::Json { .. } => "such an answer in JSON",
             Self::Parquet => "an answer in Parquet",
-            Self::Page => "a page in HTML",
-            Self::Pdf => "a PDF",
-            Self::Deck => "an input deck",
-            Self::Latex => "an equation in LaTeX",
-            Self::Figure => "a figure",
+            Self::Page => "a page that this program wrote",
+            Self::Pdf => "a PDF that this program printed",
+            Self::Deck => "an input deck that this program wrote",
+            Self::Figure => "a figure that this program drew",
             Self::Vtk => "a file of a series for ParaView",
             Self::Table { .. } => "a table of this kind",
-            Self::Other => "a file",
+            Self::Text { .. } => "such a text",
         }
     }
 
@@ -77,13 +105,12 @@ impl Content {
     fn endings(&self) -> &'static [&'static str] {
         match self {
             Self::Muscle => &["toml"],
-            Self::Formula | Self::Json => &["json"],
+            Self::Formula | Self::Json { .. } => &["json"],
             Self::Parquet => &["parquet"],
             Self::Page => &["html", "htm"],
             Self::Pdf => &["pdf"],
             Self::Deck => &["inp"],
-            Self::Latex => &["tex", "txt", "md"],
-            Self::Figure | Self::Vtk | Self::Table { .. } | Self::Other => &[],
+            Self::Figure | Self::Vtk | Self::Table { .. } | Self::Text { .. } => &[],
         }
     }
 
@@ -117,6 +144,17 @@ fn head(path: &Path) -> Vec<u8> {
 
 fn text_of(bytes: &[u8]) -> Cow<'_, str> {
     String::from_utf8_lossy(bytes)
+}
+
+/// The first key of an object in JSON.
+fn first_key(text: &str) -> Option<&str> {
+    let inside = text.trim_start().strip_prefix('{')?.trim_start().strip_prefix('"')?;
+    inside.split_once('"').map(|(key, _)| key)
+}
+
+/// The first two words.
+fn first_words(text: &str) -> String {
+    text.split_whitespace().take(2).collect::<Vec<_>>().join(" ")
 }
 
 fn is_formula(path: &Path) -> bool {

@@ -17,7 +17,7 @@ pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_be
 
 use crate::failure::Failure;
 use crate::flags::Format;
-use crate::quantities::to_mind;
+use crate::quantities::unit_hint;
 use mckibben_app::ProblemKind;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -63,17 +63,9 @@ pub fn show<T: Serialize + JsonSchema>(
         Ok(rows::Table { columns: columns::with_others(columns::of::<T>(rows), &list), rows: list })
     };
     let form = form(target.path, format)?;
-    check(
-        target,
-        &match form {
-            Form::Json => Content::Json,
-            Form::Parquet => Content::Parquet,
-            Form::Text | Form::Csv => Content::Other,
-        },
-    )?;
     let out = match form {
         Form::Text => {
-            to_mind().into_iter().for_each(warn);
+            unit_hint().into_iter().for_each(warn);
             clean::lines(&text()).into_owned().into_bytes()
         }
         Form::Json => format!("{:#}\n", json(answer)?).into_bytes(),
@@ -86,6 +78,13 @@ pub fn show<T: Serialize + JsonSchema>(
         let all = value.get("warnings").and_then(Value::as_array).into_iter().flatten();
         all.filter_map(Value::as_str).filter(|w| w.starts_with("BURST")).for_each(warn);
     }
+    let content = match form {
+        Form::Text => Content::text(&out),
+        Form::Json => Content::json(&out),
+        Form::Csv => Content::table(&out),
+        Form::Parquet => Content::Parquet,
+    };
+    check(target, &content)?;
     emit(&out, target.path)?;
     warn_behind();
     Ok(())

@@ -45,14 +45,14 @@ impl Column {
     fn write(&self, to: &mut ColumnWriter<'_>) -> Result<()> {
         match (self, to) {
             (Self::Number(v), ColumnWriter::DoubleColumnWriter(w)) => {
-                w.write_batch(&known(v), Some(&there(v)), None)?
+                w.write_batch(&known(v), Some(&definition_levels(v)), None)?
             }
             (Self::Flag(v), ColumnWriter::BoolColumnWriter(w)) => {
-                w.write_batch(&known(v), Some(&there(v)), None)?
+                w.write_batch(&known(v), Some(&definition_levels(v)), None)?
             }
             (Self::Text(v), ColumnWriter::ByteArrayColumnWriter(w)) => {
                 let bytes: Vec<_> = v.iter().flatten().map(|text| text.as_str().into()).collect();
-                w.write_batch(&bytes, Some(&there(v)), None)?
+                w.write_batch(&bytes, Some(&definition_levels(v)), None)?
             }
             _ => return Err(ParquetError::General("a column of another kind".into())),
         };
@@ -64,7 +64,7 @@ fn known<T: Copy>(values: &[Option<T>]) -> Vec<T> {
     values.iter().copied().flatten().collect()
 }
 
-fn there<T>(values: &[Option<T>]) -> Vec<i16> {
+fn definition_levels<T>(values: &[Option<T>]) -> Vec<i16> {
     values.iter().map(|v| i16::from(v.is_some())).collect()
 }
 

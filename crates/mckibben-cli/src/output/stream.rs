@@ -18,7 +18,7 @@ pub fn streamed<R: Serialize, A: Serialize, T>(
     target: Target<'_>,
     make: impl FnOnce(Row<'_, R>) -> Result<(A, T), Problem>,
 ) -> Result<T, Failure> {
-    check(target, &Content::Json)?;
+    check(target, &Content::Json { key: rows.to_owned() })?;
     // A file appears whole: its text is collected.
     let mut file = vec![];
     let mut out: Box<dyn Write> = match target.path {

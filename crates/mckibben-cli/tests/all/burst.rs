@@ -93,6 +93,50 @@ fn a_pressure_beyond_the_burst_pressure_is_said_before_all_else() {
     assert!(!asked(dir, "force hose.toml -p 21bar").text().contains("BURST"));
 }
 
+/// Of muscles of a list every one is looked at once: their burst pressures by `muscle show` say which of them burst too early.
+#[test]
+fn where_nothing_fits_the_answer_says_what_burst_has_to_do_with_it() {
+    let dir = with(STRENGTH);
+    let dir = dir.path();
+    let diameters = [12.0, 14.0, 16.0, 18.0];
+    let margin = |d: f64| {
+        let shown = as_json(dir, &format!("muscle show hose.toml -D {d} --model thick-wall -p 6bar"));
+        shown["characteristics"]["burst_pressure_mpa"].as_f64().unwrap() / 0.6
+    };
+    let margins: Vec<f64> = diameters.iter().map(|d| margin(*d)).collect();
+    let wanted = 0.5 * (margins[1] + margins[2]);
+    let early = margins.iter().filter(|m| **m < wanted).count();
+    assert_eq!(early, 2, "{margins:?}");
+    let words = |force: f64, margin: f64| {
+        format!(
+            "design hose.toml -F {force}N -e 2% -p 6bar -s 2 -D 12,14,16,18 --model thick-wall --safety {margin}"
+        )
+    };
+    let refused = |words: &str| {
+        let all: Vec<&str> = words.split_whitespace().collect();
+        let text = run_in(dir, &all).text().to_owned();
+        (text, run_in(dir, &[&all[..], &["--format", "json"]].concat()).json())
+    };
+    // All that are strong enough burst too early, and the others are too weak.
+    let (text, answer) = refused(&words(9000.0, wanted));
+    assert_eq!((&answer["excluded_by_burst"], &answer["excluded_by_burst_alone"]), (&2.into(), &0.into()));
+    assert!(text.contains("Of 4 muscles 2 burst below"), "{text}");
+    assert!(text.contains("each of them also misses another limit"), "{text}");
+    let (text, answer) = refused(&words(1.0, 1000.0));
+    assert_eq!((&answer["excluded_by_burst"], &answer["excluded_by_burst_alone"]), (&4.into(), &4.into()));
+    assert_eq!(answer["closest"]["limit"], "burst_margin");
+    assert!(text.contains("they meet every other limit"), "{text}");
+    // Of strands whose strength is not stated nobody can say.
+    let unknown = with("");
+    let dir = unknown.path();
+    let all = words(9000.0, 4.0).replace("--safety 4", "");
+    let ran = run_in(dir, &all.split_whitespace().collect::<Vec<_>>());
+    let text = ran.text();
+    let first = text.lines().next().unwrap_or_default();
+    assert!(first.starts_with("BURST NOT CHECKED: ") && first.contains("strand_strength"), "{text}");
+    assert!(text.contains("Nothing fits."), "{text}");
+}
+
 #[test]
 fn a_burst_pressure_that_is_not_known_is_said_with_the_number_that_is_missing() {
     let dir = with("");

@@ -133,7 +133,7 @@ pub fn json(line: &str) -> Value {
 
 /// A number that is there.
 pub fn number(value: &Value, key: &str) -> f64 {
-    value[key].as_f64().unwrap_or_else(|| panic!("{key} is no number in {value:#}"))
+    value[key].as_f64().unwrap_or_else(|| panic!("{key} is not a number in {value:#}"))
 }
 
 /// A fresh folder.

@@ -29,6 +29,9 @@ fn assert_units(value: &Value) {
         "points",
         "unanswered",
         "looked_at",
+        "excluded_by_burst",
+        "excluded_by_burst_alone",
+        "load_factor",
         "rows",
         "left_out",
         "heading_line",
@@ -47,6 +50,8 @@ fn assert_units(value: &Value) {
         "middle_stretch",
         "reach",
         "misses_by",
+        "min_burst_margin",
+        "max_strand_strain",
     ];
     const UNITS: &[&str] =
         &["_n", "_mpa", "_mm", "_mm3", "_deg", "_n_per_mm", "_n_per_mpa", "_j", "_normal_litres"];

@@ -147,14 +147,26 @@ fn the_commands_in_the_pages_run() {
         }
     }
     pages.sort();
-    for page in pages {
-        // The commands of a page may build on each other, those of two pages may not.
+    // The commands of a page may build on each other, those of two pages may not.
+    side_by_side(pages, |page| {
         let dir = copy();
         let name = page.file_name().unwrap().to_string_lossy().into_owned();
         for line in shown(&std::fs::read_to_string(&page).unwrap()) {
             works(dir.path(), &name, &line);
         }
-    }
+    });
+}
+
+/// Each of a list, on as many threads as there are processors; a failure of one is a failure of all.
+fn side_by_side<T: Send>(list: Vec<T>, each: impl Fn(T) + Sync) {
+    let left = std::sync::Mutex::new(list);
+    let next = || left.lock().unwrap().pop();
+    let count = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..count {
+            scope.spawn(|| std::iter::from_fn(&next).for_each(&each));
+        }
+    });
 }
 
 #[test]

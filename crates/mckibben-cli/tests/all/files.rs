@@ -215,10 +215,39 @@ fn a_file_of_another_kind_is_replaced_only_where_that_is_asked_for() {
     // An answer is no formula, and a table no campaign.
     let result = line(dir.path(), "force -p 0.1 --model ideal -o f.json");
     assert!(result.code == 2 && result.err.contains("would be lost"), "{}", result.err);
-    // Texts, tables and figures are replaced as ever.
-    for file in ["t.txt", "t.csv"] {
-        fs::write(at(file), "old").unwrap();
-        line(dir.path(), &format!("{curve}{file}")).ok();
+}
+
+/// What this program did not write is nowhere lost without a word: not for texts, tables, JSON and figures either. What it wrote is replaced.
+#[test]
+fn a_foreign_file_is_replaced_by_no_text_table_or_figure() {
+    let dir = folder();
+    let at = |name: &str| dir.path().join(name);
+    let measured = "pressure_bar,contraction,force_n\n1,0,100\n";
+    let curve = "curve isobaric --model ideal -p 0.1 -e 0,0.1 ";
+    let show = "formula show universal --latex -o ";
+    for (command, file, foreign) in [
+        (format!("{curve}-o "), "t.txt", "notes of mine"),
+        (format!("{curve}-o "), "t.csv", measured),
+        (format!("{curve}-o "), "t.json", "{\"mine\": 1}"),
+        (format!("{curve}-o "), "list.json", "[1, 2]"),
+        (format!("{curve}--plot "), "t.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>"),
+        (format!("{curve}--plot "), "t.png", "\u{89}PNG of mine"),
+        (format!("{curve}--plot "), "t.html", "<!DOCTYPE html><p>mine</p>"),
+        (show.into(), "t.tex", "\\section{Mine}"),
+        ("report -D 30 -p 0.1 -o ".into(), "report.html", "<!DOCTYPE html><p>mine</p>"),
+        ("schema force -o ".into(), "schema.json", "{\"mine\": 1}"),
+        ("simulate --model fe3d --mesh 1x4 -p 0.01 -e 0.1 --export-inp ".into(), "t.inp", "*HEADING\nmine"),
+        ("simulate -p 0.1 -e 0.1 --picture ".into(), "picture.svg", "<svg></svg>"),
+    ] {
+        let command = format!("{command}{file}");
+        fs::write(at(file), foreign).unwrap();
+        let result = line(dir.path(), &command);
+        assert!(result.code == 2 && result.err.contains("would be lost"), "{command}: {}", result.err);
+        assert!(result.err.contains("--overwrite"), "{command}: {}", result.err);
+        assert_eq!(fs::read(at(file)).unwrap(), foreign.as_bytes(), "{command}");
+        line(dir.path(), &format!("{command} --overwrite")).ok();
+        assert_ne!(fs::read(at(file)).unwrap(), foreign.as_bytes(), "{command}");
+        line(dir.path(), &command).ok();
     }
 }
 

@@ -373,6 +373,7 @@ const COUNTS: &[(&str, &str, &str)] = &[
     ("outer-diameter", "15mm", ""),
     ("wall", "1.5mm", ""),
     ("length", "210mm", ""),
+    ("density", "930kg/m3", ""),
     ("angle", "24deg", ""),
     ("rubber", "dragon-skin-30", ""),
     ("braid", "nfl-19", ""),

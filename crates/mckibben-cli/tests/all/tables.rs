@@ -123,7 +123,11 @@ fn tables_of_our_own_are_read() {
 /// Table, flags, part of the message: line and column, and the way out in the words of the command line.
 const REFUSED: &[(&[u8], &str, &str)] = &[
     (b"Druck;Kontraktion;Kraft\n1;0,1;3\n", "", "give --columns pressure=\"Druck:kPa\""),
-    (b"p_bar,contraction,F_N\n1,0,3\n1,12,3\n", "", "line 3, column contraction: 12 is no contraction ratio"),
+    (
+        b"p_bar,contraction,F_N\n1,0,3\n1,12,3\n",
+        "",
+        "line 3, column contraction: 12 is not a valid contraction ratio",
+    ),
     (b"p_bar,contraction,F_N\n1,0,3\n1,12,3\n", "", "--columns contraction=\"contraction:%\""),
     (
         b"p_bar,contraction,F_N\n1,0.1,\"1,234\"\n",
@@ -134,7 +138,7 @@ const REFUSED: &[(&[u8], &str, &str)] = &[
     (b"p_bar,x,F_N\n1,2,3\n", "", "--columns contraction="),
     (b"p_bar,x,F_N\n1,2,3\n", "--columns contraction=y:mm", "there is no column"),
     (b"p_bar,x,F_N\n1,2,3\n", "--columns contraction", "write quantity="),
-    (b"p_bar,x,F_N\n1,2,3\n", "--columns contraction=x:kPa", "is no unit of contraction"),
+    (b"p_bar,x,F_N\n1,2,3\n", "--columns contraction=x:kPa", "is not a unit of contraction"),
     (b"p_bar,x,F_N\n1,2,3\n", "--columns kontrakt=x:mm", "no quantity"),
     (b"PK\x03\x04 sheet", "", "save the table as CSV"),
 ];

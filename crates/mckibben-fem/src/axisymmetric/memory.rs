@@ -43,7 +43,10 @@ impl Memory {
         endless: &Arc<ThickWall>,
     ) -> Result<Option<Self>, FemError> {
         let Some((softening, pressure_mpa)) = muscle.tube().rubber.conditioned() else { return Ok(None) };
-        let failed = |error| FemError::Conditioning { pressure_mpa, reason: Box::new(error) };
+        let failed = |error| match error {
+            FemError::Exceeded(_) => error,
+            error => FemError::Conditioning { pressure_mpa, reason: Box::new(error) },
+        };
         let mut memory = Self::new(softening, d);
         let mut c = Continuation::new(Body::of_muscle(Arc::new(d.clone()), endless.clone()));
         c.reach(pressure_mpa, 0.0).map_err(failed)?;

@@ -120,11 +120,6 @@ impl Section {
 }
 
 impl Axisymmetric {
-    /// The section of the muscle at rest.
-    pub fn section_at_rest(&self) -> Section {
-        Section::of(self.discretisation(), &self.discretisation().rest(), self.muscle())
-    }
-
     /// The section at a pressure in MPa and a contraction: of the very equilibrium that was answered with, where the
     /// workspace still has it.
     ///

@@ -27,6 +27,10 @@ pub trait Real:
     fn set_lane(&mut self, lane: usize, x: f64);
     /// The smaller one, lane by lane.
     fn min(self, other: Self) -> Self;
+    /// The first numbers of a slice; zero in lanes behind its end.
+    fn load(from: &[f64]) -> Self;
+    /// Writes as many lanes as the slice has places.
+    fn store(self, to: &mut [f64]);
 }
 
 impl Real for f64 {
@@ -54,6 +58,16 @@ impl Real for f64 {
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         f64::min(self, other)
+    }
+    #[inline(always)]
+    fn load(from: &[f64]) -> Self {
+        from.first().copied().unwrap_or(0.0)
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        if let Some(first) = to.first_mut() {
+            *first = self;
+        }
     }
 }
 
@@ -107,7 +121,8 @@ mod wide {
     use std::ops::{Add, AddAssign, Mul, Sub};
 
     macro_rules! lanes {
-        ($name:ident, $inner:ty, $n:expr, $doc:expr, $add:ident, $sub:ident, $mul:ident, $div:ident, $fma:ident, $set:ident, $min:ident) => {
+        ($name:ident, $inner:ty, $n:expr, $doc:expr, $add:ident, $sub:ident, $mul:ident, $div:ident, $fma:ident, $set:ident, $min:ident,
+         $load:ident, $store:ident, $load_some:ident, $store_some:ident, $some:ident) => {
             #[doc = $doc]
             #[derive(Debug, Clone, Copy)]
             #[repr(transparent)]
@@ -171,8 +186,44 @@ mod wide {
                 fn min(self, o: Self) -> Self {
                     unsafe { Self($min(self.0, o.0)) }
                 }
+                // SAFETY of both: lanes behind the end of the slice are masked.
+                #[inline(always)]
+                fn load(from: &[f64]) -> Self {
+                    let place = from.as_ptr();
+                    if from.len() >= $n {
+                        unsafe { Self($load(place)) }
+                    } else {
+                        unsafe { Self($load_some($some(from.len()), place)) }
+                    }
+                }
+                #[inline(always)]
+                fn store(self, to: &mut [f64]) {
+                    let place = to.as_mut_ptr();
+                    if to.len() >= $n {
+                        unsafe { $store(place, self.0) }
+                    } else {
+                        unsafe { $store_some(place, $some(to.len()), self.0) }
+                    }
+                }
             }
         };
+    }
+
+    /// The mask of the first of four lanes.
+    #[inline(always)]
+    unsafe fn first_of_four(count: usize) -> __m256i {
+        unsafe { _mm256_cmpgt_epi64(_mm256_set1_epi64x(count.min(4) as i64), _mm256_setr_epi64x(0, 1, 2, 3)) }
+    }
+
+    #[inline(always)]
+    unsafe fn load_first_of_four(mask: __m256i, from: *const f64) -> __m256d {
+        unsafe { _mm256_maskload_pd(from, mask) }
+    }
+
+    /// The mask of the first of eight lanes.
+    #[inline(always)]
+    unsafe fn first_of_eight(count: usize) -> __mmask8 {
+        ((1_u32 << count.min(8)) - 1) as __mmask8
     }
 
     lanes!(
@@ -186,7 +237,12 @@ mod wide {
         _mm256_div_pd,
         _mm256_fmadd_pd,
         _mm256_set1_pd,
-        _mm256_min_pd
+        _mm256_min_pd,
+        _mm256_loadu_pd,
+        _mm256_storeu_pd,
+        load_first_of_four,
+        _mm256_maskstore_pd,
+        first_of_four
     );
     lanes!(
         Eight,
@@ -199,12 +255,17 @@ mod wide {
         _mm512_div_pd,
         _mm512_fmadd_pd,
         _mm512_set1_pd,
-        _mm512_min_pd
+        _mm512_min_pd,
+        _mm512_loadu_pd,
+        _mm512_storeu_pd,
+        _mm512_maskz_loadu_pd,
+        _mm512_mask_storeu_pd,
+        first_of_eight
     );
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::Width;
     use crate::axisymmetric::Axisymmetric;
     use crate::three_dimensional::{BrickSpec, ThreeDimensional};
@@ -216,6 +277,15 @@ mod tests {
     thread_local! {
         /// What [`Width::here`] answers to this thread.
         pub static FORCED: Cell<Option<Width>> = const { Cell::new(None) };
+    }
+
+    /// Work on lanes of each width that this processor has.
+    pub fn each_width(mut work: impl FnMut(Width)) {
+        for width in [Width::One, Width::Four, Width::Eight].into_iter().filter(|w| *w <= Width::widest()) {
+            FORCED.set(Some(width));
+            work(width);
+            FORCED.set(None);
+        }
     }
 
     /// The prototype, and a thin one of another law.

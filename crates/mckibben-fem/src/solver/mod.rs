@@ -7,10 +7,14 @@ pub mod curve;
 pub mod dense;
 mod descent;
 pub mod dissection;
+mod kernel;
 pub mod newton;
+mod panel;
 mod search;
 pub mod sparse;
+mod substitution;
 mod supernodal;
+mod symbolic;
 pub mod trail;
 mod walk;
 

@@ -1,23 +1,21 @@
 //! The numbers of a supernodal Cholesky factorisation, in pieces of bounded work: between two pieces it can be ended.
 //!
-//! Left-looking. A supernode takes its entries of the matrix; then what every earlier supernode with rows in it takes off; then its own columns
-//! are factorised, panel by panel. The dense kernels and the places of the numbers are those of the library `faer`, whose own
-//! factorisation is one call that nothing ends.
+//! Left-looking (Ng & Peyton 1993 \[ng1993\]). A supernode takes its entries of the matrix; then what every earlier supernode with rows in
+//! it takes off; then its own columns are factorised, panel by panel.
 
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::cholesky::ldlt::factor::{self as ldlt, LdltRegularization};
-use faer::linalg::cholesky::llt::factor::{self as llt, LltRegularization};
-use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place};
-use faer::reborrow::{Reborrow, ReborrowMut};
-use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
-use faer::{Accum, MatMut, MatRef, Par};
+use super::kernel::{Kernel, Matrix, Shape};
+use super::panel::Panel;
+use super::symbolic::Symbolic;
+use crate::element::lanes::Width;
 use mckibben::budget::Exceeded;
+use std::ops::Range;
 
 /// Columns, rows and depth of a product: 10⁹ operations, some tenths of a second at the most.
 const COLUMNS: usize = 256;
 const ROWS: usize = 4096;
 const DEPTH: usize = 512;
+/// Rows of a panel that are factorised together: with its columns they stay in the second cache.
+const CHUNK: usize = 256;
 /// Multiplications between two questions whether to go on.
 const PIECE: usize = 50_000_000;
 
@@ -27,45 +25,6 @@ pub(super) struct Lower<'a> {
     pub columns: &'a [u32],
     pub rows: &'a [u32],
     pub values: &'a [f64],
-}
-
-/// Which earlier supernodes have rows in each supernode, in rising order.
-#[derive(Debug)]
-pub(super) struct Updates {
-    first: Vec<u32>,
-    from: Vec<u32>,
-}
-
-impl Updates {
-    pub fn of(s: &SymbolicSupernodalCholesky<u32>) -> Self {
-        let count = s.n_supernodes();
-        let mut owner = vec![0_u32; s.nrows()];
-        for i in 0..count {
-            owner[s.supernode_begin()[i] as usize..s.supernode_end()[i] as usize].fill(i as u32);
-        }
-        let targets = |i: usize| {
-            let mut before = u32::MAX;
-            let owners = s.supernode(i).pattern().iter().map(|r| owner[*r as usize]);
-            owners.filter(move |o| std::mem::replace(&mut before, *o) != *o).collect::<Vec<_>>()
-        };
-        let mut first = vec![0_u32; count + 1];
-        (0..count).flat_map(targets).for_each(|t| first[t as usize + 1] += 1);
-        for i in 0..count {
-            first[i + 1] += first[i];
-        }
-        let (mut next, mut from) = (first.clone(), vec![0_u32; first[count] as usize]);
-        for i in 0..count {
-            for t in targets(i) {
-                from[next[t as usize] as usize] = i as u32;
-                next[t as usize] += 1;
-            }
-        }
-        Self { first, from }
-    }
-
-    fn before(&self, supernode: usize) -> &[u32] {
-        &self.from[self.first[supernode] as usize..self.first[supernode + 1] as usize]
-    }
 }
 
 /// What is factorised.
@@ -88,72 +47,60 @@ pub(super) enum Ended {
 
 /// Memory of a factorisation.
 pub(super) struct Numeric {
+    kernel: Kernel,
+    /// Row of each unknown in the present supernode.
     local: Vec<u32>,
+    /// Those of the rows of a product.
+    places: Vec<u32>,
     product: Vec<f64>,
-    scaled: Vec<f64>,
-    memory: MemBuffer,
     work: usize,
 }
 
-/// Rows `rows` and columns `columns` of a matrix by columns.
-fn part<'a>(
-    matrix: MatRef<'a, f64>,
-    rows: &std::ops::Range<usize>,
-    columns: &std::ops::Range<usize>,
-) -> MatRef<'a, f64> {
-    matrix.submatrix(rows.start, columns.start, rows.len(), columns.len())
-}
-
-fn pieces(of: std::ops::Range<usize>, size: usize) -> impl Iterator<Item = std::ops::Range<usize>> + Clone {
+fn pieces(of: Range<usize>, size: usize) -> impl Iterator<Item = Range<usize>> + Clone {
     of.clone().step_by(size).map(move |a| a..(a + size).min(of.end))
 }
 
 impl Numeric {
     /// For matrices of so many unknowns; `None` where there is no memory.
-    pub fn new(unknowns: usize) -> Option<Self> {
-        let scratch = StackReq::any_of(&[
-            llt::cholesky_in_place_scratch::<f64>(COLUMNS, Par::Seq, Default::default()),
-            ldlt::cholesky_in_place_scratch::<f64>(COLUMNS, Par::Seq, Default::default()),
-        ]);
-        let memory = MemBuffer::try_new(scratch).ok()?;
-        Some(Self { local: vec![0; unknowns], product: vec![], scaled: vec![], memory, work: 0 })
+    pub fn new(unknowns: usize, width: Width) -> Option<Self> {
+        let mut local = vec![];
+        local.try_reserve_exact(unknowns).ok()?;
+        local.resize(unknowns, 0);
+        Some(Self { kernel: Kernel::new(width), local, places: vec![], product: vec![], work: 0 })
     }
 
-    /// Fills `factor`. `go_on` is asked after every piece of work.
+    /// Fills `factor`, supernode after supernode: its memory comes as it is needed, since zeros for all of it take a second and more.
+    /// `go_on` is asked after every piece of work.
     pub fn factorise(
         &mut self,
         form: Form,
-        (s, updates): (&SymbolicSupernodalCholesky<u32>, &Updates),
+        s: &Symbolic,
         lower: Lower<'_>,
-        factor: &mut [f64],
+        factor: &mut Vec<f64>,
         go_on: &dyn Fn() -> Result<(), Exceeded>,
     ) -> Result<(), Ended> {
-        let place = |i: usize| s.col_ptr_for_val()[i] as usize;
-        for i in 0..s.n_supernodes() {
-            let (begin, end) = (s.supernode_begin()[i] as usize, s.supernode_end()[i] as usize);
-            let (width, pattern) = (end - begin, s.supernode(i).pattern());
-            let height = width + pattern.len();
-            let all = (begin..end).chain(pattern.iter().map(|r| *r as usize));
+        factor.clear();
+        for i in 0..s.count() {
+            let (columns, height) = (s.columns(i), s.height(i));
+            let all = columns.clone().chain(s.below(i).iter().map(|r| *r as usize));
             all.enumerate().for_each(|(k, row)| self.local[row] = k as u32);
-            let (head, own) = factor.split_at_mut(place(i));
-            let own = &mut own[..width * height];
-            own.fill(0.0);
-            for (j, column) in (begin..end).zip(own.chunks_exact_mut(height)) {
+            factor.resize(s.values(i).end, 0.0);
+            self.worked(columns.len() * height, go_on)?;
+            let (head, own) = factor.split_at_mut(s.values(i).start);
+            for (j, column) in columns.clone().zip(own.chunks_exact_mut(height)) {
                 for k in lower.columns[j] as usize..lower.columns[j + 1] as usize {
                     column[self.local[lower.rows[k] as usize] as usize] += lower.values[k];
                 }
             }
-            for &d in updates.before(i) {
+            for &d in s.updates(i) {
                 let d = d as usize;
-                let rows = s.supernode(d).pattern();
-                let first = rows.partition_point(|r| (*r as usize) < begin);
-                let inside = first + rows[first..].partition_point(|r| (*r as usize) < end);
-                let wide = (s.supernode_end()[d] - s.supernode_begin()[d]) as usize;
-                let from =
-                    MatRef::from_column_major_slice(&head[place(d)..place(d + 1)], wide + rows.len(), wide);
+                let rows = s.below(d);
+                let first = rows.partition_point(|r| (*r as usize) < columns.start);
+                let inside = first + rows[first..].partition_point(|r| (*r as usize) < columns.end);
+                let from = (&head[s.values(d)], s.columns(d).len());
                 self.take_off(form, from, (rows, first..inside), (own, height), go_on)?;
             }
-            self.eliminate(form, (own, height, width), go_on).map_err(|ended| match ended {
+            self.eliminate(form, (own, height, columns.len()), go_on).map_err(|ended| match ended {
                 Ended::Pivot { pivot, .. } => Ended::Pivot { supernode: i, pivot },
                 ended => ended,
             })?;
@@ -170,37 +117,39 @@ impl Numeric {
         Ok(())
     }
 
-    /// Takes off what an earlier supernode `from`, whose rows `inside` lie in this one's columns, adds to it.
+    /// Takes off what an earlier supernode `from` of so many columns, whose rows `inside` lie in this one's columns, adds to it.
     fn take_off(
         &mut self,
         form: Form,
-        from: MatRef<'_, f64>,
-        (names, inside): (&[u32], std::ops::Range<usize>),
+        (from, wide): (&[f64], usize),
+        (names, inside): (&[u32], Range<usize>),
         (own, height): (&mut [f64], usize),
         go_on: &dyn Fn() -> Result<(), Exceeded>,
     ) -> Result<(), Ended> {
-        let wide = from.ncols();
+        let stride = wide + names.len();
+        let part = |row: usize, column: usize| Matrix { values: &from[column * stride + row..], stride };
         for columns in pieces(inside, COLUMNS) {
             for rows in pieces(columns.start..names.len(), ROWS) {
                 let (count, size) = (columns.len(), rows.len());
                 self.product.resize((count * size).max(self.product.len()), 0.0);
-                for (n, depth) in pieces(0..wide, DEPTH).enumerate() {
-                    let shift = |r: &std::ops::Range<usize>| wide + r.start..wide + r.end;
-                    let left = part(from, &shift(&rows), &depth);
-                    let right = part(from, &shift(&columns), &depth);
-                    let right =
-                        scaled(&mut self.scaled, form, right, |k| from[(depth.start + k, depth.start + k)]);
-                    let product = &mut self.product[..count * size];
-                    let product = MatMut::from_column_major_slice_mut(product, size, count);
-                    let accumulate = if n == 0 { Accum::Replace } else { Accum::Add };
-                    matmul(product, accumulate, left, right.transpose(), 1.0, Par::Seq);
-                    self.worked(count * size * depth.len(), go_on)?;
+                let lower = rows.start == columns.start;
+                for depth in pieces(0..wide, DEPTH) {
+                    let (left, right) =
+                        (part(wide + rows.start, depth.start), part(wide + columns.start, depth.start));
+                    let d = Matrix { stride: stride + 1, ..part(depth.start, depth.start) };
+                    let d = (form == Form::Indefinite).then_some(d);
+                    let (keep, depth) = (depth.start > 0, depth.len());
+                    let shape = Shape { rows: size, columns: count, depth, keep, lower };
+                    self.kernel.product((&mut self.product, size), left, right, d, shape);
+                    self.worked(count * size * depth, go_on)?;
                 }
+                self.places.clear();
+                self.places.extend(names[rows.clone()].iter().map(|r| self.local[*r as usize]));
                 for (j, product) in columns.clone().zip(self.product.chunks_exact(size)) {
                     let column = &mut own[self.local[names[j] as usize] as usize * height..][..height];
-                    let lower = j.saturating_sub(rows.start);
-                    for (name, value) in names[rows.clone()].iter().zip(product).skip(lower) {
-                        column[self.local[*name as usize] as usize] -= value;
+                    let begin = j.saturating_sub(rows.start);
+                    for (place, value) in self.places[begin..].iter().zip(&product[begin..]) {
+                        column[*place as usize] += value;
                     }
                 }
             }
@@ -217,83 +166,43 @@ impl Numeric {
     ) -> Result<(), Ended> {
         for columns in pieces(0..width, COLUMNS) {
             let (first, count) = (columns.start, columns.len());
-            let (left, right) = own.split_at_mut(first * height);
-            let done = MatRef::from_column_major_slice(left, height, first);
-            let mut panel = MatMut::from_column_major_slice_mut(&mut right[..count * height], height, count);
+            let (done, own) = own.split_at_mut(first * height);
+            let part =
+                |row: usize, column: usize| Matrix { values: &done[column * height + row..], stride: height };
             for depth in pieces(0..first, DEPTH) {
                 for rows in pieces(first..height, ROWS) {
-                    let right = part(done, &columns, &depth);
-                    let right =
-                        scaled(&mut self.scaled, form, right, |k| done[(depth.start + k, depth.start + k)]);
-                    let target = panel.rb_mut().subrows_mut(rows.start, rows.len());
-                    matmul(target, Accum::Add, part(done, &rows, &depth), right.transpose(), -1.0, Par::Seq);
-                    self.worked(count * rows.len() * depth.len(), go_on)?;
+                    let d = Matrix { stride: height + 1, ..part(depth.start, depth.start) };
+                    let d = (form == Form::Indefinite).then_some(d);
+                    let (left, right) = (part(rows.start, depth.start), part(first, depth.start));
+                    let (size, depth, lower) = (rows.len(), depth.len(), rows.start == first);
+                    let shape = Shape { rows: size, columns: count, depth, keep: true, lower };
+                    self.kernel.product((&mut own[rows.start..], height), left, right, d, shape);
+                    self.worked(count * size * depth, go_on)?;
                 }
             }
-            let (top, mut below) = panel.rb_mut().split_at_row_mut(columns.end);
-            let mut top = top.subrows_mut(first, count);
-            let stack = MemStack::new(&mut self.memory);
-            let pivot = |index: usize| Ended::Pivot { supernode: 0, pivot: first + index };
-            match form {
-                Form::Positive => {
-                    let regularization = LltRegularization::default();
-                    llt::cholesky_in_place(top.rb_mut(), regularization, Par::Seq, stack, Default::default())
-                        .map_err(|llt::LltError::NonPositivePivot { index }| pivot(index))?;
-                }
-                Form::Indefinite => {
-                    let regularization = LdltRegularization::default();
-                    ldlt::cholesky_in_place(
-                        top.rb_mut(),
-                        regularization,
-                        Par::Seq,
-                        stack,
-                        Default::default(),
-                    )
-                    .map_err(|ldlt::LdltError::ZeroPivot { index }| pivot(index))?;
-                }
-            }
-            for rows in pieces(0..below.nrows(), ROWS) {
-                let mut below = below.rb_mut().subrows_mut(rows.start, rows.len());
-                if form == Form::Positive {
-                    solve_lower_triangular_in_place(top.rb(), below.rb_mut().transpose_mut(), Par::Seq);
-                } else {
-                    solve_unit_lower_triangular_in_place(top.rb(), below.rb_mut().transpose_mut(), Par::Seq);
-                    for k in 0..count {
-                        let share = 1.0 / top[(k, k)];
-                        below.rb_mut().col_mut(k).iter_mut().for_each(|x| *x *= share);
-                    }
-                }
-                self.worked(count * count * rows.len(), go_on)?;
+            let mut panel = Panel { form, values: &mut own[first..], stride: height, count };
+            let top = count.max(CHUNK).min(height - first);
+            let rest = pieces(top..height - first, CHUNK);
+            for rows in std::iter::once(0..top).chain(rest) {
+                let work = count * count * rows.len();
+                let pivot = |index: usize| Ended::Pivot { supernode: 0, pivot: first + index };
+                panel.factorise(&mut self.kernel, rows).map_err(pivot)?;
+                self.worked(work, go_on)?;
             }
         }
         Ok(())
     }
 }
 
-/// Columns times the pivots D of L D Lᵀ; as they are of L Lᵀ.
-fn scaled<'a>(
-    memory: &'a mut Vec<f64>,
-    form: Form,
-    matrix: MatRef<'a, f64>,
-    pivot: impl Fn(usize) -> f64,
-) -> MatRef<'a, f64> {
-    if form == Form::Positive {
-        return matrix;
-    }
-    memory.clear();
-    for k in 0..matrix.ncols() {
-        let d = pivot(k);
-        memory.extend(matrix.col(k).iter().map(|x| d * x));
-    }
-    MatRef::from_column_major_slice(memory, matrix.nrows(), matrix.ncols())
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::newton::Stopped;
     use super::super::sparse::{Analysis, Pattern, SparseCholesky};
+    use super::Symbolic;
+    use crate::element::lanes::tests::each_width;
     use mckibben::budget::{Budget, Exceeded};
     use mckibben::random::Random;
+    use nalgebra::{DMatrix, DVector};
     use std::sync::Arc;
 
     /// Blocks of 90 unknowns, each dense, and `last` unknowns that touch them all: supernodes below and above the widest piece. Strictly
@@ -342,7 +251,7 @@ mod tests {
                     }
                 }
             }
-            cholesky.solve(&mut b, 1);
+            cholesky.solve(&mut b);
             let off = b.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
             assert!(off < 1e-12, "{off}");
             let expected = if negative > 0 { n.div_ceil(negative) } else { 0 };
@@ -358,5 +267,79 @@ mod tests {
         assert!(factorised(&of, &budget).is_ok());
         budget.cancel();
         assert_eq!(factorised(&of, &budget).unwrap_err(), Stopped::Exceeded(Exceeded::Cancelled));
+    }
+
+    /// The lower half of a matrix where `meets(i, j)` says so; the diagonal dominates, its sign by row.
+    fn sparse(
+        n: usize,
+        meets: impl Fn(usize, usize) -> bool,
+        sign: impl Fn(usize) -> f64,
+    ) -> ((Pattern, Vec<f64>), DMatrix<f64>) {
+        let (mut r, mut full) = (Random(11), DMatrix::<f64>::zeros(n, n));
+        for (i, j) in (0..n).flat_map(|j| (j + 1..n).map(move |i| (i, j))).filter(|(i, j)| meets(*i, *j)) {
+            full[(i, j)] = r.between(-1.0, 1.0);
+            full[(j, i)] = full[(i, j)];
+        }
+        for i in 0..n {
+            full[(i, i)] = sign(i) * (0.5 + full.row(i).iter().map(|x| x.abs()).sum::<f64>());
+        }
+        let (mut columns, mut rows, mut values) = (vec![0], vec![], vec![]);
+        for j in 0..n {
+            for i in (j..n).filter(|i| full[(*i, j)] != 0.0) {
+                rows.push(i as u32);
+                values.push(full[(i, j)]);
+            }
+            columns.push(rows.len() as u32);
+        }
+        ((Pattern { columns, rows }, values), full)
+    }
+
+    /// Bands, arrows, grids, scattered and dense matrices on every width of lanes, against a dense solution and dense eigenvalues.
+    #[test]
+    fn sparse_systems_of_many_shapes_have_the_dense_solution_and_inertia() {
+        type Meets = fn(usize, usize) -> bool;
+        let shapes: [(usize, Meets); 9] = [
+            (1, |_, _| true),
+            (2, |_, _| false),
+            (37, |_, _| false),
+            (40, |_, _| true),
+            (61, |i, j| i - j < 4),
+            (50, |i, j| i > 43 || i == j + 1 && i % 7 != 0),
+            (60, |i, j| i == j + 1 && i % 6 > 0 || i == j + 6),
+            (90, |i, j| (i * 31 + j * 17) % 41 == 0),
+            (75, |i, j| i / 10 == j / 10 || i > 69 && j % 3 == 0),
+        ];
+        let signs: [fn(usize) -> f64; 3] =
+            [|_| 1.0, |i| if i % 3 == 1 { -1.0 } else { 1.0 }, |i| if i < 20 { 1.0 } else { -1.0 }];
+        for ((n, meets), sign) in shapes.into_iter().flat_map(|s| signs.map(|sign| (s, sign))) {
+            let (of, full) = sparse(n, meets, sign);
+            let b = DVector::from_fn(n, |i, _| 1.5 + ((i * i) as f64).sin());
+            let wanted = full.clone().lu().solve(&b).unwrap();
+            let negative = full.symmetric_eigenvalues().iter().filter(|x| **x < 0.0).count();
+            each_width(|width| {
+                let mut cholesky = factorised(&of, &Budget::default()).unwrap();
+                let mut x = b.as_slice().to_vec();
+                cholesky.solve(&mut x);
+                let off = x.iter().zip(&wanted).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-12 * wanted.amax(), "{width:?} {n}: {off}");
+                assert_eq!(cholesky.negative_pivots(), negative);
+            });
+        }
+    }
+
+    /// A zero on the diagonal that nothing fills, and a number that is none.
+    #[test]
+    fn a_singular_matrix_is_refused_at_its_pivot() {
+        let ((pattern, values), _) = sparse(40, |i, j| i - j < 30 && j != 33 && i != 33, |_| 1.0);
+        for value in [0.0, f64::NAN] {
+            let mut values = values.clone();
+            values[pattern.columns[33] as usize] = value;
+            let Err(Stopped::Singular(at)) = factorised(&(pattern.clone(), values), &Budget::default())
+            else {
+                panic!("a pivot of {value}");
+            };
+            let s = Symbolic::of(&pattern).unwrap();
+            assert_eq!(s.columns(at.block).start + at.pivot, 33);
+        }
     }
 }

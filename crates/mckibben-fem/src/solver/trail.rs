@@ -134,11 +134,6 @@ impl<B: Body> Continuation<B> {
     pub fn trail_here(&mut self) {
         self.trail.push(self.body.state());
     }
-
-    /// Pressure of the last point of the path in MPa.
-    pub fn pressure_of_trail(&self) -> f64 {
-        self.trail.last().map_or(0.0, |s| s.pressure)
-    }
 }
 
 #[cfg(test)]

@@ -12,11 +12,14 @@ use crate::element::hexahedron::{points8, points27};
 use crate::element::lanes::Width;
 use crate::solver::body::State;
 use crate::solver::sparse::{Analysis, Pattern};
+use mckibben::budget::{Budget, Exceeded};
 use mckibben::muscle::Bulk;
 use mckibben::rubber::{Law, RubberLaw};
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Elements or unknowns between two looks at the budget.
+const PIECE: usize = 4096;
 /// γ over the shear modulus: the share of the bulk modulus that is condensed; what is above it is iterated.
 const AUGMENT: f64 = 2000.0;
 /// γ of the strands over μ times the wall, likewise: of E A / L0 of one strand.
@@ -113,17 +116,21 @@ impl Discretisation {
     /// Numbers the unknowns and finds every entry's place.
     ///
     /// # Errors
-    /// [`FemError::Element`] where an element is turned inside out at rest, [`FemError::TooLarge`] without enough memory.
+    /// [`FemError::Element`] where an element is turned inside out at rest, [`FemError::TooLarge`] without enough memory,
+    /// [`FemError::Exceeded`] where the [budget](Budget::current) of this thread's work ends before.
     pub fn new(problem: Problem) -> Result<Self, FemError> {
+        let budget = Budget::current();
         let (per_brick, count) = match problem.brick {
             Brick::Linear => (8, 1),
             Brick::Quadratic => (27, 4),
         };
         let connectivity: Vec<u32> = problem.bricks.concat();
-        let rest = rest_modes(&problem, count)?;
+        let rest = rest_modes(&problem, count, &budget)?;
         let (unknown, place, terminal) = number(&problem);
         let free = place.len();
-        let analysis = Analysis::new(pattern(&problem, &unknown, free));
+        let pattern = pattern(&problem, &unknown, free, &budget)?;
+        budget.check()?;
+        let analysis = Analysis::new(pattern);
         let analysis = Arc::new(analysis.map_err(|e| FemError::TooLarge { unknowns: e.dimension })?);
         let shear = problem.law.shear_modulus_mpa();
         let materials = Material::all(&problem);
@@ -168,7 +175,8 @@ impl Discretisation {
             width: Width::here(),
             problem,
         };
-        out.map();
+        budget.check()?;
+        out.map(&budget)?;
         Ok(out)
     }
 
@@ -204,12 +212,13 @@ impl Discretisation {
         }
     }
 
-    fn map(&mut self) {
+    fn map(&mut self, budget: &Budget) -> Result<(), Exceeded> {
         let nn = self.per_brick;
         let nothing = (self.pattern().entries() + self.free + 1) as u32;
         let mut map = Vec::with_capacity(self.bricks() * self.per_map());
         let mut twice = Vec::new();
         for (e, nodes) in self.problem.bricks.iter().enumerate() {
+            look(e, budget)?;
             let start = map.len();
             for a in 0..nn {
                 let ua = self.unknown[nodes[a] as usize];
@@ -262,7 +271,13 @@ impl Discretisation {
             }
         }
         self.face_map = faces;
+        Ok(())
     }
+}
+
+/// Looks at the budget now and then.
+fn look(number: usize, budget: &Budget) -> Result<(), Exceeded> {
+    if number.is_multiple_of(PIECE) { budget.check() } else { Ok(()) }
 }
 
 /// Forces that come of rounding places (some ulp of the greatest one): stiffness times area over height of a brick.
@@ -275,21 +290,23 @@ fn rounding(stiff: &[Material], rest: &[Modes], greatest: f64) -> f64 {
     stiff.iter().map(one).fold(0.0, f64::max)
 }
 
-fn rest_modes(problem: &Problem, count: usize) -> Result<Vec<Modes>, FemError> {
+fn rest_modes(problem: &Problem, count: usize, budget: &Budget) -> Result<Vec<Modes>, FemError> {
     fn all<const NN: usize>(
         problem: &Problem,
         points: &[crate::element::brick::ShapePoint<NN>],
         count: usize,
+        budget: &Budget,
     ) -> Result<Vec<Modes>, FemError> {
         let element = |(e, nodes): (usize, &Vec<u32>)| {
+            look(e, budget)?;
             let places: [[f64; 3]; NN] = std::array::from_fn(|a| problem.rest(e, nodes[a]));
             modes(points, &places, count).ok_or(FemError::Element { element: e })
         };
         problem.bricks.iter().enumerate().map(element).collect()
     }
     match problem.brick {
-        Brick::Linear => all(problem, &points8(), count),
-        Brick::Quadratic => all(problem, &points27(), count),
+        Brick::Linear => all(problem, &points8(), count, budget),
+        Brick::Quadratic => all(problem, &points27(), count, budget),
     }
 }
 
@@ -323,9 +340,15 @@ fn number(problem: &Problem) -> (Vec<[u32; 3]>, Vec<u32>, Vec<u32>) {
 }
 
 /// The lower half: unknowns of a node meet those of every node with which it shares a brick or a strand.
-fn pattern(problem: &Problem, unknown: &[[u32; 3]], free: usize) -> Pattern {
+fn pattern(
+    problem: &Problem,
+    unknown: &[[u32; 3]],
+    free: usize,
+    budget: &Budget,
+) -> Result<Pattern, Exceeded> {
     let mut near: Vec<Vec<u32>> = vec![vec![]; problem.nodes.len()];
-    for nodes in &problem.bricks {
+    for (e, nodes) in problem.bricks.iter().enumerate() {
+        look(e, budget)?;
         for &a in nodes {
             near[a as usize].extend(nodes);
         }
@@ -337,6 +360,7 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], free: usize) -> Pattern {
     let mut columns = vec![0u32; free + 1];
     let mut lists: Vec<Vec<u32>> = vec![vec![]; free];
     for (node, around) in near.iter_mut().enumerate() {
+        look(node, budget)?;
         around.sort_unstable();
         around.dedup();
         for &c in unknown[node].iter().filter(|c| (**c as usize) < free) {
@@ -352,5 +376,5 @@ fn pattern(problem: &Problem, unknown: &[[u32; 3]], free: usize) -> Pattern {
         rows.extend_from_slice(list);
         columns[c + 1] = rows.len() as u32;
     }
-    Pattern { columns, rows }
+    Ok(Pattern { columns, rows })
 }

@@ -105,7 +105,7 @@ impl Constraints<'_> {
         tolerance: f64,
     ) -> usize {
         let d = self.d;
-        cholesky.solve(b, 1);
+        cholesky.solve(b);
         let mut count = 1;
         spread(d, b, du);
         let wanted = dm.to_vec();
@@ -166,7 +166,7 @@ impl Constraints<'_> {
             full.fill(0.0);
             self.forces(&p, &mut full);
             gather(d, &full, &mut b);
-            cholesky.solve(&mut b, 1);
+            cholesky.solve(&mut b);
             full.fill(0.0);
             spread(d, &b, &mut full);
             self.defects(&full, &mut s);

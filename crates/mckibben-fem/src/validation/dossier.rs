@@ -99,7 +99,7 @@ pub fn dossier<B: Build>(
             tasks.extend(trainings(fit, means).into_iter().map(|t| (i, k, t)));
         }
     }
-    let (done, quiet) = (AtomicUsize::new(0), Quiet(progress));
+    let (done, quiet) = (AtomicUsize::new(0), CancelOnly(progress));
     let one = |(case, fit, training): &(usize, usize, Training)| {
         let result = run((cases[*case], &means[*case]), (*case, *fit), training, build, &quiet);
         progress.report(done.fetch_add(1, Ordering::Relaxed) + 1, tasks.len());
@@ -109,9 +109,9 @@ pub fn dossier<B: Build>(
 }
 
 /// The wish to end and the budget, without the progress of a single fit.
-struct Quiet<'a>(&'a dyn Progress);
+struct CancelOnly<'a>(&'a dyn Progress);
 
-impl Progress for Quiet<'_> {
+impl Progress for CancelOnly<'_> {
     fn cancelled(&self) -> bool {
         self.0.cancelled()
     }

@@ -124,13 +124,14 @@ fn read_command(
         let Some(text) = section.text(key, expected)? else { return Ok(None) };
         if let Some(name) = text.trim().strip_prefix(TABLE) {
             let wrong = |why: String| said(section, key, format!("names {}, {why}", name.trim()));
-            let table = tables.texts.get(name.trim()).ok_or_else(|| wrong("which nobody gave".into()))?;
+            let table =
+                tables.texts.get(name.trim()).ok_or_else(|| wrong("which was not supplied".into()))?;
             let points =
                 read_over_time(table.as_bytes(), what).map_err(|e| wrong(format!("which is none: {e}")))?;
             return Command::table(points).map(Some).map_err(|e| wrong(format!("which is none: {e}")));
         }
         spoken(text, dimension.unwrap_or(Dimension::Ratio))
-            .ok_or_else(|| said(section, key, format!("is no command; write {expected}")))?
+            .ok_or_else(|| said(section, key, format!("is not a command; write {expected}")))?
     } else {
         match section.pairs(key, (Some(Dimension::Time), dimension), expected)? {
             None => return Ok(None),

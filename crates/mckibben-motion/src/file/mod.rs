@@ -196,7 +196,7 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
     let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
     for part in parents.split('.').filter(|p| !p.is_empty()) {
         let item = table.entry(part).or_insert_with(toml_edit::table);
-        table = item.as_table_like_mut().ok_or_else(|| wrong("is no key of a table"))?;
+        table = item.as_table_like_mut().ok_or_else(|| wrong("is not a key of a table"))?;
     }
     let item = match (value.parse::<f64>(), value.parse::<bool>()) {
         (Ok(number), _) if number.is_finite() => toml_edit::value(number),
@@ -221,7 +221,7 @@ fn above(section: &Section<'_>, key: &str, dimension: Dimension) -> Result<Optio
 
 /// What the crate itself says of a number, at its key.
 fn at<T>(section: &Section<'_>, key: &str, result: Result<T, MotionError>) -> Result<T, FileError> {
-    result.map_err(|error| said(section, key, format!("makes no sense: {error}")))
+    result.map_err(|error| said(section, key, format!("is invalid: {error}")))
 }
 
 fn supply(section: &Section<'_>) -> Result<Supply, FileError> {
@@ -248,11 +248,11 @@ fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileErro
     for name in Load::tables(text) {
         let Some(table) = tables.texts.get(name) else { continue };
         let table = read_load(table.as_bytes(), tables.rest_length_mm)
-            .map_err(|error| said(section, "line", format!("is no load: {name}: {error}")))?;
+            .map_err(|error| said(section, "line", format!("is not a valid load: {name}: {error}")))?;
         read.insert(name, table);
     }
     let line = Load::parse(text, &|name| read.get(name).cloned())
-        .map_err(|error| said(section, "line", format!("is no load: {error}")))?;
+        .map_err(|error| said(section, "line", format!("is not a valid load: {error}")))?;
     Ok(Some(match mass {
         Some(mass) => Load::Sum(vec![mass, line]),
         None => line,
@@ -314,7 +314,7 @@ mod tests {
         for (text, words) in [
             (format!("[valve]\nname = 'x'\n{TAIL}"), "muscle"),
             (format!("muscle = 'm.toml'\n{TAIL}"), "[regulator]"),
-            (format!("{HEAD}[regulator]\ntime_constant = '20 ms'\n{TAIL}"), "beside a valve"),
+            (format!("{HEAD}[regulator]\ntime_constant = '20 ms'\n{TAIL}"), "conflicts with [valve]"),
             (format!("muscle = 'm.toml'\n[valve]\nsonic_conductance = '0 L/(s bar)'\n{TAIL}"), "above zero"),
             (format!("muscle = 'm.toml'\n[valve]\nname = 'festo-mh3'\n{TAIL}"), "festo-mh2"),
             (format!("{HEAD}critical_ratio = 1.5\n{TAIL}"), "critical"),

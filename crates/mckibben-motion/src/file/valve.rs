@@ -39,7 +39,7 @@ pub(super) fn actuator(root: &Section<'_>) -> Result<Actuator, FileError> {
             })?;
             Ok(Actuator::Regulator { time_constant_s })
         }
-        (true, true) => Err(said(root, "regulator", "stands beside a valve: give one of them")),
+        (true, true) => Err(said(root, "regulator", "conflicts with [valve]; keep one")),
         (false, false) => Err(root.missing("valve", None, "a [valve] or a [regulator] that gives the air")),
     }
 }
@@ -52,7 +52,7 @@ fn read_valve(section: &Section<'_>) -> Result<Valve, FileError> {
             let all: Vec<&str> = valves().iter().map(|v| v.name.as_str()).collect();
             let near = nearest(name, all.iter().copied());
             let near = near.map_or_else(String::new, |n| format!("did you mean {n}? "));
-            said(section, "name", format!("is no valve that is known: {near}there are {}", all.join(", ")))
+            said(section, "name", format!("is not a known valve: {near}there are {}", all.join(", ")))
         })?),
     };
     let path = |c: &str, b: &str, own: Option<Orifice>| -> Result<Option<Orifice>, FileError> {

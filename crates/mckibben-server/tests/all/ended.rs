@@ -8,8 +8,8 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// A second, and as much again on machines that do something else as well.
-const LATE: Duration = Duration::from_secs(2);
+/// A second, and half of one for the scheduler: other tests run meanwhile, and the thread that looks at its budget waits for its turn.
+const LATE: Duration = Duration::from_millis(1500);
 
 struct Within(Budget);
 
@@ -58,11 +58,12 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
             json!({ "points": points(3), "angle_deg": { "low": 20, "high": 35 }, "length_mm": { "low": 200, "high": 400 },
                     "model": "fe", "max_pressure_mpa": 0.5 }),
         ],
-        "pressure" | "contraction" | "force" => {
-            let kept = ["model", "length_mm", "mesh"];
+        "pressure" | "contraction" | "force" | "shape" => {
+            let kept: &[&str] =
+                if command == "shape" { &["length_mm", "mesh"] } else { &["model", "length_mm", "mesh"] };
             let asked: &[&str] = match command {
                 "pressure" => &["force_n", "contraction"],
-                "contraction" => &["force_n", "pressure_mpa"],
+                "contraction" | "shape" => &["force_n", "pressure_mpa"],
                 _ => &["pressure_mpa", "contraction"],
             };
             let own =
@@ -91,7 +92,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         ],
         "validate" => vec![json!({ "all": true })],
         "sweep" => vec![json!({ "muscles": 19_000 })],
-        "measured" => vec![],
+        "measured" => vec![json!({})],
         "compare" => vec![
             json!({ "models": ["fe", "thick-wall"], "pressures_mpa": pressures, "contractions": contractions }),
             json!({ "models": ["fe"], "data": bench, "fit": ["modulus", "stiffness"] }),
@@ -115,7 +116,7 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
         "fit-report" => vec![json!({})],
         "plan" => vec![json!({ "plan": plan })],
         "campaign" => vec![json!({ "plan": plan, "output": folder.join("c.parquet") })],
-        "report" => vec![],
+        "report" => vec![json!({ "length_mm": 30000 })],
         "rubber-fit" => {
             let row = |t: f64| {
                 let l = 1.0 + 4.0 * t;
@@ -132,7 +133,6 @@ fn dear(command: &str, folder: &Path) -> Vec<Value> {
                 json!({ "data": history, "laws": ["yeoh"], "softening": true }),
             ]
         }
-        "shape" => vec![],
         "formula-show" | "campaign-show" | "campaign-merge" | "muscle-show" | "braid-list" | "braid-show"
         | "rubber-list" | "rubber-show" | "quantities" | "units" | "models" => vec![],
         other => panic!("say what a dear request of {other} is, or that there is none"),

@@ -197,7 +197,7 @@ pub fn pressure_at<M: ForceModel + ?Sized>(
             let p = lowest + share * FIRST_STEP * highest.min(1.0);
             sweep.keep(p, at(p)?);
         }
-        sweep.finer(4, &mut at)?;
+        sweep.finer((2, 6), &mut at)?;
         sweep.refine(&mut at)?;
         if let Some(zero) = sweep.zeros(&mut at)?.first() {
             return Ok(zero.at);
@@ -440,6 +440,9 @@ fn contraction_down_to<M: ForceModel + ?Sized>(
     if lowest < start {
         sweep.fill((straight, start), fineness.beyond, &mut at)?;
         sweep.fill((lowest, straight), fineness.beyond, &mut at)?;
+    }
+    if !model.is_costly() {
+        sweep.finer((1, 5), &mut at)?;
     }
     sweep.refine(&mut at)?;
     let zeros = sweep.zeros(&mut at)?;

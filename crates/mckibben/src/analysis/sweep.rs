@@ -11,6 +11,8 @@ use super::root::{RootError, find_root};
 const HALVINGS: usize = 40;
 /// Shares of the way to its neighbour at which more samples are taken beside an end.
 const BESIDE: [f64; 4] = [0.01, 0.1, 0.3, 0.6];
+/// Between samples a function is looked at again where it is further from a straight line than this share of its distance from zero.
+const CURVED: f64 = 0.03;
 /// A zero is known to this.
 const TOLERANCE: f64 = 1e-13;
 /// What is left at a zero, as a share of the values around it; more is left where the function jumps.
@@ -66,14 +68,33 @@ impl Sweep {
         Ok(())
     }
 
-    /// Cuts the way from each sample to the next into `parts`.
+    /// Halves the way from each sample to the next: `least` times, and up to `most` times where the function is so curved that it may reach zero
+    /// between two of them.
     pub fn finer<E>(
         &mut self,
-        parts: usize,
+        (least, most): (usize, usize),
         at: &mut impl FnMut(f64) -> Result<Option<f64>, E>,
     ) -> Result<(), E> {
-        for pair in self.samples.clone().windows(2) {
-            self.fill((pair[0].0, pair[1].0), parts, at)?;
+        let mut left: Vec<(Sample, Sample, usize)> =
+            self.samples.windows(2).map(|pair| (pair[0], pair[1], 0)).collect();
+        while let Some((low, high, halved)) = left.pop() {
+            let middle = 0.5 * (low.0 + high.0);
+            if halved == most || middle <= low.0 || middle >= high.0 {
+                continue;
+            }
+            let value = at(middle)?;
+            self.keep(middle, value);
+            let curved = match (low.1, value, high.1) {
+                (Some(a), Some(m), Some(b)) => {
+                    let nearest = a.abs().min(m.abs()).min(b.abs());
+                    (m - 0.5 * (a + b)).abs() > CURVED * nearest
+                }
+                _ => false,
+            };
+            if halved + 1 < least || curved {
+                left.push((low, (middle, value), halved + 1));
+                left.push(((middle, value), high, halved + 1));
+            }
         }
         Ok(())
     }
@@ -221,6 +242,22 @@ mod tests {
         let (sweep, zeros) = swept(|x| Some(if x < 0.45 { -1.0 } else { 2.0 }), (0.0, 1.0), 5);
         assert!(zeros.is_empty());
         assert_eq!(sweep.least(f64::abs).unwrap().1, -1.0);
+    }
+
+    /// A dip of width 0.02 below zero at 0.3275: samples 0.05 apart are all above zero.
+    #[test]
+    fn a_narrow_dip_between_samples_is_found_where_they_are_halved() {
+        let f = |x: f64| Some(0.03 + 0.01 * (x - 0.3) - 0.05 * (-((x - 0.3275) / 0.02).powi(2)).exp());
+        let mut at = |x: f64| Ok::<_, ()>(f(x));
+        let mut sweep = Sweep::new(60);
+        sweep.fill((0.0, 1.0), 20, &mut at).unwrap();
+        assert!(sweep.zeros(&mut at).unwrap().is_empty());
+        let mut sweep = Sweep::new(60);
+        sweep.fill((0.0, 1.0), 5, &mut at).unwrap();
+        sweep.finer((2, 6), &mut at).unwrap();
+        sweep.refine(&mut at).unwrap();
+        let zeros = sweep.zeros(&mut at).unwrap();
+        assert_eq!(zeros.iter().map(|z| z.falls).collect::<Vec<_>>(), [true, false]);
     }
 
     /// (x − ¼)² + 1 comes nearest to zero at ¼.

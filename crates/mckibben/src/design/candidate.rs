@@ -10,23 +10,26 @@ use serde::Serialize;
 
 /// A candidate at one operating point.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "DesignPoint"))]
 pub struct CandidatePoint {
-    /// What was wanted.
-    pub wanted: OperatingPoint,
-    /// Pressure it takes, in MPa.
-    pub pressure_mpa: f64,
-    /// Pull at the maximum pressure, in N.
-    pub available_n: f64,
-    /// `available_n` over the pull wanted, minus 1.
-    pub margin: f64,
-    /// What the muscle is like there, at the pressure it takes.
+    /// What the muscle is like there, at the pressure it takes; its pull is the one that is wanted.
+    #[serde(flatten)]
     pub response: Response,
-    /// Air from rest to this point in normal litres.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Pull at the maximum pressure, N.
+    pub force_at_max_pressure_n: f64,
+    /// That pull over the pull wanted, minus 1.
+    pub margin: f64,
+    /// Air from rest to this point, normal litres.
     pub air_normal_litres: Option<f64>,
-    /// 95 % half-width of the pull in N.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// 95 % half-width of the pull, N.
     pub uncertainty_n: Option<f64>,
+}
+
+impl CandidatePoint {
+    /// What was wanted.
+    pub fn wanted(&self) -> OperatingPoint {
+        OperatingPoint { force_n: self.response.force_n, contraction: self.response.contraction }
+    }
 }
 
 /// A muscle that fits.
@@ -108,7 +111,7 @@ pub(super) fn candidate(
         let pressure_mpa = need(spec, model, workspace, point, available_n)?;
         let (mut response, filled) =
             full_response(model, workspace, &thick_wall, pressure_mpa, point.contraction)?;
-        response.force_n = point.force_n;
+        (response.pressure_mpa, response.force_n) = (pressure_mpa, point.force_n);
         from_thick_wall.extend(filled);
         let (air_normal_litres, helped) =
             air_of(model, workspace, &thick_wall, pressure_mpa, point.contraction);
@@ -116,9 +119,7 @@ pub(super) fn candidate(
             from_thick_wall.push("air");
         }
         points.push(CandidatePoint {
-            wanted: *point,
-            pressure_mpa,
-            available_n,
+            force_at_max_pressure_n: available_n,
             margin: available_n / point.force_n - 1.0,
             response,
             air_normal_litres,
@@ -145,7 +146,7 @@ pub(super) fn candidate(
     from_thick_wall.dedup();
     let furthest = wanted.iter().map(|p| p.contraction).fold(0.0, f64::max);
     Ok(Candidate {
-        pressure_mpa: points.iter().map(|p| p.pressure_mpa).fold(0.0, f64::max),
+        pressure_mpa: points.iter().map(|p| p.response.pressure_mpa).fold(0.0, f64::max),
         margin: points.iter().map(|p| p.margin).fold(f64::INFINITY, f64::min),
         blocked_force_n: force_on(model, workspace, max, 0.0, options.direction)?,
         free_contraction: free,

@@ -1,6 +1,6 @@
 //! What a muscle must do.
 
-use super::spec::{OperatingPoint, SpecError};
+use super::spec::{OperatingPoint, SpecError, TorqueWanted};
 use crate::load::Load;
 use std::borrow::Cow;
 
@@ -49,8 +49,8 @@ impl Way {
 /// pull, and slack at every smaller angle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointDemand {
-    /// Torques in N m at angles in degrees.
-    pub torques: Vec<(f64, f64)>,
+    /// Torques at angles.
+    pub torques: Vec<TorqueWanted>,
     /// Largest angle φm in degrees to either side.
     pub largest_angle_deg: f64,
     /// Radius r of the pulley in mm.
@@ -64,7 +64,7 @@ impl JointDemand {
     }
 
     fn points(&self, length_mm: f64) -> Vec<OperatingPoint> {
-        let point = |&(torque_nm, angle_deg): &(f64, f64)| OperatingPoint {
+        let point = |&TorqueWanted { torque_nm, angle_deg }: &TorqueWanted| OperatingPoint {
             force_n: 1e3 * torque_nm / self.radius_mm,
             contraction: self.contraction_at_neutral(length_mm)
                 + self.radius_mm * angle_deg.to_radians() / length_mm,
@@ -97,9 +97,12 @@ impl Demand {
     pub(super) fn check(&self, length_mm: f64) -> Result<(), SpecError> {
         match self {
             Self::Joint(j) => {
-                let senseless =
-                    |t: &&(f64, f64)| !(t.0 > 0.0 && t.0.is_finite() && t.1.abs() <= j.largest_angle_deg);
-                if let Some(&(torque_nm, angle_deg)) = j.torques.iter().find(senseless) {
+                let senseless = |t: &&TorqueWanted| {
+                    !(t.torque_nm > 0.0
+                        && t.torque_nm.is_finite()
+                        && t.angle_deg.abs() <= j.largest_angle_deg)
+                };
+                if let Some(&TorqueWanted { torque_nm, angle_deg }) = j.torques.iter().find(senseless) {
                     let largest_deg = j.largest_angle_deg;
                     return Err(SpecError::Torque { torque_nm, angle_deg, largest_deg });
                 }
@@ -148,7 +151,10 @@ mod tests {
     #[test]
     fn a_joint_asks_for_pulls_at_contractions() {
         let joint = JointDemand {
-            torques: vec![(8.0, 45.0), (3.0, -60.0)],
+            torques: vec![
+                TorqueWanted { torque_nm: 8.0, angle_deg: 45.0 },
+                TorqueWanted { torque_nm: 3.0, angle_deg: -60.0 },
+            ],
             largest_angle_deg: 60.0,
             radius_mm: 25.0,
         };
@@ -175,7 +181,7 @@ mod tests {
     #[test]
     fn what_makes_no_sense_is_refused() {
         let joint = |torque, angle, most, radius| {
-            let torques = vec![(torque, angle)];
+            let torques = vec![TorqueWanted { torque_nm: torque, angle_deg: angle }];
             Demand::Joint(JointDemand { torques, largest_angle_deg: most, radius_mm: radius }).check(250.0)
         };
         assert!(matches!(joint(8.0, 70.0, 60.0, 25.0), Err(SpecError::Torque { .. })));

@@ -7,7 +7,7 @@ use super::search::{Search, nice_steps};
 use super::spec::{Build, Spec, SpecError};
 use crate::analysis::golden;
 use crate::model::ThickWall;
-use crate::progress::{Progress, Quiet};
+use crate::progress::{CancelOnly, Progress};
 use crate::units::Values;
 use std::cmp::Ordering;
 
@@ -59,7 +59,9 @@ pub fn design_joint(
         let spec = with(radius);
         let merit = match spec.check() {
             _ if progress.cancelled() => Merit::NONE,
-            Ok(()) => Search::of(&Spec { extrapolate: true, ..spec }, models, &Quiet(progress)).run().best(),
+            Ok(()) => {
+                Search::of(&Spec { extrapolate: true, ..spec }, models, &CancelOnly(progress)).run().best()
+            }
             Err(error) => {
                 first_error.get_or_insert(error);
                 Merit::NONE
@@ -101,5 +103,5 @@ pub fn design_joint(
         chosen = if rounded.1.fits() || !found.1.fits() { rounded } else { found };
     }
     let spec = with(chosen.0);
-    design_with(&spec, models, &Quiet(progress)).map(|outcome| (spec, outcome))
+    design_with(&spec, models, &CancelOnly(progress)).map(|outcome| (spec, outcome))
 }

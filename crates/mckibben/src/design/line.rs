@@ -11,7 +11,7 @@ const RATIO: f64 = 1.18;
 const TOLERANCE: f64 = 1e-7;
 /// A limit that all samples miss by more than this is not looked for between them.
 const NEARLY: f64 = 0.3;
-/// Steps towards a dip, or the best score.
+/// Steps towards a local minimum, or the best score.
 pub(super) const STEPS: usize = 12;
 /// Steps towards the least violation, which as a rule lies where one limit begins to be missed: there the others are known as well as
 /// that place.
@@ -78,14 +78,20 @@ pub(super) fn along(low: f64, high: f64, first: bool, mut at: impl FnMut(f64) ->
         samples.push(at(x));
         if let [.., before, last] = &samples[..] {
             let next = samples.len() >= 3;
-            let dip = next.then(|| dip(&samples[samples.len() - 3..], &mut at)).flatten();
-            // A dip that was found between the last three goes where it belongs.
-            let segments = match dip {
+            let local_minimum = next.then(|| local_minimum(&samples[samples.len() - 3..], &mut at)).flatten();
+            // A local minimum that was found between the last three goes where it belongs.
+            let segments = match local_minimum {
                 None => vec![(before.clone(), last.clone())],
-                Some(dip) if dip.x > before.x => vec![(before.clone(), dip.clone()), (dip, last.clone())],
-                Some(dip) => {
+                Some(local_minimum) if local_minimum.x > before.x => {
+                    vec![(before.clone(), local_minimum.clone()), (local_minimum, last.clone())]
+                }
+                Some(local_minimum) => {
                     let oldest = samples[samples.len() - 3].clone();
-                    vec![(oldest, dip.clone()), (dip, before.clone()), (before.clone(), last.clone())]
+                    vec![
+                        (oldest, local_minimum.clone()),
+                        (local_minimum, before.clone()),
+                        (before.clone(), last.clone()),
+                    ]
                 }
             };
             for (a, b) in &segments {
@@ -115,7 +121,7 @@ fn places(low: f64, high: f64) -> Vec<f64> {
 }
 
 /// Between the last three samples, the place where a limit that all of them miss is missed by least, if it is met there.
-fn dip(three: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option<Sample> {
+fn local_minimum(three: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option<Sample> {
     let [a, b, c] = three else { return None };
     if ![a, b, c].iter().all(|s| s.answered()) {
         return None;

@@ -25,6 +25,8 @@ pub use limit::{Limit, fits};
 pub use reason::{Reason, Rejected};
 pub use relax::Relaxation;
 pub use run::{Closest, Models, Outcome, design, design_with};
-pub use spec::{BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError};
+pub use spec::{
+    BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError, TorqueWanted,
+};
 pub use sure::{Searcher, Sure, is_doubtful, to_be_sure};
 pub use tolerance::{Spread, SpreadError, Tolerances, spread};

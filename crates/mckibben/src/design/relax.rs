@@ -10,47 +10,54 @@ use serde::Serialize;
 
 /// A way to make the closest muscle fit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(tag = "kind", content = "detail", rename_all = "snake_case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "RelaxationAnswer"))]
+#[serde(tag = "relax", rename_all = "snake_case")]
 pub enum Relaxation {
     /// Supply this pressure.
-    Pressure {
-        /// Pressure in MPa.
+    MaxPressure {
+        /// MPa.
         pressure_mpa: f64,
         /// The model had to be asked outside of its range.
         extrapolated: bool,
     },
-    /// Accept these pulls at the points that fall short.
-    Force(Vec<OperatingPoint>),
-    /// Accept these contractions at the points that fall short.
-    Contraction(Vec<OperatingPoint>),
-    /// Take a tube of this diameter (with the same wall).
+    /// Accept these pulls.
+    Force {
+        /// The points that fall short, as they could be.
+        points: Vec<OperatingPoint>,
+    },
+    /// Accept these contractions.
+    Contraction {
+        /// The points that fall short, as they could be.
+        points: Vec<OperatingPoint>,
+    },
+    /// Take a wider tube with the same wall.
     OuterDiameter {
-        /// Outer diameter in mm.
+        /// mm.
         outer_diameter_mm: f64,
         /// The model that says so.
         model: String,
-        /// The design's model, to which that model was scaled on the closest muscle because it lies outside of its range.
+        /// The model of the search, to which that model was scaled because it lies outside of its range.
         scaled_to: Option<String>,
     },
     /// Allow this diameter when bulged.
-    BulgedDiameter {
-        /// Diameter in mm.
-        diameter_mm: f64,
+    MaxBulgedDiameter {
+        /// mm.
+        bulged_diameter_mm: f64,
     },
     /// Allow this stretch of the rubber.
-    Stretch {
+    MaxStretch {
         /// Largest principal stretch.
-        stretch: f64,
+        max_stretch: f64,
     },
     /// Allow this strain of the strands.
-    StrandStrain {
+    MaxStrandStrain {
         /// Largest strain at the maximum pressure.
-        strain: f64,
+        strand_strain: f64,
     },
     /// Accept this burst margin.
-    BurstMargin {
+    MinBurstMargin {
         /// Burst pressure over maximum pressure.
-        margin: f64,
+        burst_margin: f64,
     },
 }
 
@@ -96,7 +103,7 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
             points(spec, build, muscle, &pulls, |p, pull| {
                 pull.filter(|f| *f > 0.0).map(|force_n| OperatingPoint { force_n, ..*p })
             })
-            .map(Relaxation::Force),
+            .map(|points| Relaxation::Force { points }),
         );
         out.extend(
             points(spec, build, muscle, &pulls, |p, _| {
@@ -105,7 +112,7 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
                         .ok()?;
                 Some(OperatingPoint { contraction, ..*p })
             })
-            .map(Relaxation::Contraction),
+            .map(|points| Relaxation::Contraction { points }),
         );
         if widen {
             out.extend(wider(spec, build, muscle));
@@ -123,18 +130,18 @@ fn of_muscle(spec: &Spec, build: &Build<'_>, muscle: &Muscle, widen: bool) -> Ve
             out.extend(eased.map(relaxation));
         };
     let up = 1.0 + 1e-9;
-    ease(worst(Limit::BulgedDiameter), &|l, v| l.bulged_diameter_mm = Some(v * up), &|diameter_mm| {
-        Relaxation::BulgedDiameter { diameter_mm }
+    ease(worst(Limit::BulgedDiameter), &|l, v| l.bulged_diameter_mm = Some(v * up), &|bulged_diameter_mm| {
+        Relaxation::MaxBulgedDiameter { bulged_diameter_mm }
     });
-    ease(worst(Limit::MaxStretch), &|l, v| l.stretch = Some(v * up), &|stretch| Relaxation::Stretch {
-        stretch,
+    ease(worst(Limit::MaxStretch), &|l, v| l.stretch = Some(v * up), &|max_stretch| Relaxation::MaxStretch {
+        max_stretch,
     });
-    ease(worst(Limit::StrandStrain), &|l, v| l.strand_strain = Some(v * up), &|strain| {
-        Relaxation::StrandStrain { strain }
+    ease(worst(Limit::StrandStrain), &|l, v| l.strand_strain = Some(v * up), &|strand_strain| {
+        Relaxation::MaxStrandStrain { strand_strain }
     });
     let margin = worst(Limit::BurstMargin).and_then(|_| burst_margin(spec, build, muscle));
-    ease(margin, &|l, v| l.burst_margin = Some(v * (1.0 - 1e-9)), &|margin| Relaxation::BurstMargin {
-        margin,
+    ease(margin, &|l, v| l.burst_margin = Some(v * (1.0 - 1e-9)), &|burst_margin| {
+        Relaxation::MinBurstMargin { burst_margin }
     });
     out
 }
@@ -150,7 +157,7 @@ fn pressure(spec: &Spec, build: &Build<'_>, muscle: &Muscle) -> Option<Relaxatio
     let pressure_mpa = needs.collect::<Result<Vec<f64>, _>>().ok()?.into_iter().fold(0.0, f64::max);
     let extrapolated = pressure_mpa > model.range().pressure_mpa.1;
     let relaxed = Spec { max_pressure_mpa: pressure_mpa * (1.0 + 1e-9), extrapolate: true, ..spec.clone() };
-    fits(&relaxed, build, muscle).then_some(Relaxation::Pressure { pressure_mpa, extrapolated })
+    fits(&relaxed, build, muscle).then_some(Relaxation::MaxPressure { pressure_mpa, extrapolated })
 }
 
 fn falls_short(p: &OperatingPoint, pull: Option<f64>) -> bool {

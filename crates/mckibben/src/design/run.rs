@@ -5,7 +5,7 @@ use super::limit::{Probe, probe};
 use super::line::STEPS;
 use super::reason::{Reason, Rejected};
 use super::relax::{Relaxation, relaxations};
-use super::search::{Harvest, Pick, Search};
+use super::search::{Pick, Search, SearchResult};
 use super::spec::{Build, Spec, SpecError};
 use crate::muscle::Muscle;
 use crate::progress::{Progress, Silent};
@@ -31,6 +31,8 @@ pub struct Outcome {
     pub rejected: Vec<Rejected>,
     /// How many muscles were looked at, and how many of them fit.
     pub looked_at: (usize, usize),
+    /// How many of them burst too early, and how many of these meet every other limit.
+    pub too_weak: (usize, usize),
     /// Where nothing fits: the muscle that comes closest, and what would have to give.
     pub closest: Option<Closest>,
 }
@@ -69,21 +71,21 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     let extrapolate = spec.extrapolate || models.settle.is_some();
     let searched = Spec { extrapolate, ..spec.clone() };
     let search = Search::of(&searched, models, progress);
-    let mut harvest = search.run();
-    if harvest.fits.is_empty()
-        && harvest.misses.is_empty()
-        && let Some(error) = harvest.invalid.take()
+    let mut result = search.run();
+    if result.fits.is_empty()
+        && result.misses.is_empty()
+        && let Some(error) = result.invalid.take()
         && !progress.cancelled()
     {
         return Err(SpecError::NoMuscle(error));
     }
-    let candidates = settled(&search, models, &harvest);
+    let candidates = settled(&search, models, &result);
     if progress.cancelled() {
         return Err(SpecError::Cancelled);
     }
     let decides = models.settle.unwrap_or(models.search);
     let mut misses: Vec<(Muscle, Reason)> = vec![];
-    for &(_, pick) in harvest.misses.iter() {
+    for &(_, pick) in result.misses.iter() {
         if misses.len() < spec.top
             && let Ok(muscle) = search.muscle(pick)
             && let Some(reason) = search.reason(&muscle, decides)
@@ -93,7 +95,7 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
     }
     // A muscle that fitted by the search alone, and no other is left.
     if candidates.is_empty() && misses.is_empty() {
-        let first = harvest.fits.first().and_then(|f| search.muscle(f.1).ok());
+        let first = result.fits.first().and_then(|f| search.muscle(f.1).ok());
         misses.extend(first.and_then(|m| search.reason(&m, decides).map(|reason| (m, reason))));
     }
     let closest = misses.first().filter(|_| candidates.is_empty()).map(|(muscle, reason)| Closest {
@@ -102,11 +104,17 @@ pub fn design_with(spec: &Spec, models: Models<'_>, progress: &dyn Progress) -> 
         relaxations: relaxations(spec, decides, misses.iter().map(|m| &m.0)),
     });
     let rejected = misses.iter().map(|(muscle, reason)| Rejected::of(muscle, reason.clone())).collect();
-    Ok(Outcome { candidates, rejected, looked_at: (harvest.looked_at, harvest.fitted), closest })
+    Ok(Outcome {
+        candidates,
+        rejected,
+        looked_at: (result.looked_at, result.fitted),
+        too_weak: result.too_weak,
+        closest,
+    })
 }
 
 /// The muscles that hold by the model that decides, best first.
-fn settled(search: &Search<'_>, models: Models<'_>, harvest: &Harvest) -> Vec<Candidate> {
+fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Vec<Candidate> {
     let spec = search.spec;
     let build = models.settle.unwrap_or(models.search);
     let one = |pick: &Pick| -> Option<Candidate> {
@@ -118,10 +126,10 @@ fn settled(search: &Search<'_>, models: Models<'_>, harvest: &Harvest) -> Vec<Ca
         let probe = probe(spec, build, &muscle).ok().filter(Probe::fits)?;
         candidate(spec, build, &muscle, &probe).ok()
     };
-    let picks: Vec<Pick> = harvest.fits.iter().map(|f| f.1).collect();
+    let picks: Vec<Pick> = result.fits.iter().map(|f| f.1).collect();
     let mut found: Vec<Candidate> = threads::map(&picks, one).into_iter().flatten().collect();
     if found.len() < spec.top && models.settle.is_some() {
-        let nearly: Vec<Pick> = harvest.misses.iter().filter(|m| m.0 < NEARLY).map(|m| m.1).collect();
+        let nearly: Vec<Pick> = result.misses.iter().filter(|m| m.0 < NEARLY).map(|m| m.1).collect();
         found.extend(threads::map(&nearly, one).into_iter().flatten());
     }
     found.sort_by(|a, b| a.score.total_cmp(&b.score));
@@ -135,7 +143,8 @@ fn corrected(search: &Search<'_>, build: &Build<'_>, pick: Pick) -> Option<Pick>
     let Values::Interval(low, high) = &search.spec.outer_diameter_mm else { return Some(pick) };
     for width in WIDTHS {
         let (from, to) = ((pick.d0 * (1.0 - width)).max(*low), (pick.d0 * (1.0 + width)).min(*high));
-        let (fit, _) = search.stretch(pick, (from, to), build, STEPS, &mut Harvest::default());
+        let (fit, _) =
+            search.best_diameter_within(pick, (from, to), build, STEPS, &mut SearchResult::default());
         let Some(fit) = fit else { continue };
         // At an edge that is not a bound of the search the best one lies beyond.
         let edge = (fit.x - from < 1e-3 * fit.x && from > *low) || (to - fit.x < 1e-3 * fit.x && to < *high);

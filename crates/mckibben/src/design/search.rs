@@ -17,7 +17,7 @@ use crate::units::Values;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Golden sections on a line whose best muscle another model looks for again.
-const ROUGHLY: usize = 4;
+const COARSE_STEPS: usize = 4;
 /// More muscles than are printed: some may not hold by the model that decides.
 const SPARE: usize = 3;
 /// Least bore of a muscle in an interval of diameters, as a share of its outer diameter.
@@ -74,15 +74,17 @@ pub(super) struct Search<'a> {
 
 /// What some of the muscles gave: the best that fit, and those that missed by least.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Harvest {
+pub(super) struct SearchResult {
     pub(super) fits: Vec<(f64, Pick)>,
     pub(super) misses: Vec<(f64, Pick)>,
     pub(super) invalid: Option<MuscleError>,
     pub(super) looked_at: usize,
     pub(super) fitted: usize,
+    /// How many burst too early, and how many of these meet every other limit.
+    pub(super) too_weak: (usize, usize),
 }
 
-impl Harvest {
+impl SearchResult {
     /// Of two that are as good the one is better of which a muscle that does not fit misses by less: among stock sizes the next better
     /// one is then within reach.
     fn merit(&self) -> (Merit, f64) {
@@ -110,9 +112,11 @@ impl Harvest {
         }
     }
 
-    fn add(&mut self, other: Harvest, most: usize) {
+    fn add(&mut self, other: SearchResult, most: usize) {
         self.looked_at += other.looked_at;
         self.fitted += other.fitted;
+        self.too_weak.0 += other.too_weak.0;
+        self.too_weak.1 += other.too_weak.1;
         other.fits.into_iter().for_each(|(score, pick)| Self::keep(&mut self.fits, score, pick, most));
         other.misses.into_iter().for_each(|(miss, pick)| Self::keep(&mut self.misses, miss, pick, most));
         self.invalid = self.invalid.take().or(other.invalid);
@@ -120,7 +124,7 @@ impl Harvest {
 }
 
 /// A place of an axis with what it gave.
-type Tried = (f64, Harvest);
+type Tried = (f64, SearchResult);
 
 impl<'a> Search<'a> {
     /// Of a specification, with the model that searches.
@@ -130,7 +134,7 @@ impl<'a> Search<'a> {
             some => some.to_vec(),
         };
         let (most, steps) = match models.settle {
-            Some(_) => (spec.top + SPARE, ROUGHLY),
+            Some(_) => (spec.top + SPARE, COARSE_STEPS),
             None => (spec.top, line::STEPS),
         };
         let build = models.search;
@@ -159,83 +163,93 @@ impl<'a> Search<'a> {
     }
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
-    fn sample(&self, pick: Pick, build: &Build<'_>, harvest: &mut Harvest, scored: bool) -> Sample {
+    fn sample(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult, scored: bool) -> Sample {
         let none = Sample { x: pick.d0, excess: vec![], score: f64::INFINITY };
         if self.progress.cancelled() {
             return none;
         }
-        harvest.looked_at += 1;
+        result.looked_at += 1;
         let muscle = match self.muscle(pick) {
             Ok(muscle) => muscle,
             Err(error) => {
-                harvest.invalid.get_or_insert(error);
+                result.invalid.get_or_insert(error);
                 return none;
             }
         };
         let Ok(probe) = probe_with(self.spec, build, &muscle, scored) else { return none };
         let excess = probe.checks.iter().map(super::limit::Check::excess).collect();
         let sample = Sample { x: pick.d0, excess, score: probe.score };
-        harvest.fitted += usize::from(sample.fits());
+        result.fitted += usize::from(sample.fits());
+        if probe.checks.iter().any(|c| c.limit == Limit::BurstMargin && c.excess() > 0.0) {
+            let mut others = probe.checks.iter().filter(|c| c.limit != Limit::BurstMargin);
+            result.too_weak.0 += 1;
+            result.too_weak.1 += usize::from(others.all(|c| c.excess() <= 0.0));
+        }
         sample
     }
 
     /// All diameters for one wall and choice. An interval of diameters yields its best one only.
-    fn line(&self, choice: Choice, s: f64) -> Harvest {
-        let mut harvest = Harvest::default();
+    fn line(&self, choice: Choice, s: f64) -> SearchResult {
+        let mut result = SearchResult::default();
         if self.progress.cancelled() {
-            return harvest;
+            return result;
         }
         self.progress.report(self.done.fetch_add(1, Ordering::Relaxed), self.walls());
         let pick = |d0: f64| Pick { choice, d0, s };
         match &self.spec.outer_diameter_mm {
             Values::List(list) => {
                 for &d0 in list.iter().take_while(|_| !self.progress.cancelled()) {
-                    let sample = self.sample(pick(d0), self.build, &mut harvest, true);
+                    let sample = self.sample(pick(d0), self.build, &mut result, true);
                     if sample.fits() {
-                        Harvest::keep(&mut harvest.fits, sample.score, pick(d0), self.most);
+                        SearchResult::keep(&mut result.fits, sample.score, pick(d0), self.most);
                     } else {
-                        self.keep_miss(&sample, pick(d0), &mut harvest);
+                        self.keep_miss(&sample, pick(d0), &mut result);
                     }
                 }
             }
             Values::Interval(low, high) => {
-                let (fit, miss) =
-                    self.stretch(pick(*high), (*low, *high), self.build, self.steps, &mut harvest);
-                harvest.fits.extend(fit.map(|sample| (sample.score, pick(sample.x))));
+                let (fit, miss) = self.best_diameter_within(
+                    pick(*high),
+                    (*low, *high),
+                    self.build,
+                    self.steps,
+                    &mut result,
+                );
+                result.fits.extend(fit.map(|sample| (sample.score, pick(sample.x))));
                 if let Some(miss) = miss {
-                    self.keep_miss(&miss, pick(miss.x), &mut harvest);
+                    self.keep_miss(&miss, pick(miss.x), &mut result);
                 }
             }
         }
-        harvest
+        result
     }
 
     /// Keeps a muscle that does not fit; what is no muscle at all is none.
-    fn keep_miss(&self, sample: &Sample, pick: Pick, harvest: &mut Harvest) {
+    fn keep_miss(&self, sample: &Sample, pick: Pick, result: &mut SearchResult) {
         if sample.violation().is_finite() || self.muscle(pick).is_ok() {
-            Harvest::keep(&mut harvest.misses, sample.violation(), pick, self.most);
+            SearchResult::keep(&mut result.misses, sample.violation(), pick, self.most);
         }
     }
 
-    /// The best muscle on a stretch of diameters of a line, or the one that misses by least.
-    pub(super) fn stretch(
+    /// The best muscle in a range of diameters, or the one that misses by least.
+    pub(super) fn best_diameter_within(
         &self,
         pick: Pick,
         (low, high): (f64, f64),
         build: &Build<'_>,
         steps: usize,
-        harvest: &mut Harvest,
+        result: &mut SearchResult,
     ) -> (Option<Sample>, Option<Sample>) {
         // A tube without a bore is no muscle: at least a tenth of the diameter.
         let low = low.max(2.0 * pick.s / (1.0 - LEAST_BORE));
         let thinnest = matches!(self.spec.objective, Objective::Diameter | Objective::Length);
-        let mut limits = |d0: f64| self.sample(Pick { d0, ..pick }, build, harvest, false);
+        let mut limits = |d0: f64| self.sample(Pick { d0, ..pick }, build, result, false);
         if low > high {
             // No diameter is above twice the wall: say so with the widest.
             return (None, Some(limits(high)));
         }
         let Found { fitting, best } = line::along(low, high, thinnest, limits);
-        let mut at = |d0: f64| self.sample(Pick { d0, ..pick }, build, harvest, true);
+        let mut at = |d0: f64| self.sample(Pick { d0, ..pick }, build, result, true);
         let mut fit: Option<Sample> = None;
         for (from, to) in fitting {
             let found = if thinnest { self.buildable(from, to, &mut at) } else { None };
@@ -287,8 +301,8 @@ impl<'a> Search<'a> {
         &self,
         values: &Values,
         (samples, sections): (usize, usize),
-        f: &(dyn Fn(f64) -> Harvest + Sync),
-    ) -> Harvest {
+        f: &(dyn Fn(f64) -> SearchResult + Sync),
+    ) -> SearchResult {
         let places = match values {
             Values::List(list) => list.clone(),
             Values::Interval(low, high) => nice_steps(*low, *high, samples),
@@ -315,7 +329,7 @@ impl<'a> Search<'a> {
     }
 
     /// All muscles of one rubber.
-    fn book(&self, rubber: usize) -> Harvest {
+    fn search_rubber(&self, rubber: usize) -> SearchResult {
         let length = Values::List(vec![self.spec.base.length_mm()]);
         let lengths = self.spec.length_mm.as_ref().unwrap_or(&length);
         let braided = |braid: BraidRule| {
@@ -334,12 +348,12 @@ impl<'a> Search<'a> {
     }
 
     /// All muscles.
-    pub(super) fn run(&self) -> Harvest {
-        self.gather((0..self.rubbers.len()).map(|rubber| self.book(rubber)))
+    pub(super) fn run(&self) -> SearchResult {
+        self.gather((0..self.rubbers.len()).map(|rubber| self.search_rubber(rubber)))
     }
 
-    fn gather(&self, parts: impl Iterator<Item = Harvest>) -> Harvest {
-        parts.fold(Harvest::default(), |mut all, part| {
+    fn gather(&self, parts: impl Iterator<Item = SearchResult>) -> SearchResult {
+        parts.fold(SearchResult::default(), |mut all, part| {
             all.add(part, self.most);
             all
         })

@@ -12,18 +12,30 @@ use thiserror::Error;
 /// Builds the model a design runs on.
 pub type Build<'a> = dyn Fn(&Muscle) -> Result<Box<dyn ForceModel>, ModelError> + Sync + 'a;
 
-/// A pull wanted at a contraction.
+/// An operating point that is wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "Wanted"))]
 pub struct OperatingPoint {
-    /// Pull in N.
+    /// Pull, N.
     pub force_n: f64,
     /// Contraction ratio.
     pub contraction: f64,
 }
 
-/// What the best muscle is best at.
+/// A torque that a joint must hold at an angle, to either side.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct TorqueWanted {
+    /// Torque away from the neutral angle, N m.
+    pub torque_nm: f64,
+    /// Angle from the neutral one, degrees.
+    pub angle_deg: f64,
+}
+
+/// What is ranked first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ObjectiveWord"))]
+#[serde(rename_all = "kebab-case")]
 pub enum Objective {
     /// Smallest outer diameter at rest.
     #[default]
@@ -32,12 +44,11 @@ pub enum Objective {
     Pressure,
     /// Least air per stroke.
     Air,
-    /// Largest pull to spare at the maximum pressure.
+    /// Most pull to spare at the maximum pressure.
     Margin,
     /// Smallest outer diameter at the operating points.
-    #[serde(rename = "bulged-diameter")]
     BulgedDiameter,
-    /// Shortest length between the terminals at rest.
+    /// Shortest between the terminals at rest.
     Length,
 }
 
@@ -128,7 +139,7 @@ pub enum SpecError {
     NoPoint,
     /// A pull or contraction that is no operating point.
     #[error(
-        "the operating point {force_n} N at a contraction of {contraction} makes no sense: the pull must be above 0 N and the contraction from 0 to below 1"
+        "the operating point {force_n} N at a contraction of {contraction} is invalid: the pull must be above 0 N and the contraction from 0 to below 1"
     )]
     Point {
         /// Pull in N.
@@ -138,7 +149,7 @@ pub enum SpecError {
     },
     /// A torque or angle that makes no sense.
     #[error(
-        "{torque_nm} N m at {angle_deg}° makes no sense: the torque must be above zero and the angle within ±{largest_deg}°"
+        "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
     )]
     Torque {
         /// Torque in N m.

@@ -11,7 +11,7 @@
 use super::candidate::Candidate;
 use super::demand::{Demand, JointDemand};
 use super::run::Outcome;
-use super::spec::{BraidChoice, OperatingPoint, Spec, SpecError};
+use super::spec::{BraidChoice, OperatingPoint, Spec, SpecError, TorqueWanted};
 use crate::muscle::Muscle;
 use crate::units::Values;
 
@@ -29,6 +29,8 @@ pub struct Sure {
     pub demand: Demand,
     /// The muscle that answers it.
     pub candidate: Candidate,
+    /// Of a load on muscles whose length is searched, whose pulls follow from that length: how many times as heavy it is.
+    pub load_factor: Option<f64>,
 }
 
 /// Searches a specification, whole or in part.
@@ -37,7 +39,7 @@ pub type Searcher<'a> = dyn Fn(&Spec) -> Result<Outcome, SpecError> + 'a;
 /// Whether a muscle has less to spare than its ± at one of its points.
 pub fn is_doubtful(candidate: &Candidate) -> bool {
     let tight = |q: &super::CandidatePoint| {
-        q.uncertainty_n.is_some_and(|half| q.available_n - q.wanted.force_n < half)
+        q.uncertainty_n.is_some_and(|half| q.force_at_max_pressure_n - q.wanted().force_n < half)
     };
     candidate.points.iter().any(tight)
 }
@@ -60,7 +62,7 @@ pub fn to_be_sure(
     let like_it = like(spec, &first.muscle);
     let (mut at, mut factor, mut slope) = (1.0, 1.0 + g, 0.0);
     for _ in 0..TURNS.0 {
-        let Some(demand) = asked(factor) else { return Ok(None) };
+        let demand = asked(factor);
         let found = quick(&Spec { wanted: demand.clone(), top: 1, ..like_it.clone() })?;
         let Some(next) = found.candidates.first().and_then(|c| doubt(spec, &demand, c)) else { break };
         slope = if factor > at { ((next - g) / (factor - at)).clamp(0.0, STEEPEST) } else { slope };
@@ -72,15 +74,17 @@ pub fn to_be_sure(
     }
     let mut best: Option<(f64, Sure)> = None;
     for _ in 0..TURNS.1 {
-        let Some(demand) = asked(factor) else { break };
+        let demand = asked(factor);
         let found = whole(&Spec { wanted: demand.clone(), ..spec.clone() })?;
         let Some(candidate) = found.candidates.into_iter().next() else { break };
         let Some(g) = doubt(spec, &demand, &candidate) else { break };
         // Rounded up.
-        let least = ratios(spec, &demand, length_mm).into_iter().fold(f64::INFINITY, f64::min);
+        let least =
+            ratios(spec, &demand, candidate.muscle.length_mm()).into_iter().fold(f64::INFINITY, f64::min);
         let spare = least - 1.0 - g;
         if spare >= 0.0 && best.as_ref().is_none_or(|b| factor < b.0) {
-            best = Some((factor, Sure { demand, candidate }));
+            let load_factor = matches!(demand, Demand::Load { .. }).then_some(least);
+            best = Some((factor, Sure { demand, candidate, load_factor }));
         }
         if (0.0..=ENOUGH).contains(&spare) {
             break;
@@ -98,7 +102,7 @@ pub fn to_be_sure(
 fn doubt(spec: &Spec, demand: &Demand, candidate: &Candidate) -> Option<f64> {
     let ratios = ratios(spec, demand, candidate.muscle.length_mm());
     let each = candidate.points.iter().zip(ratios);
-    let all = each.map(|(q, ratio)| Some(q.uncertainty_n? * ratio / q.wanted.force_n));
+    let all = each.map(|(q, ratio)| Some(q.uncertainty_n? * ratio / q.wanted().force_n));
     all.collect::<Option<Vec<f64>>>()?.into_iter().reduce(f64::max)
 }
 
@@ -106,7 +110,7 @@ fn doubt(spec: &Spec, demand: &Demand, candidate: &Candidate) -> Option<f64> {
 fn ratios(spec: &Spec, demand: &Demand, length_mm: f64) -> Vec<f64> {
     match (&spec.wanted, demand) {
         (Demand::Joint(wanted), Demand::Joint(asked)) => {
-            asked.torques.iter().zip(&wanted.torques).map(|(a, w)| a.0 / w.0).collect()
+            asked.torques.iter().zip(&wanted.torques).map(|(a, w)| a.torque_nm / w.torque_nm).collect()
         }
         (wanted, asked) => {
             let (wanted, asked) = (wanted.points(length_mm), asked.points(length_mm));
@@ -115,19 +119,25 @@ fn ratios(spec: &Spec, demand: &Demand, length_mm: f64) -> Vec<f64> {
     }
 }
 
-/// So many times what is wanted, rounded up; a load as the pulls that it takes. `None` where these follow from a length that is searched.
-fn times(spec: &Spec, factor: f64, length_mm: f64) -> Option<Demand> {
+/// So many times what is wanted, rounded up; a load as the pulls that it takes, and where these follow from a length that is searched, as
+/// one that is heavier.
+fn times(spec: &Spec, factor: f64, length_mm: f64) -> Demand {
     let points = |list: &[OperatingPoint]| {
         let one = |q: &OperatingPoint| OperatingPoint { force_n: rounded_up(factor * q.force_n), ..*q };
         Demand::Points(list.iter().map(one).collect())
     };
     match &spec.wanted {
-        Demand::Points(list) => Some(points(list)),
+        Demand::Points(list) => points(list),
         Demand::Joint(joint) => {
-            let torques = joint.torques.iter().map(|(t, angle)| (rounded_up(factor * t), *angle)).collect();
-            Some(Demand::Joint(JointDemand { torques, ..joint.clone() }))
+            let heavier =
+                |t: &TorqueWanted| TorqueWanted { torque_nm: rounded_up(factor * t.torque_nm), ..*t };
+            let torques = joint.torques.iter().map(heavier).collect();
+            Demand::Joint(JointDemand { torques, ..joint.clone() })
         }
-        wanted @ Demand::Load { .. } => spec.length_mm.is_none().then(|| points(&wanted.points(length_mm))),
+        Demand::Load { load, way } if spec.length_mm.is_some() => {
+            Demand::Load { load: load.times(rounded_up(factor)), way: *way }
+        }
+        wanted @ Demand::Load { .. } => points(&wanted.points(length_mm)),
     }
 }
 
@@ -158,8 +168,9 @@ fn like(spec: &Spec, muscle: &Muscle) -> Spec {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Build, Limits, design};
+    use super::super::{Build, Limits, Way, design};
     use super::*;
+    use crate::load::{GRAVITY_M_PER_S2, Load};
     use crate::model::ThickWall;
 
     #[test]
@@ -167,6 +178,25 @@ mod tests {
         for (v, up) in [(1004.3, 1005.0), (362.1, 363.0), (9.713, 9.72), (151.23, 151.3), (1005.0, 1005.0)] {
             assert!((rounded_up(v) - up).abs() < 1e-9, "{v} {}", rounded_up(v));
         }
+    }
+
+    /// A load whose pulls follow from the length: what answers the heavier one carries the load itself with its ± taken off.
+    #[test]
+    fn a_load_on_muscles_of_any_length_is_asked_for_so_many_times_as_heavy() {
+        let mut spec = spec(&[(1.0, 0.1)]);
+        let load = Load::Mass { mass_kg: 40.0, level: false };
+        spec.wanted = Demand::Load { load, way: Way::Stroke(30.0) };
+        spec.length_mm = Some(Values::List(vec![200.0, 300.0]));
+        let build: &Build<'_> = &|m| Ok(Box::new(ThickWall::new(m)));
+        let search = |s: &Spec| design(s, build);
+        let outcome = search(&spec).unwrap();
+        assert!(is_doubtful(&outcome.candidates[0]));
+        let sure = to_be_sure(&spec, &outcome, &search, &search).unwrap().unwrap();
+        let factor = sure.load_factor.unwrap();
+        let q = &sure.candidate.points[0];
+        assert!((q.wanted().force_n / (40.0 * GRAVITY_M_PER_S2) - factor).abs() < 1e-9, "{factor}");
+        let spare = (q.wanted().force_n - q.uncertainty_n.unwrap()) / (40.0 * GRAVITY_M_PER_S2) - 1.0;
+        assert!((0.0..=ENOUGH).contains(&spare), "{factor}: {spare}");
     }
 
     fn spec(points: &[(f64, f64)]) -> Spec {
@@ -193,7 +223,7 @@ mod tests {
                     .points
                     .iter()
                     .zip(wanted)
-                    .all(|(q, w)| q.wanted.force_n - q.uncertainty_n.unwrap() >= w.0)
+                    .all(|(q, w)| q.wanted().force_n - q.uncertainty_n.unwrap() >= w.0)
             };
             assert!(holds(&sure.demand), "{:?}", sure.demand);
             let Demand::Points(points) = &sure.demand else { panic!("{:?}", sure.demand) };

@@ -44,16 +44,18 @@ impl Tolerances {
 
 /// The pull at one operating point under tolerances.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SpreadAnswer"))]
 pub struct Spread {
     /// The operating point.
+    #[serde(flatten)]
     pub wanted: OperatingPoint,
-    /// Pressure in MPa at which it was looked at.
+    /// And this pressure, MPa.
     pub pressure_mpa: f64,
-    /// Least pull over all corners, in N.
+    /// Least pull over all corners, N.
     pub low_n: f64,
-    /// Largest pull over all corners, in N.
+    /// Largest pull over all corners, N.
     pub high_n: f64,
-    /// Root sum of squares of the single effects, in N: what to expect when they are independent.
+    /// What to expect where the tolerances are independent, ± N: root sum of squares of the single effects.
     pub likely_n: f64,
 }
 
@@ -61,7 +63,7 @@ pub struct Spread {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SpreadError {
     /// A corner is no muscle.
-    #[error("a corner of the tolerances is no muscle: {0}")]
+    #[error("a corner of the tolerances is not a valid muscle: {0}")]
     Muscle(#[from] MuscleError),
     /// The model has no answer at a corner.
     #[error("no answer at a corner of the tolerances: {0}")]

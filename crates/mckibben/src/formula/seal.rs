@@ -82,7 +82,7 @@ pub enum SealState {
 
 impl SealState {
     /// Whether what the file says of its errors holds for its terms, as far as it can be seen.
-    pub fn vouches(self) -> bool {
+    pub fn is_intact(self) -> bool {
         !matches!(self, Self::Changed { .. })
     }
 

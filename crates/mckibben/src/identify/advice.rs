@@ -189,7 +189,7 @@ pub(super) fn outliers(residuals: &[f64], weights: &[f64]) -> Vec<bool> {
 /// What can be said of the result.
 pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> Vec<String> {
     let mut notes = vec![];
-    notes.extend(not_told(found));
+    notes.extend(unidentifiable(found));
     notes.extend(correlated(found));
     if loss == Loss::Largest {
         notes.push("the largest residual was made small, not the sum of squares: standard errors are a rough guide only".into());
@@ -230,7 +230,7 @@ pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> 
     notes
 }
 
-fn not_told(found: &Identification) -> Vec<String> {
+fn unidentifiable(found: &Identification) -> Vec<String> {
     let one = |p: &super::Identified| {
         if p.identifiable {
             return None;

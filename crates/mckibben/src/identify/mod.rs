@@ -9,6 +9,7 @@
 mod advice;
 mod bench;
 mod candidate;
+mod default_parameters;
 mod error;
 mod laws;
 mod parameter;
@@ -16,17 +17,16 @@ mod problem;
 mod result;
 mod run;
 mod signs;
-mod unasked;
 
 pub use crate::measured::{DataPoint, Quantity, Section, mean_of_data, read_data};
 pub use candidate::{Candidate, own_value};
+pub use default_parameters::{default_targets, identify_default, matters};
 pub use error::IdentifyError;
 pub use laws::{LawTrial, try_laws};
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
 pub use result::{Fitted, Identification, Identified, Spread};
 pub use run::{Request, identify, identify_with};
-pub use unasked::{default_targets, identify_default, matters};
 
 #[cfg(test)]
 mod tests;

@@ -402,7 +402,7 @@ fn tables_with_all_columns_are_read() {
     };
     assert!(error("0.1,0,3,length,,").contains("neither \"force\""));
     assert!(error("0.1,0,3,,-1,").contains("column weight: -1"));
-    assert!(error("0.1,0,3,,,0").contains("no standard error"));
+    assert!(error("0.1,0,3,,,0").contains("not a valid standard error"));
 }
 
 /// Ends that give way by δ shift a muscle by δ/L0: several lengths tell δ, the modulus and an error of the length's zero apart.

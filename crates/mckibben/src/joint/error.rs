@@ -27,7 +27,9 @@ pub enum JointError {
         value: f64,
     },
     /// A contraction at the neutral angle that is none.
-    #[error("muscle {muscle}: {contraction} is no contraction at the neutral angle; it lies below 1")]
+    #[error(
+        "muscle {muscle}: {contraction} is not a valid contraction at the neutral angle; it lies below 1"
+    )]
     Contraction {
         /// Which muscle, from 1.
         muscle: usize,

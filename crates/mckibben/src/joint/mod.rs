@@ -14,6 +14,7 @@ mod map;
 mod model;
 mod path;
 mod rest;
+mod sought;
 #[cfg(test)]
 mod tests;
 pub mod verification;

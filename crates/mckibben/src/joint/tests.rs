@@ -40,6 +40,37 @@ fn a_symmetric_joint_rests_in_the_middle_with_r_squared_times_both_stiffnesses()
     assert!(turned > 5.0 && model.rests(w, &[0.25, 0.15], 1.0).unwrap()[0].angle_deg() > turned);
 }
 
+/// ±τ over the slopes of the torque, these by central differences: of pressures that were sought, and of the angle at rest.
+#[test]
+fn what_was_sought_has_the_uncertainty_of_the_torque_over_its_slope() {
+    let joint = antagonists();
+    let models = models(&joint, ModelKind::Universal);
+    let (model, w) = (bound(&joint, &models), &mut [Workspace::new(), Workspace::new()][..]);
+    let wanted = Wanted { angle_deg: 10.0, torque_nm: 2.0, stiffness_nm_per_rad: Some(8.0) };
+    let found = model.pressures(w, wanted, 0.3).unwrap();
+    let halves = model.pressure_uncertainties_mpa(w, &found);
+    assert_eq!(halves.len(), 2);
+    for (i, sought) in halves.into_iter().enumerate() {
+        let mut torque = |step: f64| {
+            let mut pressures = found.pressures_mpa.clone();
+            pressures[i] += step;
+            model.at(w, &pressures, 10.0, Turning::Mean).unwrap().torque_nm
+        };
+        let slope = (torque(1e-5) - torque(-1e-5)) / 2e-5;
+        let half = found.uncertainty_nm.unwrap() / slope.abs();
+        assert!((sought.unwrap() / half - 1.0).abs() < 1e-6, "{sought:?}, by differences {half}");
+    }
+    let pressures = [0.2, 0.15];
+    let rest = model.rests(w, &pressures, 0.0).unwrap()[0].angle_deg();
+    let point = model.at(w, &pressures, rest, Turning::Mean).unwrap();
+    let half = model.angle_uncertainty_deg(&point).unwrap();
+    // The rest itself moves by it under a torque from outside as large as the ±, to the first order: of a thousandth of the ±.
+    let outside = 1e-3 * point.uncertainty_nm.unwrap();
+    let mut turned = |by: f64| model.rests(w, &pressures, by).unwrap()[0].angle_deg();
+    let moved = 500.0 * (turned(outside) - turned(-outside));
+    assert!((moved / half - 1.0).abs() < 1e-5, "{half}°, by differences {moved}°");
+}
+
 #[test]
 fn a_muscle_beyond_its_free_contraction_hangs_slack() {
     let joint = antagonists();

@@ -28,6 +28,10 @@ impl Lever {
         (lengths && from_deg.abs() <= 180.0).then_some(Self { mass_kg, arm_mm, radius_mm, from_deg })
     }
 
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self { mass_kg: factor * self.mass_kg, ..self }
+    }
+
     fn weight(&self) -> f64 {
         self.mass_kg * GRAVITY_M_PER_S2 * self.arm_mm / self.radius_mm
     }

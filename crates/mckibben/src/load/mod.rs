@@ -78,6 +78,20 @@ impl Load {
         }
     }
 
+    /// The same load, so many times as heavy.
+    pub fn times(&self, factor: f64) -> Self {
+        match self {
+            Self::Force { force_n } => Self::Force { force_n: factor * force_n },
+            Self::Mass { mass_kg, level } => Self::Mass { mass_kg: factor * mass_kg, level: *level },
+            Self::Spring { rate_n_per_mm, preload_n } => {
+                Self::Spring { rate_n_per_mm: factor * rate_n_per_mm, preload_n: factor * preload_n }
+            }
+            Self::Lever(lever) => Self::Lever(lever.times(factor)),
+            Self::Table(table) => Self::Table(table.times(factor)),
+            Self::Sum(loads) => Self::Sum(loads.iter().map(|load| load.times(factor)).collect()),
+        }
+    }
+
     /// dF/dx in N/mm.
     pub fn slope_n_per_mm(&self, shortening_mm: f64) -> f64 {
         let x = shortening_mm;
@@ -165,6 +179,16 @@ mod tests {
                 assert!((pull - load.force_n(x)).abs() < 1e-5, "{load:?} {x}: {pull}");
             }
             assert_eq!(load.energy_j(0.0), 0.0);
+        }
+    }
+
+    #[test]
+    fn a_load_that_is_heavier_pulls_so_many_times_as_much_everywhere() {
+        for load in every_kind() {
+            for x in [-12.3, 0.0, 13.0, 41.0] {
+                let (once, more) = (load.force_n(x), load.times(1.3).force_n(x));
+                assert!((more - 1.3 * once).abs() < 1e-12 * more.abs().max(1.0), "{load:?} {x}");
+            }
         }
     }
 

@@ -9,7 +9,7 @@ use thiserror::Error;
 pub enum LoadTextError {
     /// A word that is no kind of load.
     #[error(
-        "\"{0}\" is no load: write force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
+        "\"{0}\" is not a valid load: write force:300N, mass:20kg, spring:12N/mm@50N, lever:5kg@300mm/40mm/-30deg or table:load.csv, several joined by +"
     )]
     Kind(String),
     /// A quantity of it.

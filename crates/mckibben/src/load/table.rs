@@ -49,6 +49,10 @@ impl LoadTable {
         }
     }
 
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self { points: self.points.iter().map(|(x, f)| (*x, factor * f)).collect() }
+    }
+
     /// The two points around a place; those at the end beyond it.
     fn around(&self, x: f64) -> ((f64, f64), (f64, f64)) {
         let i = self.points.partition_point(|p| p.0 < x).clamp(1, self.points.len() - 1);

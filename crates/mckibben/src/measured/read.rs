@@ -78,7 +78,7 @@ pub fn read_points(
     Ok((points, understood(&table, note)?))
 }
 
-const MEASURE: &str = "is no measure of a muscle; it must be above zero";
+const MEASURE: &str = "is not a measure of a muscle; it must be above zero";
 
 /// Numbers above zero, where the fields are not empty.
 fn above_zero(
@@ -144,13 +144,13 @@ fn contractions(
     match (column.meaning, column.unit) {
         (Meaning::Contraction, None) => Err(table.percent(row, column)),
         (Meaning::Contraction, Some(unit)) if unit.name.is_empty() => wrong(
-            "is no contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent",
+            "is not a valid contraction ratio ΔL/L0; write 0.15 for 15 %, or name the column contraction_percent",
         ),
-        (Meaning::Contraction, _) => wrong("is no contraction: no muscle shortens by so much"),
+        (Meaning::Contraction, _) => wrong("is not a valid contraction: no muscle shortens by so much"),
         (Meaning::Length, _) => {
-            wrong("is no length of this muscle; look at its unit and at L0 (`length_mm`)")
+            wrong("is not a length of this muscle; look at its unit and at L0 (`length_mm`)")
         }
-        _ => wrong("is no shortening of this muscle; look at its unit and at L0 (`length_mm`)"),
+        _ => wrong("is not a shortening of this muscle; look at its unit and at L0 (`length_mm`)"),
     }
 }
 
@@ -223,11 +223,11 @@ fn rows(table: &Table) -> Result<Vec<DataPoint>, TableError> {
         let measured = table.word(row, Meaning::Measured, &quantities, known)?.unwrap_or_default();
         let error = stated[measured as usize][row];
         if error.is_some_and(|e| e <= 0.0) {
-            let expected = "is no standard error; it must be above zero";
+            let expected = "is not a valid standard error; it must be above zero";
             return Err(refused(row, errors[measured as usize], expected));
         }
         if weights[row].is_some_and(|w| w < 0.0) {
-            return Err(refused(row, Meaning::Weight, "is no weight; it must not be below zero"));
+            return Err(refused(row, Meaning::Weight, "is not a valid weight; it must not be below zero"));
         }
         let at = MeasuredPoint { pressure_mpa: 0.0, contraction: 0.0, force_n: 0.0, branch };
         let section = Section {

@@ -153,7 +153,7 @@ impl Accuracy {
         match self.reference {
             Reference::Unknown => self.reference.to_string(),
             Reference::ForceMap { .. } => format!("formula: {}", self.reference),
-            _ => format!("formula: {}; {}", self.reference, crate::uncertainty::STORY),
+            _ => format!("formula: {}; {}", self.reference, crate::uncertainty::BASIS),
         }
     }
 

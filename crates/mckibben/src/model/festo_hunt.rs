@@ -56,11 +56,6 @@ impl FestoHunt {
         Self { e_max: largest_contraction(muscle.length_mm()), muscle: muscle.clone() }
     }
 
-    /// The same with the ε_max of a specimen.
-    pub fn with_largest_contraction(self, e_max: f64) -> Self {
-        Self { e_max, ..self }
-    }
-
     /// P in kPa, ∂P/∂F and ∂P/∂ε.
     fn pressure(&self, force: f64, e: f64) -> (f64, f64, f64) {
         let m = self.e_max - LOSS * force;

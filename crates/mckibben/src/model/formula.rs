@@ -91,7 +91,7 @@ impl ForceModel for FormulaModel {
     }
 
     fn accuracy(&self) -> Accuracy {
-        if !self.formula.seal.vouches() {
+        if !self.formula.seal.is_intact() {
             return Accuracy::UNKNOWN;
         }
         Accuracy {

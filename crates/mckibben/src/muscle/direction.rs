@@ -21,7 +21,7 @@ pub enum Direction {
 
 /// A word that names no direction.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("\"{given}\" is no direction of motion; expected mean, contraction or elongation")]
+#[error("\"{given}\" is not a direction of motion; expected mean, contraction or elongation")]
 pub struct UnknownDirection {
     /// What was given.
     pub given: String,

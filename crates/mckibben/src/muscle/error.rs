@@ -101,11 +101,11 @@ pub enum MuscleError {
         outer_diameter_mm: f64,
     },
     /// A strand's cross-section both as an area and as a diameter.
-    #[error("braid: give either `strand_area` or `strand_diameter`; here stand both")]
+    #[error("braid: give either `strand_area` or `strand_diameter`; both are given")]
     SectionTwice,
     /// A stiffness together with the three lines it replaces.
     #[error(
-        "braid: give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; here stand both"
+        "braid: give either `stiffness`, or `strands`, `strand_area` (or `strand_diameter`) and `strand_modulus`; both are given"
     )]
     StiffnessTwice,
     /// Some but not all of the three strand lines.

@@ -186,7 +186,7 @@ pub const NEEDS_ALL: &str = "a law needs all of its constants";
 
 /// What is said of a constant that belongs to another law.
 pub fn foreign(law: &LawKind) -> String {
-    format!("is no constant of the {} law; its constants are {}", law.name, law.names().join(", "))
+    format!("is not a constant of the {} law; its constants are {}", law.name, law.names().join(", "))
 }
 
 /// What is expected where a law is to be named.

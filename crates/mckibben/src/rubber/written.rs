@@ -117,7 +117,7 @@ mod tests {
             (r#"{"law": "gent", "mu": 1}"#, "jm is missing; a law needs all of its constants"),
             (
                 r#"{"law": "neo-hookean", "mu": 1, "c10": 1}"#,
-                "c10 is no constant of the neo-hookean law; its constants are mu",
+                "c10 is not a constant of the neo-hookean law; its constants are mu",
             ),
             (r#"{"law": "neo-hookean", "mu": 1, "mu": 1}"#, "mu is there twice"),
             (r#"{"law": "neo-hookean", "mu": [1]}"#, "mu is a list; expected a number"),

@@ -133,14 +133,14 @@ fn number(table: &dyn TableLike, key: &str) -> Result<Option<f64>, SleeveError> 
     let value = item.as_float().or_else(|| item.as_integer().map(|i| i as f64));
     match value {
         Some(v) if v.is_finite() && v > 0.0 => Ok(Some(v)),
-        _ => Err(damaged(format!("{key} is no number above zero"))),
+        _ => Err(damaged(format!("{key} is not a number above zero"))),
     }
 }
 
 fn count(table: &dyn TableLike, key: &str) -> Result<Option<u32>, SleeveError> {
     let Some(item) = table.get(key) else { return Ok(None) };
     let value = item.as_integer().and_then(|i| u32::try_from(i).ok()).filter(|n| *n > 0);
-    value.map(Some).ok_or_else(|| damaged(format!("{key} is no count")))
+    value.map(Some).ok_or_else(|| damaged(format!("{key} is not a count")))
 }
 
 /// The table of sources, by key.
@@ -245,6 +245,6 @@ mod tests {
         assert!(damage("nominal_diameter = 3\nangle = 20").contains("n: no range"));
         assert!(damage("least_diameter = 4\nlargest_diameter = 3").contains("helix"));
         assert!(damage("least_diameter = -4\nlargest_diameter = 3").contains("least_diameter"));
-        assert!(damage("strands = 0").contains("strands is no count"));
+        assert!(damage("strands = 0").contains("strands is not a count"));
     }
 }

@@ -21,7 +21,7 @@ pub struct Columns(pub BTreeMap<String, String>);
 pub enum ColumnsError {
     /// No quantity before the heading, or nothing behind it.
     #[error(
-        "\"{text}\" is no choice of a column; write quantity=\"heading:unit\", such as pressure=\"P1:kPa\""
+        "\"{text}\" is not a choice of a column; write quantity=\"heading:unit\", such as pressure=\"P1:kPa\""
     )]
     Form {
         /// The text.

@@ -77,7 +77,7 @@ pub enum TableError {
         heading: String,
     },
     /// A unit in `columns` that the quantity does not have.
-    #[error("`columns`: \"{unit}\" is no unit of {name}; its units are {units}")]
+    #[error("`columns`: \"{unit}\" is not a unit of {name}; its units are {units}")]
     ChosenUnit {
         /// The unit as written.
         unit: String,
@@ -113,7 +113,7 @@ pub enum TableError {
         units: String,
     },
     /// A unit that the quantity does not have, in the line of units or behind a number.
-    #[error("line {line}, column {column}: \"{unit}\" is no unit of {name}{clash}; its units are {units}")]
+    #[error("line {line}, column {column}: \"{unit}\" is not a unit of {name}{clash}; its units are {units}")]
     Unit {
         /// Line in the file.
         line: u64,
@@ -138,7 +138,7 @@ pub enum TableError {
     },
     /// A column of ratios that holds percent or something else.
     #[error(
-        "line {line}, column {column}: {text} is no contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{column}:%\" (:mm if it is a length)"
+        "line {line}, column {column}: {text} is not a valid contraction ratio ΔL/L0, and its heading has no unit; write 0.15 for 15 %, name the column contraction_percent, or give `columns` contraction=\"{column}:%\" (:mm if it is a length)"
     )]
     Percent {
         /// Line in the file.

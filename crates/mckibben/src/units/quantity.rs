@@ -373,7 +373,7 @@ impl Dimension {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum QuantityError {
     /// Nothing was written.
-    #[error("nothing stands here; expected {}", .expected.expectation())]
+    #[error("the value is empty; expected {}", .expected.expectation())]
     Empty {
         /// What was asked for.
         expected: Dimension,

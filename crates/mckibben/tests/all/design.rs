@@ -3,7 +3,7 @@
 use mckibben::analysis::Options;
 use mckibben::design::{
     BraidChoice, Build, Demand, JointDemand, Limits, Models, Objective, OperatingPoint, Reason, Relaxation,
-    Spec, Tolerances, design, design_joint, spread,
+    Spec, Tolerances, TorqueWanted, design, design_joint, spread,
 };
 use mckibben::model::{ForceModel, ThickWall, Workspace};
 use mckibben::muscle::{Braid, BraidStiffness, Muscle, Strands};
@@ -116,7 +116,7 @@ fn bounds_bind_and_are_named() {
     let Reason::Bulge { diameter_mm, limit_mm: 10.0 } = closest.rejected.reason else {
         panic!("{closest:?}")
     };
-    assert_eq!(closest.relaxations, [Relaxation::BulgedDiameter { diameter_mm }]);
+    assert_eq!(closest.relaxations, [Relaxation::MaxBulgedDiameter { bulged_diameter_mm: diameter_mm }]);
     assert!(diameter_mm < 40.0, "{diameter_mm}");
 }
 
@@ -132,18 +132,18 @@ fn relaxations_keep_their_word() {
     let mut kinds = 0;
     for relaxation in &closest.relaxations {
         match relaxation {
-            Relaxation::Pressure { pressure_mpa, .. } => {
+            Relaxation::MaxPressure { pressure_mpa, .. } => {
                 assert!(
                     (model.force_n(&mut Workspace::new(), *pressure_mpa, 0.2).unwrap() - 1200.0).abs() < 1e-6
                 );
             }
-            Relaxation::Force(points) => {
+            Relaxation::Force { points } => {
                 assert!(
                     (model.force_n(&mut Workspace::new(), 0.25, 0.2).unwrap() - points[0].force_n).abs()
                         < 1e-9
                 );
             }
-            Relaxation::Contraction(points) => {
+            Relaxation::Contraction { points } => {
                 assert!(
                     (model.force_n(&mut Workspace::new(), 0.25, points[0].contraction).unwrap() - 1200.0)
                         .abs()
@@ -171,7 +171,7 @@ fn relaxations_of_two_limits_at_once_are_not_promised() {
     let closest = outcome.closest.unwrap();
     let model = ThickWall::new(&closest.muscle);
     for relaxation in &closest.relaxations {
-        if let Relaxation::Pressure { pressure_mpa, .. } = relaxation {
+        if let Relaxation::MaxPressure { pressure_mpa, .. } = relaxation {
             let bulge = model
                 .response(&mut Workspace::new(), *pressure_mpa, 0.15)
                 .unwrap()
@@ -193,7 +193,10 @@ fn several_points_are_all_met() {
     let outcome = design(&spec, BUILD).unwrap();
     for candidate in &outcome.candidates {
         for point in &candidate.points {
-            assert!(point.available_n >= point.wanted.force_n && point.pressure_mpa <= 0.25);
+            assert!(
+                point.force_at_max_pressure_n >= point.wanted().force_n
+                    && point.response.pressure_mpa <= 0.25
+            );
         }
     }
 }
@@ -286,7 +289,8 @@ fn combinations_that_are_no_muscle_say_why() {
 #[test]
 fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle() {
     use mckibben::joint::{Joint, JointModel, JointMuscle, Link, Path, Turning};
-    let torques = vec![(8.0, 45.0), (3.0, 60.0)];
+    let torque = |(torque_nm, angle_deg)| TorqueWanted { torque_nm, angle_deg };
+    let torques = [(8.0, 45.0), (3.0, 60.0)].map(torque).to_vec();
     let joint = JointDemand { torques: torques.clone(), largest_angle_deg: 60.0, radius_mm: 20.0 };
     let models = Models { search: &thick, settle: None };
     let spec = Spec {
@@ -308,7 +312,7 @@ fn a_joint_that_was_designed_has_its_torques_and_no_radius_has_a_smaller_muscle(
     let model = ThickWall::new(&best.muscle);
     let model = JointModel::new(&built, vec![&model, &model], true).unwrap();
     let w = &mut [Workspace::new(), Workspace::new()][..];
-    let least = torques.iter().map(|&(torque, angle)| {
+    let least = torques.iter().map(|&TorqueWanted { torque_nm: torque, angle_deg: angle }| {
         let there = model.at(w, &[0.6, 0.0], angle, Turning::Mean).unwrap();
         assert!(there.muscles[1].answer.response.force_n.abs() < 1e-9);
         there.torque_nm / torque

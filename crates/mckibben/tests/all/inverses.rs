@@ -231,6 +231,30 @@ fn a_pull_that_rises_and_falls_and_one_that_falls_with_the_pressure_are_found() 
     assert!((ideal.force_n(w, p, 0.35).unwrap() + 200.0).abs() < 1e-6);
 }
 
+/// A short steep muscle that pushes: by the `universal` model its push has two extrema below 0.01 MPa, and a narrow one between two samples holds
+/// the answer. The force is asked first, so that a pressure exists.
+#[test]
+fn a_push_inside_of_a_narrow_extremum_at_low_pressure_is_found() {
+    let tube = Tube {
+        outer_diameter_mm: 13.408_729_734_445_396,
+        wall_mm: 0.973_052_890_828_371_7,
+        length_mm: 226.781_880_841_782_74,
+        ..Muscle::prototype().tube().clone()
+    };
+    let stiffness = BraidStiffness::Inextensible;
+    let braid = Braid { angle_deg: 32.971_589_873_178_07, stiffness, ..Braid::paper() };
+    let ends =
+        Terminals { end_factor: Some(EndFactor::Constant(1.177_213_361_296_909_3)), ..Terminals::default() };
+    let muscle = Muscle::prototype().with_tube(tube).and_then(|m| m.with_braid(braid));
+    let muscle = muscle.and_then(|m| m.with_terminals(ends)).unwrap();
+    let (model, w) = (ModelKind::Universal.build(&muscle).unwrap(), &mut Workspace::new());
+    let two_sided = Options { two_sided: true, ..Options::default() };
+    let e = 0.045_425_840_119_502_285;
+    let force = model.force_n(w, 0.008_777_038_337_516_118, e).unwrap();
+    let p = pressure_at(&*model, w, force, e, two_sided).unwrap();
+    assert!((model.force_n(w, p, e).unwrap() - force).abs() < 1e-6, "{p}");
+}
+
 /// What an engineer reads: where the braid stops, and never a push as the nearest pull.
 #[test]
 fn beyond_the_braid_the_refusal_says_where_it_stops() {

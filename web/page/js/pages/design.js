@@ -121,6 +121,8 @@ export function mount(main) {
     } else if (found.closest) {
       const c = found.closest;
       out.push(el("h2", {}, "Nothing fits."), el("p", {}, `Closest: D0 ${show("length", c.outer_diameter_mm)}, s ${show("length", c.wall_mm)}: ${inWords(c.reason)}.`));
+      out.push(warnings(found.warnings));
+      if (found.excluded_by_burst) out.push(el("p", {}, `Of ${found.looked_at} muscles ${found.excluded_by_burst} burst too early; ${found.excluded_by_burst_alone} of them meet every other limit.`));
       if (c.hint) out.push(el("p", {}, capital(inWords(c.hint))));
       out.push(el("ul", {}, ...c.relaxations.map((/** @type {any} */ r) => el("li", {}, relaxation(r)))));
     }

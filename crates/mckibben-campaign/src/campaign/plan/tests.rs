@@ -192,7 +192,10 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
         ("LHS[vary]\ntube.material.c01 = \"0..1 log\"\n", &["begins at 0"]),
         ("[vary]\nbraid.angle = \"20,60\"\n", &["reaches 60 deg", "54.7356"]),
         ("[vary]\ntube.wall_ratio = \"10%,50%\"\n", &["reaches 0.5", "no bore"]),
-        ("[vary]\ntube.material.mu = \"0.1,0.2\"\n", &["no constant of the mooney-rivlin law", "c10, c01"]),
+        (
+            "[vary]\ntube.material.mu = \"0.1,0.2\"\n",
+            &["not a constant of the mooney-rivlin law", "c10, c01"],
+        ),
         (
             "[vary]\ntube.wall_thickness = 1\ntube.wall_ratio = \"5%\"\n",
             &["vary either this or tube.wall_thickness"],

@@ -46,7 +46,7 @@ pub(super) fn axes(
             check(&axis, base, sampling).map_err(|why| table.error(key, Problem::Said(why)))?;
             let other = EITHER.iter().find(|p| p.1 == measure).map(|p| p.0);
             if let Some(other) = other.filter(|o| axes.iter().any(|a: &Axis| a.measure == *o)) {
-                let why = format!("vary either this or {}; here stand both", other.key());
+                let why = format!("vary either this or {}; both are given", other.key());
                 return Err(table.error(key, Problem::Said(why)));
             }
             axes.push(axis);
@@ -72,7 +72,7 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         let Some(found) = constants.iter().find(|c| c.name == name) else {
             let names: Vec<&str> = constants.iter().map(|c| c.name.as_str()).collect();
             return Err(format!(
-                "is no constant of the {} law of the base muscle; its constants are {}",
+                "is not a constant of the {} law of the base muscle; its constants are {}",
                 law.name(),
                 names.join(", ")
             ));

@@ -123,7 +123,7 @@ impl Provenance {
             pair.and_then(|p| p.value.clone())
         };
         let text = |key: &str| find(key).ok_or_else(|| format!("its metadata have no {PREFIX}{key}"));
-        let number = |text: String| text.parse::<u64>().map_err(|_| format!("\"{text}\" is no number"));
+        let number = |text: String| text.parse::<u64>().map_err(|_| format!("\"{text}\" is not a number"));
         let list = |text: String| text.split(',').filter(|t| !t.is_empty()).map(str::to_owned).collect();
         let out = Self {
             version: text("version")?,

@@ -1,92 +1,77 @@
 //! A design for people.
 
 use crate::failure::in_flags;
-use crate::output::text::{
-    Units, aligned, braid_name, columns, number, percent, percents, place, rubber_name,
+use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
+use mckibben::design::{CandidatePoint, Limit, Relaxation, Spread};
+use mckibben_app::{
+    CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer, SearchedAnswer, SureAnswer,
+    TorqueWanted, Wanted,
 };
-use mckibben::design::{
-    BraidChoice, Candidate, Closest, Demand, Limit, OperatingPoint, Outcome, Rejected, Relaxation, Spec, Way,
-};
-use mckibben::muscle::BraidStiffness;
-use mckibben_app::{DesignAnswer, SpreadAnswer, TorqueWanted, Wanted};
 use std::path::Path;
 
 /// The design for people.
 pub fn of(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
-    let (spec, outcome) = (&answer.spec, &answer.outcome);
+    let searched = &answer.searched;
     let wanted = wanted(answer, u);
-    let mut out = format!("Wanted: {wanted} with at most {}\n", u.pressure.show(spec.max_pressure_mpa));
+    let mut out = format!("Wanted: {wanted} with at most {}\n", u.pressure.show(answer.max_pressure_mpa));
     let with = if answer.searched_with == answer.model {
         String::new()
     } else {
         format!(", searched with {}", answer.searched_with)
     };
-    let length = match &spec.length_mm {
-        None => format!("L0 {}, ", u.length.show(spec.base.length_mm())),
-        Some(_) => String::new(),
-    };
+    let length = searched.length_mm.map_or_else(String::new, |mm| format!("L0 {}, ", u.length.show(mm)));
     let (looked_at, fit) = (answer.looked_at, answer.fitting);
     out.push_str(&format!(
         "Model {}{with}; {looked_at} muscles looked at, {fit} fit; {length}{}, {}\n{}",
         answer.model,
-        rubber_of(spec),
-        braid_of(spec),
-        safety(spec)
+        searched.rubber,
+        searched.braid,
+        safety(searched)
     ));
     let assumed = answer.assumptions.iter().map(|sentence| format!("Assumed: {}.\n", in_flags(sentence)));
     out.extend(assumed);
     out.push('\n');
-    if let Some(closest) = &outcome.closest {
+    if let Some(closest) = &answer.closest {
         out.push_str(&nothing_fits(closest, u));
-        if let Some(hint) = answer.closest.as_ref().and_then(|c| c.hint.as_ref()) {
+        out.push_str(&too_weak(answer));
+        if let Some(hint) = &closest.hint {
             out.push_str(&format!("{}\n", in_flags(hint)));
         }
     } else {
-        out.push_str(&candidates(outcome, spec.length_mm.is_some(), u));
+        out.push_str(&candidates(&answer.candidates, searched.length_mm.is_none(), u));
         out.push_str(&doubt(answer, u));
         out.push_str(&joint(answer, file, u));
         out.push_str(&verified(answer, u));
         out.push_str(&spread_text(&answer.tolerance, u));
     }
-    if !outcome.rejected.is_empty() && outcome.closest.is_none() {
+    if !answer.rejected.is_empty() && answer.closest.is_none() {
         out.push_str("\nJust missed\n");
-    } else if outcome.rejected.len() > 1 {
+    } else if answer.rejected.len() > 1 {
         out.push_str("\nNext closest\n");
     }
-    let skip = usize::from(outcome.closest.is_some());
-    for r in outcome.rejected.iter().skip(skip) {
-        let by = r.reason.misses_by().filter(|share| *share < 1.0);
+    let skip = usize::from(answer.closest.is_some());
+    for r in answer.rejected.iter().skip(skip) {
+        let by = r.misses_by.filter(|share| *share < 1.0);
         let by = by.map_or_else(String::new, |share| format!(" (misses by {})", percent(thousandth(share))));
-        out.push_str(&format!(
-            "  {}: {}{by}\n",
-            measures(r, u),
-            u.sentence(&r.reason.describe(|kind, v| u.show(kind, v)))
-        ));
+        out.push_str(&format!("  {}: {}{by}\n", measures(r, u), u.sentence(&r.reason)));
     }
     out
 }
 
 /// What the muscle must do.
 fn wanted(answer: &DesignAnswer, u: &Units) -> String {
-    let spec = &answer.spec;
-    match &spec.wanted {
-        Demand::Points(points) => {
-            let one =
-                |q: &OperatingPoint| format!("{} at {}", u.force.show(q.force_n), percent(q.contraction));
+    let load = answer.load.as_deref().unwrap_or_default();
+    match &answer.wanted {
+        DemandAnswer::Points { points } => {
+            let one = |q: &Wanted| format!("{} at {}", u.force.show(q.force_n), percent(q.contraction));
             points.iter().map(one).collect::<Vec<_>>().join(", ")
         }
-        Demand::Load { way, .. } => {
-            let load = answer.load.as_deref().unwrap_or_default();
-            match *way {
-                Way::Stroke(mm) => format!("{load} lifted by {}", u.length.show(mm)),
-                Way::Contraction(ratio) => format!("{load} lifted to {}", percent(ratio)),
-            }
-        }
-        Demand::Joint(joint) => {
-            let one = |&(torque, angle): &(f64, f64)| {
-                format!("{} N m at ±{}°", number(torque, 4), number(angle, 4))
-            };
-            joint.torques.iter().map(one).collect::<Vec<_>>().join(", ")
+        DemandAnswer::Stroke { stroke_mm } => format!("{load} lifted by {}", u.length.show(*stroke_mm)),
+        DemandAnswer::Contraction { contraction } => format!("{load} lifted to {}", percent(*contraction)),
+        DemandAnswer::Joint { torques, .. } => {
+            let one =
+                |t: &TorqueWanted| format!("{} N m at ±{}°", number(t.torque_nm, 4), number(t.angle_deg, 4));
+            torques.iter().map(one).collect::<Vec<_>>().join(", ")
         }
     }
 }
@@ -114,25 +99,12 @@ fn joint(answer: &DesignAnswer, file: Option<&Path>, u: &Units) -> String {
     )
 }
 
-/// The rubber that is searched with.
-fn rubber_of(spec: &Spec) -> String {
-    let names: Vec<&str> = spec.rubbers.iter().filter_map(|rubber| rubber.name.as_deref()).collect();
-    match names[..] {
-        [] => format!("rubber {}", rubber_name(&spec.base)),
-        [one] => format!("rubber {one}"),
-        _ => format!("{} rubbers", names.len()),
-    }
-}
-
 /// What keeps the muscles from breaking.
-fn safety(spec: &Spec) -> String {
-    let strain = spec.limits.strand_strain.map(|v| format!("strands stretched by at most {}", percent(v)));
-    let known = match &spec.braid {
-        BraidChoice::Sleeves(list) => list.iter().all(|b| b.strands.is_some_and(|s| s.strength_n.is_some())),
-        _ => spec.base.braid().strands.is_some_and(|s| s.strength_n.is_some()),
-    };
-    let burst = match spec.limits.burst_margin.filter(|m| *m > 0.0) {
-        Some(margin) if known => {
+fn safety(searched: &SearchedAnswer) -> String {
+    let strain = searched.max_strand_strain;
+    let strain = strain.map(|v| format!("strands stretched by at most {}", percent(v)));
+    let burst = match searched.min_burst_margin {
+        Some(margin) if searched.burst_checked => {
             format!("burst at {} times the maximum pressure or above", number(margin, 4))
         }
         Some(margin) => format!(
@@ -144,68 +116,52 @@ fn safety(spec: &Spec) -> String {
     format!("Safety: {}\n", strain.into_iter().chain([burst]).collect::<Vec<_>>().join("; "))
 }
 
-/// The braid that is searched with; its stiffness may differ from muscle to muscle.
-fn braid_of(spec: &Spec) -> String {
-    let base = &spec.base;
-    match (&spec.braid, base.braid().stiffness, base.braid().strands) {
-        (BraidChoice::Sleeves(list), ..) => match &list[..] {
-            [one] => format!("sleeve {}", one.sleeve.as_ref().map_or("of the muscle file", |s| &s.name)),
-            _ => format!("{} sleeves", list.len()),
-        },
-        (_, BraidStiffness::OfStrands, Some(strands)) => format!("braid of {} strands", strands.count),
-        _ => format!("braid {}", braid_name(base)),
-    }
-}
-
 fn thousandth(share: f64) -> f64 {
     (1e3 * share).ceil() / 1e3
 }
 
 /// What keeps the best from being better.
-fn binds(best: &Candidate) -> String {
+fn binds(best: &CandidateAnswer) -> String {
     let Some(limit) = best.binds else { return String::new() };
     let what = match limit {
-        Limit::Force => "the pull that is wanted",
+        Limit::Force => "the required pull",
         Limit::BulgedDiameter => "the largest bulged diameter",
         Limit::MaxStretch => "the largest stretch of its rubber",
         Limit::StrandStrain => "the largest strain of its strands",
         Limit::BurstMargin => "the burst pressure",
     };
-    format!("What binds for the first: {what}.\n")
+    format!("The first is limited by {what}.\n")
 }
 
-fn measures(r: &Rejected, u: &Units) -> String {
+fn measures(r: &RejectedAnswer, u: &Units) -> String {
     format!("D0 {}, s {}", u.length.to(r.outer_diameter_mm, 4), u.length.to(r.wall_mm, 3))
 }
 
-fn candidates(outcome: &Outcome, lengths: bool, u: &Units) -> String {
-    let list = &outcome.candidates;
-    let several_rubbers = list.windows(2).any(|w| w[0].muscle.tube().rubber != w[1].muscle.tube().rubber);
-    let several_lengths = list.windows(2).any(|w| w[0].muscle.length_mm() != w[1].muscle.length_mm());
-    let stiffness = |c: &Candidate| c.muscle.family_stiffness_n_per_mm();
+fn candidates(list: &[CandidateAnswer], lengths: bool, u: &Units) -> String {
+    type One = CandidateAnswer;
+    let several_rubbers = list.windows(2).any(|w| w[0].muscle.rubber != w[1].muscle.rubber);
+    let several_lengths = list.windows(2).any(|w| w[0].muscle.length_mm != w[1].muscle.length_mm);
+    let stiffness = |c: &One| c.family_stiffness_n_per_mm;
     let several_braids = list.windows(2).any(|w| stiffness(&w[0]) != stiffness(&w[1]));
-    let strands = list.iter().any(|c| c.largest(|q| q.response.strand_tension_n).is_some());
+    let strands = list.iter().any(|c| c.strand_tension_n.is_some());
     let burst = list.iter().any(|c| c.burst_pressure_mpa.is_some());
-    let tension = |c: &Candidate| {
-        c.largest(|q| if strands { q.response.strand_tension_n } else { q.response.braid_tension_n })
-    };
+    let tension = |c: &One| if strands { c.strand_tension_n } else { c.braid_tension_n };
     let needs = list.iter().map(|c| {
-        let each = c.points.iter().map(|q| u.pressure.to(q.pressure_mpa, 3));
+        let each = c.points.iter().map(|q| u.pressure.to(q.response.pressure_mpa, 3));
         each.collect::<Vec<_>>().join(", ")
     });
-    let first = |c: &Candidate| c.points.first().and_then(|q| q.response.stiffness_n_per_mm);
-    let known = |of: &dyn Fn(&Candidate) -> f64| list.iter().map(|c| Some(of(c))).collect::<Vec<_>>();
-    let maybe = |of: &dyn Fn(&Candidate) -> Option<f64>| list.iter().map(of).collect::<Vec<_>>();
+    let known = |of: &dyn Fn(&One) -> f64| list.iter().map(|c| Some(of(c))).collect::<Vec<_>>();
+    let maybe = |of: &dyn Fn(&One) -> Option<f64>| list.iter().map(of).collect::<Vec<_>>();
     let thousandths = |v: f64| (1000.0 * v).floor() / 1000.0;
     let per_length = u.stiffness();
     let mut found = vec![
         (String::new(), (1..=list.len()).map(|i| format!("{i}.")).collect()),
-        (u.length.heading("D0"), u.length.column(known(&|c| c.muscle.outer_diameter_mm()), 4)),
-        (u.length.heading("s"), u.length.column(known(&|c| c.muscle.wall_mm()), 3)),
-        ("θ0 [°]".into(), aligned(&known(&|c| c.muscle.braid().angle_deg), 4)),
+        (u.length.heading("D0"), u.length.column(known(&|c| c.muscle.outer_diameter_mm), 4)),
+        (u.length.heading("s"), u.length.column(known(&|c| c.muscle.wall_mm), 3)),
+        ("θ0 [°]".into(), aligned(&known(&|c| c.muscle.angle_deg), 4)),
     ];
     if lengths || several_lengths {
-        found.push((u.length.heading("L0"), u.length.column(known(&|c| c.muscle.length_mm()), 4)));
+        found.push((u.length.heading("L0"), u.length.column(known(&|c| c.muscle.length_mm), 4)));
     }
     if several_braids {
         found.push((per_length.heading("k"), per_length.column(maybe(&stiffness), 3)));
@@ -215,21 +171,21 @@ fn candidates(outcome: &Outcome, lengths: bool, u: &Units) -> String {
         ("to spare".into(), percents(known(&|c| thousandths(c.margin)), 3)),
         (u.force.heading("F blocked"), u.force.column(known(&|c| c.blocked_force_n), 4)),
         ("ε free".into(), percents(maybe(&|c| c.free_contraction), 3)),
-        (u.length.heading("bulges to"), u.length.column(maybe(&Candidate::bulged_diameter_mm), 3)),
-        (per_length.heading("stiffness"), per_length.column(maybe(&first), 3)),
-        ("air [nL]".into(), aligned(&maybe(&Candidate::air_normal_litres), 3)),
+        (u.length.heading("bulges to"), u.length.column(maybe(&|c| c.bulged_diameter_mm), 3)),
+        (per_length.heading("stiffness"), per_length.column(maybe(&|c| c.stiffness_n_per_mm), 3)),
+        ("air [nL]".into(), aligned(&maybe(&|c| c.air_normal_litres), 3)),
         (u.force.heading(if strands { "strand" } else { "braid" }), u.force.column(maybe(&tension), 3)),
-        (u.force.heading("±"), u.force.column(maybe(&|c| c.largest(|q| q.uncertainty_n)), 2)),
+        (u.force.heading("±"), u.force.column(maybe(&|c| c.uncertainty_n), 2)),
     ]);
     if burst {
         found.push((u.pressure.heading("bursts"), u.pressure.column(maybe(&|c| c.burst_pressure_mpa), 3)));
     }
-    let mass = |c: &Candidate| c.muscle.tube().rubber_mass_g();
+    let mass = |c: &One| c.muscle.rubber_mass_g;
     if list.iter().any(|c| mass(c).is_some()) {
         found.push(("rubber [g]".into(), aligned(&maybe(&mass), 4)));
     }
     if several_rubbers {
-        found.push(("rubber".into(), list.iter().map(|c| rubber_name(&c.muscle)).collect()));
+        found.push(("rubber".into(), list.iter().map(|c| c.muscle.rubber.clone()).collect()));
     }
     let mut out = columns(found);
     let braid =
@@ -249,21 +205,21 @@ fn candidates(outcome: &Outcome, lengths: bool, u: &Units) -> String {
 
 /// Where the ± is larger than what is to spare, how to ask for a muscle that is sure to do what is wanted.
 fn doubt(answer: &DesignAnswer, u: &Units) -> String {
-    let Some(first) = answer.outcome.candidates.first() else { return String::new() };
-    let tight = first.points.iter().find_map(|q| {
+    let Some(first) = answer.candidates.first() else { return String::new() };
+    let tight = first.points.iter().find_map(|q: &CandidatePoint| {
         let half = q.uncertainty_n?;
-        (q.available_n - q.wanted.force_n < half).then_some(half)
+        (q.force_at_max_pressure_n - q.response.force_n < half).then_some(half)
     });
     let Some(half) = tight else { return String::new() };
     let joined = |list: Vec<String>| list.join(", ");
     let force = |q: &Wanted| u.force.show(q.force_n);
-    let (half, wanted) = match &answer.spec.wanted {
-        Demand::Joint(joint) => {
-            let half = format!("{} N m", number(1e-3 * half * joint.radius_mm, 2));
-            (half, joined(joint.torques.iter().map(|t| format!("{} N m", number(t.0, 4))).collect()))
+    let (half, wanted) = match &answer.wanted {
+        DemandAnswer::Joint { torques, radius_mm } => {
+            let half = format!("{} N m", number(1e-3 * half * radius_mm, 2));
+            (half, joined(torques.iter().map(|t| format!("{} N m", number(t.torque_nm, 4))).collect()))
         }
         _ => {
-            let wanted = first.points.iter().map(|q| u.force.show(q.wanted.force_n));
+            let wanted = first.points.iter().map(|q| u.force.show(q.response.force_n));
             (format!("{} {}", u.force.to(half, 2), u.force.name), joined(wanted.collect()))
         }
     };
@@ -271,6 +227,9 @@ fn doubt(answer: &DesignAnswer, u: &Units) -> String {
         Some(sure) if sure.points.is_empty() => {
             let torque = |t: &TorqueWanted| format!("{} N m", number(t.torque_nm, 5));
             format!("ask for {}", joined(sure.torques.iter().map(torque).collect()))
+        }
+        Some(SureAnswer { load_factor: Some(factor), .. }) => {
+            format!("ask for {} times the load", number(*factor, 4))
         }
         Some(sure) => format!("ask for {}", joined(sure.points.iter().map(force).collect())),
         None => "no muscle of this search is strong enough".to_owned(),
@@ -310,12 +269,12 @@ fn verified(answer: &DesignAnswer, u: &Units) -> String {
     out
 }
 
-fn spread_text(spreads: &[SpreadAnswer], u: &Units) -> String {
-    let line = |s: &SpreadAnswer| {
+fn spread_text(spreads: &[Spread], u: &Units) -> String {
+    let line = |s: &Spread| {
         format!(
             "  {} at {} and {}: {} to {} in the worst corners, likely ± {} {}\n",
-            u.force.show(s.force_n),
-            percent(s.contraction),
+            u.force.show(s.wanted.force_n),
+            percent(s.wanted.contraction),
             u.pressure.show(s.pressure_mpa),
             u.force.to(s.low_n, 4),
             u.force.to(s.high_n, 4),
@@ -329,32 +288,48 @@ fn spread_text(spreads: &[SpreadAnswer], u: &Units) -> String {
     format!("\nTolerances of the first candidate\n{}", spreads.iter().map(line).collect::<String>())
 }
 
-fn nothing_fits(closest: &Closest, u: &Units) -> String {
+/// What burst has to do with it that nothing fits.
+fn too_weak(answer: &DesignAnswer) -> String {
+    let (count, alone) = (answer.excluded_by_burst, answer.excluded_by_burst_alone);
+    let Some(margin) = answer.searched.min_burst_margin.filter(|_| count > 0) else { return String::new() };
+    let rest = match alone {
+        0 => "each of them also misses another limit".to_owned(),
+        all if all == count => "they meet every other limit".to_owned(),
+        some => format!("{some} of them meet every other limit"),
+    };
+    format!(
+        "Of {} muscles {count} burst below {} times the maximum pressure; {rest}.\n",
+        answer.looked_at,
+        number(margin, 4)
+    )
+}
+
+fn nothing_fits(closest: &ClosestAnswer, u: &Units) -> String {
     let mut out = format!(
         "Nothing fits. Closest: {}: {}\n",
         measures(&closest.rejected, u),
-        u.sentence(&closest.rejected.reason.describe(|kind, v| u.show(kind, v)))
+        u.sentence(&closest.rejected.reason)
     );
     if closest.relaxations.is_empty() {
         out.push_str("No single limit makes it fit.\n");
         return out;
     }
-    out.push_str("It fits with any one of these:\n");
+    out.push_str("Relax one of these:\n");
     for relaxation in &closest.relaxations {
         let line = match relaxation {
-            Relaxation::Pressure { pressure_mpa, extrapolated } => {
+            Relaxation::MaxPressure { pressure_mpa, extrapolated } => {
                 let far = if *extrapolated { " (extrapolated: outside of the model's range)" } else { "" };
                 format!("a maximum pressure of {}{far}", u.pressure.show(*pressure_mpa))
             }
-            Relaxation::Force(points) => {
-                let each = |q: &OperatingPoint| {
+            Relaxation::Force { points } => {
+                let each = |q: &Wanted| {
                     format!("{} wanted at {}", u.force.show(q.force_n.floor()), percent(q.contraction))
                 };
                 points.iter().map(each).collect::<Vec<_>>().join(" and ")
             }
-            Relaxation::Contraction(points) => {
+            Relaxation::Contraction { points } => {
                 let floor = |v: f64| percent((v * 1e4).floor() / 1e4);
-                let each = |q: &OperatingPoint| {
+                let each = |q: &Wanted| {
                     format!("{} wanted at a contraction of {}", u.force.show(q.force_n), floor(q.contraction))
                 };
                 points.iter().map(each).collect::<Vec<_>>().join(" and ")
@@ -366,17 +341,17 @@ fn nothing_fits(closest: &Closest, u: &Units) -> String {
                     u.length.show(*outer_diameter_mm)
                 )
             }
-            Relaxation::BulgedDiameter { diameter_mm } => {
-                format!("a bulged diameter of {}", u.length.show((diameter_mm * 10.0).ceil() / 10.0))
+            Relaxation::MaxBulgedDiameter { bulged_diameter_mm } => {
+                format!("a bulged diameter of {}", u.length.show((bulged_diameter_mm * 10.0).ceil() / 10.0))
             }
-            Relaxation::Stretch { stretch } => {
-                format!("a largest stretch of {}", number((stretch * 100.0).ceil() / 100.0, 3))
+            Relaxation::MaxStretch { max_stretch } => {
+                format!("a largest stretch of {}", number((max_stretch * 100.0).ceil() / 100.0, 3))
             }
-            Relaxation::StrandStrain { strain } => {
-                format!("a strand strain of {}", percent((strain * 1e4).ceil() / 1e4))
+            Relaxation::MaxStrandStrain { strand_strain } => {
+                format!("a strand strain of {}", percent((strand_strain * 1e4).ceil() / 1e4))
             }
-            Relaxation::BurstMargin { margin } => {
-                format!("a burst margin of {}", number((margin * 100.0).floor() / 100.0, 3))
+            Relaxation::MinBurstMargin { burst_margin } => {
+                format!("a burst margin of {}", number((burst_margin * 100.0).floor() / 100.0, 3))
             }
         };
         out.push_str(&format!("  - {line}\n"));

@@ -10,9 +10,9 @@ use super::{BRICKS, at_rest, solve};
 use crate::solver::continuation::Unstable;
 use crate::three_dimensional::{Body, Brick, BrickSpec};
 use crate::verification::Row;
-use faer::{Mat, Side};
 use mckibben::muscle::{Bulk, Muscle};
 use mckibben::rubber::Law;
+use nalgebra::DMatrix;
 
 const SOURCE: &str = "J: numerical conduct (bricks)";
 
@@ -45,14 +45,16 @@ fn incompressible(brick: Brick, law: Law) -> Option<f64> {
 /// Negative eigenvalues of the tangent with the terminal held, from all of them.
 fn negative_eigenvalues(body: &Body) -> Option<usize> {
     let d = &body.discretisation;
-    let mut full = Mat::<f64>::zeros(d.free, d.free);
+    let mut full = DMatrix::<f64>::zeros(d.free, d.free);
     for c in 0..d.free {
         for k in d.pattern().columns[c] as usize..d.pattern().columns[c + 1] as usize {
-            full[(d.pattern().rows[k] as usize, c)] = body.assembled.values[k];
+            let r = d.pattern().rows[k] as usize;
+            full[(r, c)] = body.assembled.values[k];
+            full[(c, r)] = full[(r, c)];
         }
     }
-    let values = full.self_adjoint_eigenvalues(Side::Lower).ok()?;
-    Some(values.into_iter().filter(|x| *x < 0.0).count())
+    let values = full.symmetric_eigenvalues();
+    values.iter().all(|x| x.is_finite()).then(|| values.iter().filter(|x| **x < 0.0).count())
 }
 
 /// Strands that carry compression, shortened at rest: what is noticed, and (pivots, eigenvalues) that are negative.

@@ -86,10 +86,14 @@ fn what_is_not_understood_is_named_with_the_way_out() {
         ("Druck;Kontraktion;Kraft [N]\n1;0,1;2\n", "", "`columns` pressure=\"Druck:kPa\""),
         ("p [furlong];e;F\n1;2;3\n", "contraction=e,force=F:N", "that in its brackets is not known"),
         ("p_bar,contraction,F\n1,0.1,3\n", "", "column F does not say its unit"),
-        ("p_bar,strain,F_N\n1,0,9\n1,5,3\n1,12,1\n", "", "line 3, column strain: 5 is no contraction ratio"),
+        (
+            "p_bar,strain,F_N\n1,0,9\n1,5,3\n1,12,1\n",
+            "",
+            "line 3, column strain: 5 is not a valid contraction ratio",
+        ),
         ("p_bar,strain,F_N\n1,0,9\n1,5,3\n", "", "`columns` contraction=\"strain:%\""),
         ("p_bar,x_mm,contraction,F_N\n1,0,9,3\n", "", "write 0.15 for 15 %"),
-        ("p_bar,stroke [mm],F_N\n1,500,9\n", "", "is no shortening of this muscle"),
+        ("p_bar,stroke [mm],F_N\n1,500,9\n", "", "is not a shortening of this muscle"),
         ("p_bar,length_mm,F_N\n1,200,9\n2,200,8\n", "", "the same in all lines"),
         (
             "Set pressure [bar],Pressure 1,p_bar,Pressure [bar],contraction,force_n\n",
@@ -129,7 +133,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
         (
             "pressure,contraction,force\nkPa,%,furlong\n1,0,1\n",
             "",
-            "line 2, column force: \"furlong\" is no unit of force",
+            "line 2, column force: \"furlong\" is not a unit of force",
         ),
         ("p_bar,contraction,F_N\nkPa,%,N\n1,0,1\n", "", "or not the one above (bar)"),
         ("p_bar,contraction,F_N\n1 kPa,0,1\n", "", "its heading says bar"),
@@ -185,8 +189,8 @@ fn errors_name_line_and_column() {
         ("pressure_mpa,contraction,force_n\n", "no points"),
         ("pressure_mpa,contraction,force_n,branch\n0.1,0,3,up\n", "neither \"contraction\""),
         ("pressure_mpa,contraction,force_n,measured\n0.1,0,3,up\n", "neither \"force\""),
-        ("pressure_mpa,contraction,force_n,weight\n0.1,0,3,-1\n", "is no weight"),
-        ("pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,0\n", "is no measure of a muscle"),
+        ("pressure_mpa,contraction,force_n,weight\n0.1,0,3,-1\n", "is not a valid weight"),
+        ("pressure_mpa,contraction,force_n,wall_mm\n0.1,0,3,0\n", "is not a measure of a muscle"),
     ];
     for (text, fragment) in cases {
         let message = read_data(text.as_bytes()).unwrap_err().to_string();

@@ -191,7 +191,7 @@ impl ForceModel for Universal {
     }
 
     fn accuracy(&self) -> Accuracy {
-        if !self.formula.seal.vouches() {
+        if !self.formula.seal.is_intact() {
             return Accuracy::UNKNOWN;
         }
         Accuracy {

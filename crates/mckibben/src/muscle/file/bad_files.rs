@@ -104,7 +104,7 @@ const BAD: &[(&str, usize, &str)] = &[
         2,
         "tube.length = \"long\": does not start with a number; expected a length",
     ),
-    ("[tube]\nlength = \"\"", 2, "nothing stands here; expected a length"),
+    ("[tube]\nlength = \"\"", 2, "the value is empty; expected a length"),
     ("[tube]\nlength = nan", 2, "tube.length = nan: is not a finite number; expected a length"),
     ("[tube]\nlength = \"inf\"", 2, "tube.length = \"inf\": is not a finite number"),
     ("[tube]\nlength = \"1e999 mm\"", 2, "is not a finite number"),
@@ -163,12 +163,12 @@ const BAD: &[(&str, usize, &str)] = &[
     (
         "[tube.material]\nlaw = \"neo-hookean\"\nmu = 0.2\nc10 = 0.1",
         4,
-        "tube.material.c10: is no constant of the neo-hookean law; its constants are mu",
+        "tube.material.c10: is not a constant of the neo-hookean law; its constants are mu",
     ),
     (
         "[tube.material]\nlaw = \"mooney-rivlin\"\nmu = 0.2",
         3,
-        "tube.material.mu: is no constant of the mooney-rivlin law; its constants are c10, c01",
+        "tube.material.mu: is not a constant of the mooney-rivlin law; its constants are c10, c01",
     ),
     (
         "[tube.material]\nlaw = \"mooney-rivlin\"\nc10 = 0.1\nc01 = -0.2",
@@ -293,7 +293,7 @@ const BAD: &[(&str, usize, &str)] = &[
     (
         "[braid]\nstrands = 48\nstrand_area = 0.1\nstrand_diameter = 0.3\nstrand_modulus = 2500",
         4,
-        "give either `strand_area` or `strand_diameter`; here stand both",
+        "give either `strand_area` or `strand_diameter`; both are given",
     ),
     (
         "[braid]\nstrands = 48\nstrand_diameter = \"-0.3 mm\"\nstrand_modulus = 2500",
@@ -316,7 +316,7 @@ const BAD: &[(&str, usize, &str)] = &[
     // TOML itself.
     ("[tube]\nlength = 3\nlength = 4", 3, "not valid TOML: duplicate key in `length = 4`"),
     ("[tube]\n[braid]\n[tube]", 3, "not valid TOML: duplicate key"),
-    ("[tube]\nlength = 30 mm", 2, "(a quantity with a unit stands in quotes: \"30 mm\")"),
+    ("[tube]\nlength = 30 mm", 2, "(write a quantity with a unit in quotes: \"30 mm\")"),
     ("[tube]\nlength = \"30", 2, "not valid TOML"),
     ("[tube\nlength = 30", 1, "not valid TOML"),
     ("[tube]\nlength", 2, "not valid TOML"),

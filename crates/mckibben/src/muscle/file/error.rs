@@ -58,7 +58,7 @@ pub enum Problem {
     /// Not TOML.
     #[error(
         "not valid TOML: {message} in `{line}`{}",
-        if *.unquoted { " (a quantity with a unit stands in quotes: \"30 mm\")" } else { "" }
+        if *.unquoted { " (write a quantity with a unit in quotes: \"30 mm\")" } else { "" }
     )]
     Syntax {
         /// What the parser says.
@@ -113,7 +113,7 @@ pub enum Problem {
         needs: Cow<'static, str>,
     },
     /// A named rubber and a law of one's own.
-    #[error("give either `rubber` or [tube.material]; here stand both")]
+    #[error("give either `rubber` or [tube.material]; both are given")]
     RubberTwice,
     /// Lists of unlike length in a law that is a sum of terms.
     #[error("{0}")]

@@ -294,7 +294,7 @@ mod tests {
         let mut full = Muscle::prototype().parts.clone();
         for (i, m) in MEASURES.iter().enumerate() {
             let other = if m.key == "braid.strands" { 24.0 } else { 0.5 + 0.01 * i as f64 };
-            let value = (m.get)(&full).filter(|v| *v != 0.0).unwrap_or(other);
+            let value = (m.get)(&full).filter(|v| *v > 0.0).unwrap_or(other);
             (m.set)(&mut full, value);
         }
         for m in MEASURES {
@@ -319,7 +319,7 @@ mod tests {
                 "braid.strand_length" => 400.0,
                 _ => 0.75,
             };
-            let value = (m.get)(&parts).filter(|v| *v != 0.0).unwrap_or(other);
+            let value = (m.get)(&parts).filter(|v| *v > 0.0).unwrap_or(other);
             (m.set)(&mut parts, value);
         }
         let muscle = Muscle::from_parts(parts).unwrap();

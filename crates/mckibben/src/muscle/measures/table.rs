@@ -146,8 +146,8 @@ pub static SEATING: Measure = Measure {
     field: Some("seating_mm"),
     bounds: Bounds::NotNegative,
     default: Some(0.0),
-    about: "What both ends together give way under a pull",
-    comment: "what both ends together give way under a pull",
+    about: "Seating: total displacement of both ends under load",
+    comment: "total displacement of both ends under load",
     label: "give of both ends",
     digested: true,
     identify: Some(Identify {

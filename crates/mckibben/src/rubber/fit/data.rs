@@ -139,24 +139,26 @@ fn stretches(table: &Table, column: &Column, gauge: f64) -> Result<Vec<f64>, Tab
     let (of, too_far, too_short): (&dyn Fn(f64) -> f64, _, _) = match column.meaning {
         Meaning::Stretch => (
             &|v| v,
-            "is no stretch L/L0; if it is a strain in percent, name the column strain_percent",
-            "is no stretch L/L0, which is 1 at rest and above 0; if it is a strain, name the column engineering_strain",
+            "is not a valid stretch L/L0; if it is a strain in percent, name the column strain_percent",
+            "is not a valid stretch L/L0, which is 1 at rest and above 0; if it is a strain, name the column engineering_strain",
         ),
         Meaning::Strain => (
             &|v| 1.0 + v,
-            "is no strain ΔL/L0; if it is in percent, name the column strain_percent",
-            "is no strain: the specimen would have no length left",
+            "is not a valid strain ΔL/L0; if it is in percent, name the column strain_percent",
+            "is not a valid strain: the specimen would have no length left",
         ),
-        Meaning::TrueStrain => (&f64::exp, "is no true strain ln(L/L0)", "is no true strain ln(L/L0)"),
+        Meaning::TrueStrain => {
+            (&f64::exp, "is not a valid true strain ln(L/L0)", "is not a valid true strain ln(L/L0)")
+        }
         Meaning::Length => (
             &|v| v / gauge,
             "is too long for this gauge length",
-            "is no length of a specimen that is pulled; look at the gauge length",
+            "is not a length of a specimen that is pulled; look at the gauge length",
         ),
         _ => (
             &|v| 1.0 + v / gauge,
             "is too much for this gauge length",
-            "is no extension: the specimen would have no length left",
+            "is not an extension: the specimen would have no length left",
         ),
     };
     let stretches: Vec<f64> = table.numbers(column)?.into_iter().map(of).collect();

@@ -108,7 +108,7 @@ pub(super) fn check(history: &[TimePoint]) -> Result<(), OverTimeError> {
             return wrong("times must grow; a file of several tests is read test by test");
         }
         if !p.nominal_stress_mpa.is_finite() {
-            return wrong("its stress is no number");
+            return wrong("its stress is not a number");
         }
         before = p.time_s;
     }

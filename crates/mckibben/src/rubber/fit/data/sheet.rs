@@ -65,7 +65,7 @@ pub(super) fn points(
         }
         if let (Some(column), Some(value)) = (differences.0, differences.1[row]) {
             if value.abs() > LARGEST_STRESS_MPA * stretch.max(lambda_2) {
-                let expected = "is no difference of stresses that a rubber bears; look at its unit";
+                let expected = "is not a difference of stresses that a rubber bears; look at its unit";
                 return Err(table.impossible(row, column, expected));
             }
             out.push(TensionPoint::of_difference(stretch, lambda_2, value));
@@ -73,7 +73,11 @@ pub(super) fn points(
         if out.len() == before {
             let column = along.iter().chain([&differences]).find_map(|(column, _)| *column);
             let column = column.map_or_else(|| table.needed(super::STRESS), Ok)?;
-            return Err(table.impossible(row, column, "is no stress, nor is there another in its line"));
+            return Err(table.impossible(
+                row,
+                column,
+                "is not a valid stress, nor is there another in its line",
+            ));
         }
     }
     Ok(out)
@@ -93,7 +97,7 @@ fn across_of(
         None => TableError::Empty,
     };
     if measured.is_some_and(|v| !(0.02..=LARGEST_STRETCH).contains(&v)) {
-        return Err(impossible("is no stretch L/L0, which is 1 at rest and above 0"));
+        return Err(impossible("is not a valid stretch L/L0, which is 1 at rest and above 0"));
     }
     match (mode.across(stretch), measured) {
         (Some(ideal), Some(v)) if (v / ideal - 1.0).abs() > WITHIN => Err(impossible(
@@ -101,6 +105,6 @@ fn across_of(
         )),
         (Some(ideal), _) => Ok(ideal),
         (None, Some(v)) => Ok(v),
-        (None, None) => Err(impossible("is no stretch; a general test needs both")),
+        (None, None) => Err(impossible("is not a valid stretch; a general test needs both")),
     }
 }

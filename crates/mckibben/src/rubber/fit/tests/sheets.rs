@@ -105,7 +105,7 @@ fn rows_of_sheets_that_make_no_sense_are_refused() {
         ("mode,stretch_1,stretch_2,stress_mpa\nbiaxial,1.5,1.2,0.3\n", "call that mode general"),
         ("mode,stretch_1,stretch_2,stress_mpa\ngeneral,1.5,,0.3\n", "needs both"),
         ("stretch_1,stretch_2,stress_mpa\n1.5,-1.2,0.3\n", "above 0"),
-        ("stretch_1,stretch_2,stress_mpa\n1.5,1.2,\n", "is no stress"),
+        ("stretch_1,stretch_2,stress_mpa\n1.5,1.2,\n", "is not a valid stress"),
         ("stretch_1,stretch_2,stress_mpa\n1.5,1.2,300\n", "gives no stress that a rubber bears"),
     ] {
         let message = read(text).unwrap_err().to_string();

@@ -1,0 +1,411 @@
+//! Dense kernels of the sparse factorisation: C = [C] − A D Bᵀ, and the division of rows by a small triangle. Matrices by columns.
+//!
+//! A tile of C stays in registers while it runs along A's and B's columns. A strip of B stays in the first cache while it runs down
+//! A, a block of A in the second while strips pass (Goto & van de Geijn 2008 \[goto2008\]). With A and Bᵀ by columns a tile reads both
+//! side by side as they are; a block of A that many strips pass is copied tile by tile. The order of the sums depends on the sizes alone.
+
+// Rows and columns of tiles are counted: several arrays share an index.
+#![allow(clippy::needless_range_loop)]
+
+use crate::element::lanes::{Real, Width};
+
+/// Vectors of a tile: with as many columns as `strip` says they just fill the registers.
+const VECTORS: usize = 3;
+/// Most columns of a strip.
+pub(super) const STRIP: usize = 8;
+/// Depth of a block of A and a strip of B, and tiles of a block.
+const DEPTH: usize = 256;
+const TILES: usize = 10;
+/// Strips that make it worth while to copy a block of A, and its least depth.
+const COPIED: (usize, usize) = (4, 48);
+
+/// A matrix by columns from its first number on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Matrix<'a> {
+    pub values: &'a [f64],
+    /// From column to column.
+    pub stride: usize,
+}
+
+/// Pivots: every so-many-th number of a matrix, or ones.
+pub(super) type Pivots<'a> = Option<Matrix<'a>>;
+
+/// Which product: the rows and columns of C, the depth of A and B.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shape {
+    pub rows: usize,
+    pub columns: usize,
+    pub depth: usize,
+    /// Whether C keeps what it holds.
+    pub keep: bool,
+    /// Whether only the lower half of C is wanted; what is above may be left.
+    pub lower: bool,
+}
+
+/// The kernels on this processor, with their memory.
+#[derive(Debug)]
+pub(super) struct Kernel {
+    width: Width,
+    /// Tiles of a block of A.
+    copy: Vec<f64>,
+    /// A strip of B.
+    strip: Vec<f64>,
+}
+
+impl Kernel {
+    /// For lanes that the processor has.
+    pub fn new(width: Width) -> Self {
+        Self { width, copy: vec![], strip: vec![0.0; STRIP * DEPTH] }
+    }
+
+    /// Columns of a strip.
+    pub fn strip(&self) -> usize {
+        if self.width == Width::Eight { STRIP } else { STRIP / 2 }
+    }
+
+    /// C = [C] − A D Bᵀ.
+    pub fn product(
+        &mut self,
+        c: (&mut [f64], usize),
+        a: Matrix<'_>,
+        b: Matrix<'_>,
+        d: Pivots<'_>,
+        shape: Shape,
+    ) {
+        match self.width {
+            // SAFETY: `Width::here` has asked the processor.
+            #[cfg(target_arch = "x86_64")]
+            Width::Eight => unsafe { eight((&mut self.copy, &mut self.strip), c, a, b, d, shape) },
+            #[cfg(target_arch = "x86_64")]
+            Width::Four => unsafe { four((&mut self.copy, &mut self.strip), c, a, b, d, shape) },
+            _ => product::<f64, 4>((&mut self.copy, &mut self.strip), c, a, b, d, shape),
+        }
+    }
+
+    /// X := X T⁻ᵀ of a few columns: x_q = (x_q − Σ_p<q x_p t_qp) s_q.
+    pub fn divide(&self, x: (&mut [f64], usize), rows: usize, by: &Triangle) {
+        match self.width {
+            // SAFETY: `Width::here` has asked the processor.
+            #[cfg(target_arch = "x86_64")]
+            Width::Eight => unsafe { divide_eight(x, rows, by) },
+            #[cfg(target_arch = "x86_64")]
+            Width::Four => unsafe { divide_four(x, rows, by) },
+            _ => divide::<f64>(x, rows, by),
+        }
+    }
+}
+
+/// A small triangle t below its diagonal, with what each column is multiplied by.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Triangle {
+    pub count: usize,
+    pub below: [[f64; STRIP]; STRIP],
+    pub share: [f64; STRIP],
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
+fn eight(
+    memory: (&mut Vec<f64>, &mut [f64]),
+    c: (&mut [f64], usize),
+    a: Matrix<'_>,
+    b: Matrix<'_>,
+    d: Pivots<'_>,
+    shape: Shape,
+) {
+    product::<crate::element::lanes::Eight, 8>(memory, c, a, b, d, shape);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn four(
+    memory: (&mut Vec<f64>, &mut [f64]),
+    c: (&mut [f64], usize),
+    a: Matrix<'_>,
+    b: Matrix<'_>,
+    d: Pivots<'_>,
+    shape: Shape,
+) {
+    product::<crate::element::lanes::Four, 4>(memory, c, a, b, d, shape);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq,fma")]
+fn divide_eight(x: (&mut [f64], usize), rows: usize, by: &Triangle) {
+    divide::<crate::element::lanes::Eight>(x, rows, by);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2,fma")]
+fn divide_four(x: (&mut [f64], usize), rows: usize, by: &Triangle) {
+    divide::<crate::element::lanes::Four>(x, rows, by);
+}
+
+#[inline(always)]
+fn product<R: Real, const STRIP: usize>(
+    (copy, strip): (&mut Vec<f64>, &mut [f64]),
+    (c, stride): (&mut [f64], usize),
+    a: Matrix<'_>,
+    b: Matrix<'_>,
+    d: Pivots<'_>,
+    shape: Shape,
+) {
+    let tile = VECTORS * R::LANES;
+    for first in (0..shape.depth).step_by(DEPTH) {
+        let depth = DEPTH.min(shape.depth - first);
+        let keep = shape.keep || first > 0;
+        for top in (0..shape.rows).step_by(TILES * tile) {
+            let rows = (TILES * tile).min(shape.rows - top);
+            let block = Matrix { values: &a.values[first * a.stride + top..], stride: a.stride };
+            let copied = shape.columns >= COPIED.0 * STRIP && depth >= COPIED.1;
+            if copied {
+                copy_tiles::<R>(copy, block, rows, depth);
+            }
+            let mut j = 0;
+            while j < shape.columns {
+                let left = shape.columns - j;
+                let count = left.div_ceil(left.div_ceil(STRIP));
+                // The first tile with rows that are wanted.
+                let begin = if shape.lower { j.saturating_sub(top) / tile * tile } else { 0 };
+                if begin >= rows {
+                    break;
+                }
+                let work = Strip {
+                    left: if copied { Matrix { values: copy, stride: 0 } } else { block },
+                    right: Matrix { values: &b.values[first * b.stride + j..], stride: b.stride },
+                    pivots: d.map(|d| Matrix { values: &d.values[first * d.stride..], stride: d.stride }),
+                    depth,
+                    rows: begin..rows,
+                    keep,
+                };
+                let c = (&mut c[j * stride + top..], stride);
+                match count {
+                    1 => work.run::<R, 1>(strip, c),
+                    2 => work.run::<R, 2>(strip, c),
+                    3 => work.run::<R, 3>(strip, c),
+                    4 => work.run::<R, 4>(strip, c),
+                    5 if STRIP > 4 => work.run::<R, 5>(strip, c),
+                    6 if STRIP > 4 => work.run::<R, 6>(strip, c),
+                    7 if STRIP > 4 => work.run::<R, 7>(strip, c),
+                    _ if STRIP > 4 => work.run::<R, 8>(strip, c),
+                    _ => {}
+                }
+                j += count;
+            }
+        }
+    }
+}
+
+/// A few columns of a product.
+struct Strip<'a> {
+    /// A block of A, or with a stride of zero its tiles one after the other.
+    left: Matrix<'a>,
+    right: Matrix<'a>,
+    pivots: Pivots<'a>,
+    depth: usize,
+    rows: std::ops::Range<usize>,
+    keep: bool,
+}
+
+impl<'a> Strip<'a> {
+    #[inline(always)]
+    fn run<R: Real, const N: usize>(self, strip: &'a mut [f64], (c, stride): (&mut [f64], usize)) {
+        let Self { left, mut right, pivots, depth, rows, keep } = self;
+        let tile = VECTORS * R::LANES;
+        // What a tile or two read is not worth to be copied.
+        if pivots.is_some() || rows.len() > 2 * tile {
+            for k in 0..depth {
+                let (from, to) = (&right.values[k * right.stride..][..N], &mut strip[k * N..][..N]);
+                let d = pivots.map_or(1.0, |d| d.values[k * d.stride]);
+                for n in 0..N {
+                    to[n] = d * from[n];
+                }
+            }
+            right = Matrix { values: strip, stride: N };
+        }
+        let mut i = rows.start;
+        while i < rows.end {
+            let height = tile.min(rows.end - i);
+            let left = if left.stride == 0 {
+                Matrix { values: &left.values[i * depth..], stride: height.next_multiple_of(R::LANES) }
+            } else {
+                Matrix { values: &left.values[i..], stride: left.stride }
+            };
+            let c = (&mut c[i..], stride);
+            match height.div_ceil(R::LANES) {
+                1 => run_tile::<R, 1, N>(c, (left, right), (height, depth), keep),
+                2 => run_tile::<R, 2, N>(c, (left, right), (height, depth), keep),
+                _ => run_tile::<R, VECTORS, N>(c, (left, right), (height, depth), keep),
+            }
+            i += height;
+        }
+    }
+}
+
+/// Tiles one after the other, each by columns; the last one as high as its vectors.
+#[inline(always)]
+fn copy_tiles<R: Real>(copy: &mut Vec<f64>, from: Matrix<'_>, rows: usize, depth: usize) {
+    copy.resize((rows.next_multiple_of(R::LANES) * depth).max(copy.len()), 0.0);
+    let mut i = 0;
+    while i < rows {
+        let height = (VECTORS * R::LANES).min(rows - i);
+        let stride = height.next_multiple_of(R::LANES);
+        let tile = copy[i * depth..][..stride * depth].chunks_exact_mut(stride);
+        for (to, from) in tile.zip(from.values[i..].chunks(from.stride)) {
+            if height == VECTORS * R::LANES {
+                for v in 0..VECTORS {
+                    let at = v * R::LANES..(v + 1) * R::LANES;
+                    R::load(&from[at.clone()]).store(&mut to[at]);
+                }
+            } else {
+                to[..height].copy_from_slice(&from[..height]);
+            }
+        }
+        i += height;
+    }
+}
+
+#[inline(always)]
+fn run_tile<R: Real, const V: usize, const N: usize>(
+    (c, stride): (&mut [f64], usize),
+    (a, b): (Matrix<'_>, Matrix<'_>),
+    (rows, depth): (usize, usize),
+    keep: bool,
+) {
+    let less = less::<R, V, N>((a, b), (rows, depth));
+    for j in 0..N {
+        let c = &mut c[j * stride..][..rows];
+        for v in 0..V {
+            let end = if v + 1 < V { (v + 1) * R::LANES } else { rows };
+            let c = &mut c[v * R::LANES..end];
+            let sum = if keep { R::load(c) + less[j][v] } else { less[j][v] };
+            sum.store(c);
+        }
+    }
+}
+
+/// A tile of −A Bᵀ.
+#[inline(always)]
+fn less<R: Real, const V: usize, const N: usize>(
+    (a, b): (Matrix<'_>, Matrix<'_>),
+    (rows, depth): (usize, usize),
+) -> [[R; V]; N] {
+    let mut sum = [[R::splat(0.0); V]; N];
+    let last = (V - 1) * R::LANES..rows;
+    for k in 0..depth {
+        let (a, b) = (&a.values[k * a.stride..][..rows], &b.values[k * b.stride..][..N]);
+        let mut x = [R::splat(0.0); V];
+        for v in 0..V - 1 {
+            x[v] = R::load(&a[v * R::LANES..(v + 1) * R::LANES]);
+        }
+        x[V - 1] = R::load(&a[last.clone()]);
+        for j in 0..N {
+            let y = R::splat(b[j]);
+            for v in 0..V {
+                sum[j][v] = x[v].mul_add(y, sum[j][v]);
+            }
+        }
+    }
+    // An array of its own: where the sums themselves are read column by column the compiler keeps them in memory.
+    let mut less = [[R::splat(0.0); V]; N];
+    for j in 0..N {
+        for v in 0..V {
+            less[j][v] = R::splat(0.0) - sum[j][v];
+        }
+    }
+    less
+}
+
+#[inline(always)]
+fn divide<R: Real>(x: (&mut [f64], usize), rows: usize, by: &Triangle) {
+    match by.count {
+        1 => divide_by::<R, 1>(x, rows, by),
+        2 => divide_by::<R, 2>(x, rows, by),
+        3 => divide_by::<R, 3>(x, rows, by),
+        4 => divide_by::<R, 4>(x, rows, by),
+        5 => divide_by::<R, 5>(x, rows, by),
+        6 => divide_by::<R, 6>(x, rows, by),
+        7 => divide_by::<R, 7>(x, rows, by),
+        _ => divide_by::<R, 8>(x, rows, by),
+    }
+}
+
+#[inline(always)]
+fn divide_by<R: Real, const N: usize>((x, stride): (&mut [f64], usize), rows: usize, by: &Triangle) {
+    let mut i = 0;
+    while i < rows {
+        let end = rows.min(i + R::LANES);
+        let mut y = [R::splat(0.0); N];
+        for q in 0..N {
+            let column = &mut x[q * stride + i..q * stride + end];
+            let mut sum = R::load(column);
+            for p in 0..q {
+                sum = y[p].mul_add(R::splat(-by.below[q][p]), sum);
+            }
+            y[q] = sum * R::splat(by.share[q]);
+            y[q].store(column);
+        }
+        i = end;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::element::lanes::tests::each_width;
+
+    /// Small whole numbers, whose products and sums are exact in any order.
+    fn numbers(count: usize, seed: usize) -> Vec<f64> {
+        (0..count).map(|i| ((i * 37 + seed * 11) % 17) as f64 - 8.0).collect()
+    }
+
+    /// The product against three loops; where only the lower half is wanted, that half. Rows above and below C are left as they are.
+    fn check(width: Width, [rows, columns, depth]: [usize; 3], (keep, lower, pivots): (bool, bool, bool)) {
+        let (sa, sb, sc) = (rows + 3, columns + 1, rows + 2);
+        let (a, b, d) = (numbers(sa * depth, 1), numbers(sb * depth, 2), numbers(2 * depth, 3));
+        let before = numbers(sc * columns, 4);
+        let mut c = before.clone();
+        let matrix = |values, stride| Matrix { values, stride };
+        let shape = Shape { rows, columns, depth, keep, lower };
+        let by = pivots.then_some(matrix(&d, 2));
+        Kernel::new(width).product((&mut c, sc), matrix(&a, sa), matrix(&b, sb), by, shape);
+        for (at, value) in c.iter().enumerate() {
+            let (i, j) = (at % sc, at / sc);
+            let one = |k: usize| a[k * sa + i] * b[k * sb + j] * if pivots { d[2 * k] } else { 1.0 };
+            let wanted = if i < rows {
+                (if keep { before[at] } else { 0.0 }) - (0..depth).map(one).sum::<f64>()
+            } else {
+                before[at]
+            };
+            assert!(*value == wanted || lower && i < j, "{width:?} {shape:?} {i} {j}: {value} {wanted}");
+        }
+    }
+
+    #[test]
+    fn products_of_all_sizes_are_those_of_three_loops() {
+        each_width(|width| {
+            for (rows, columns) in (1..=40).flat_map(|i| (1..=40).map(move |j| (i, j))) {
+                let depth = 1 + (7 * rows + columns) % 40;
+                let odd = |n: usize| n % 2 == 1;
+                check(
+                    width,
+                    [rows, columns, depth],
+                    (odd(rows), odd(columns / 2) && rows >= columns, odd(depth)),
+                );
+            }
+            for depth in 1..=40 {
+                check(width, [29, 11, depth], (true, false, false));
+            }
+        });
+    }
+
+    #[test]
+    fn products_larger_than_a_block_are_those_of_three_loops() {
+        each_width(|width| {
+            for lower in [false, true] {
+                check(width, [TILES * VECTORS * 8 + 37, 61, DEPTH + 9], (false, lower, true));
+                check(width, [257, 256, 48], (true, lower, false));
+            }
+        });
+    }
+}

@@ -1,0 +1,308 @@
+//! Where the entries of a Cholesky factor stand: columns with the same rows below them, side by side, are one supernode.
+//!
+//! Unknowns are eliminated in the order in which they are numbered. Column j of L has the rows of A's column and those of its children in
+//! the elimination tree (Liu 1990 \[liu1990\]),
+//!
+//! ```text
+//! struct(L·j) = struct(A·j) ∪ ⋃ struct(L·c) \ {j} over the children c,   parent(c) = min {i > c : l_ic ≠ 0}
+//! ```
+//!
+//! so that the tree comes out of the same walk. Column j goes on with the supernode of column j − 1 where it is the parent of that one alone
+//! and brings no row of its own: a fundamental supernode, whose rows are kept once (Davis 2006 \[davis2006b\]). A supernode and the parent right
+//! behind it are merged where few of the entries that result are zeros (Ashcraft & Grimes 1989 \[ashcraft1989\]): wide supernodes are
+//! quick, and a child's rows lie within the parent's columns and rows.
+
+use super::sparse::Pattern;
+use std::ops::Range;
+
+/// Which share of zeros merged supernodes of at most so many columns may have.
+const ZEROS: [(usize, f64); 4] = [(4, 1.0), (16, 0.8), (48, 0.1), (usize::MAX, 0.05)];
+
+/// Numbers that a factor may have: 16 GB.
+const MOST: u64 = i32::MAX as u64;
+
+/// No supernode.
+const NONE: u32 = u32::MAX;
+
+/// The supernodes of a pattern. Each is a matrix by columns: its own rows, then those below.
+#[derive(Debug)]
+pub(super) struct Symbolic {
+    /// First column of each supernode, and the number of all columns.
+    begin: Vec<u32>,
+    /// Where the rows below each begin and the last ones end.
+    first_row: Vec<usize>,
+    rows: Vec<u32>,
+    /// Where the numbers of each begin and the last ones end.
+    first_value: Vec<usize>,
+    /// Where the earlier supernodes with rows in each begin and the last ones end.
+    first_update: Vec<usize>,
+    updates: Vec<u32>,
+}
+
+impl Symbolic {
+    /// The supernodes of a pattern; `None` where there is no memory for them or their numbers.
+    pub fn of(pattern: &Pattern) -> Option<Self> {
+        let mut all = Self::fundamental(pattern)?;
+        all.merge();
+        all.place_values()?;
+        all.find_updates();
+        Some(all)
+    }
+
+    /// Number of supernodes.
+    pub fn count(&self) -> usize {
+        self.begin.len() - 1
+    }
+
+    /// Columns of a supernode.
+    pub fn columns(&self, supernode: usize) -> Range<usize> {
+        self.begin[supernode] as usize..self.begin[supernode + 1] as usize
+    }
+
+    /// Rows below its columns, in rising order.
+    pub fn below(&self, supernode: usize) -> &[u32] {
+        &self.rows[self.first_row[supernode]..self.first_row[supernode + 1]]
+    }
+
+    /// Rows of its matrix.
+    pub fn height(&self, supernode: usize) -> usize {
+        self.columns(supernode).len() + self.below(supernode).len()
+    }
+
+    /// Its numbers among those of the factor.
+    pub fn values(&self, supernode: usize) -> Range<usize> {
+        self.first_value[supernode]..self.first_value[supernode + 1]
+    }
+
+    /// Earlier supernodes with rows in its columns, in rising order.
+    pub fn updates(&self, supernode: usize) -> &[u32] {
+        &self.updates[self.first_update[supernode]..self.first_update[supernode + 1]]
+    }
+
+    /// Numbers of the factor, zeros that pad it included.
+    pub fn entries(&self) -> usize {
+        self.first_value.last().copied().unwrap_or(0)
+    }
+
+    fn fundamental(pattern: &Pattern) -> Option<Self> {
+        let n = pattern.dimension();
+        let (mut begin, mut first_row, mut rows) = (vec![], vec![0], vec![]);
+        // The supernode that a row was last found in; the children of each column: the last one, and the one before each supernode.
+        let (mut found, mut child, mut sibling) = (vec![NONE; n], vec![NONE; n], vec![]);
+        // Rows of the supernode that may go on, and how many of them have become its columns.
+        let (mut open, mut passed): (Vec<u32>, usize) = (vec![], 0);
+        for j in 0..n {
+            let own = &pattern.rows[pattern.columns[j] as usize..pattern.columns[j + 1] as usize];
+            let own = own.iter().copied().filter(|r| *r as usize > j);
+            if let Some(last) = begin.len().checked_sub(1) {
+                let parent = open.get(passed).copied();
+                let only = parent == Some(j as u32) && child[j] == NONE;
+                if only && own.clone().all(|r| found[r as usize] == last as u32) {
+                    passed += 1;
+                    continue;
+                }
+                rows.try_reserve(open.len() - passed).ok()?;
+                rows.extend_from_slice(&open[passed..]);
+                first_row.push(rows.len());
+                sibling.push(parent.map_or(NONE, |p| std::mem::replace(&mut child[p as usize], last as u32)));
+            }
+            let this = begin.len() as u32;
+            begin.push(j as u32);
+            (open, passed) = (own.collect(), 0);
+            open.iter().for_each(|r| found[*r as usize] = this);
+            let mut next = child[j];
+            while next != NONE {
+                let c = next as usize;
+                for &r in &rows[first_row[c] + 1..first_row[c + 1]] {
+                    if found[r as usize] != this {
+                        found[r as usize] = this;
+                        open.push(r);
+                    }
+                }
+                next = sibling[c];
+            }
+            open.sort_unstable();
+        }
+        if n > 0 {
+            rows.extend_from_slice(&open[passed..]);
+            first_row.push(rows.len());
+        }
+        begin.push(n as u32);
+        let (first_value, first_update, updates) = (vec![], vec![], vec![]);
+        Some(Self { begin, first_row, rows, first_value, first_update, updates })
+    }
+
+    /// Merges supernodes with the parents right behind them.
+    fn merge(&mut self) {
+        // Number of those that are left; first column, rows and zeros of the last one.
+        let (mut kept, mut start, mut zeros) = (0_usize, 0, 0.0);
+        for i in 0..self.count() {
+            let (columns, rows) = (self.columns(i), self.first_row[i]..self.first_row[i + 1]);
+            let together = match kept.checked_sub(1) {
+                Some(last) if self.below(last).first() == Some(&self.begin[i]) => {
+                    let width = columns.end - start;
+                    let new = columns.len() + rows.len() - self.below(last).len();
+                    let sum = zeros + new as f64 * (columns.start - start) as f64;
+                    let entries = width as f64 * (0.5 * (width + 1) as f64 + rows.len() as f64);
+                    let few = |(most, share): &(usize, f64)| *most >= width && share * entries >= sum;
+                    (new == 0 || ZEROS.iter().any(few)).then_some(sum)
+                }
+                _ => None,
+            };
+            match together {
+                Some(sum) => (kept, zeros) = (kept - 1, sum),
+                None => (start, zeros) = (columns.start, 0.0),
+            }
+            let place = self.first_row[kept];
+            self.begin[kept] = start as u32;
+            self.first_row[kept + 1] = place + rows.len();
+            self.rows.copy_within(rows, place);
+            kept += 1;
+        }
+        self.begin[kept] = self.begin[self.begin.len() - 1];
+        self.begin.truncate(kept + 1);
+        self.first_row.truncate(kept + 1);
+        self.rows.truncate(self.first_row[kept]);
+        self.rows.shrink_to_fit();
+    }
+
+    fn place_values(&mut self) -> Option<()> {
+        let mut sum = 0;
+        self.first_value.push(0);
+        for i in 0..self.count() {
+            sum += self.columns(i).len() as u64 * self.height(i) as u64;
+            let end = usize::try_from(sum).ok().filter(|_| sum <= MOST)?;
+            self.first_value.push(end);
+        }
+        Some(())
+    }
+
+    fn find_updates(&mut self) {
+        let count = self.count();
+        let mut owner = vec![0_u32; self.begin[count] as usize];
+        for i in 0..count {
+            owner[self.columns(i)].fill(i as u32);
+        }
+        let (owner, this) = (&owner, &*self);
+        let targets = |i: usize| {
+            let mut before = NONE;
+            let owners = this.below(i).iter().map(|r| owner[*r as usize]);
+            owners.filter(move |o| std::mem::replace(&mut before, *o) != *o)
+        };
+        let mut first = vec![0; count + 1];
+        (0..count).flat_map(targets).for_each(|t| first[t as usize + 1] += 1);
+        for i in 0..count {
+            first[i + 1] += first[i];
+        }
+        let (mut next, mut from) = (first.clone(), vec![0_u32; first[count]]);
+        for i in 0..count {
+            for t in targets(i) {
+                from[next[t as usize]] = i as u32;
+                next[t as usize] += 1;
+            }
+        }
+        (self.first_update, self.updates) = (first, from);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mckibben::random::Random;
+
+    fn patterns() -> impl Iterator<Item = Pattern> {
+        let mut r = Random(5);
+        (0..300).map(move |case| {
+            let n = case % 41;
+            let density = [0.02, 0.06, 0.15, 0.6][case % 4];
+            let (mut columns, mut rows) = (vec![0], vec![]);
+            for j in 0..n {
+                rows.push(j as u32);
+                let near = |i: usize| case % 3 == 0 && i < j + 3;
+                rows.extend(
+                    (j + 1..n).filter(|i| r.between(0.0, 1.0) < density || near(*i)).map(|i| i as u32),
+                );
+                columns.push(rows.len() as u32);
+            }
+            Pattern { columns, rows }
+        })
+    }
+
+    /// Rows of each column of L by elimination on the whole matrix.
+    fn eliminated(pattern: &Pattern) -> Vec<Vec<u32>> {
+        let n = pattern.dimension();
+        let mut full = vec![vec![false; n]; n];
+        for (j, column) in full.iter_mut().enumerate() {
+            for k in pattern.columns[j]..pattern.columns[j + 1] {
+                column[pattern.rows[k as usize] as usize] = true;
+            }
+        }
+        for k in 0..n {
+            let pivot = full[k].clone();
+            for j in (k + 1..n).filter(|j| pivot[*j]) {
+                full[j][j..].iter_mut().zip(&pivot[j..]).for_each(|(to, from)| *to |= from);
+            }
+        }
+        full.iter().map(|c| (0..n as u32).filter(|i| c[*i as usize]).collect()).collect()
+    }
+
+    /// Rows of each column as the supernodes have them.
+    fn columns(s: &Symbolic) -> Vec<Vec<u32>> {
+        let of = |i: usize| {
+            s.columns(i).map(move |j| (j as u32..s.columns(i).end as u32).chain(s.below(i).iter().copied()))
+        };
+        (0..s.count()).flat_map(of).map(Iterator::collect).collect()
+    }
+
+    #[test]
+    fn fundamental_supernodes_have_the_rows_of_the_elimination() {
+        for pattern in patterns() {
+            let s = Symbolic::fundamental(&pattern).unwrap();
+            let wanted = eliminated(&pattern);
+            assert_eq!(columns(&s), wanted);
+            // Two neighbours are one supernode just where the later one is the parent of the earlier one alone and has the same rows.
+            for j in 1..pattern.dimension() {
+                let parent = |c: &Vec<u32>| c.get(1) == Some(&(j as u32));
+                let only = parent(&wanted[j - 1]) && wanted[..j].iter().filter(|c| parent(c)).count() == 1;
+                let one = only && wanted[j - 1].len() == wanted[j].len() + 1;
+                assert_eq!(!s.begin.contains(&(j as u32)), one, "{j}");
+            }
+        }
+    }
+
+    #[test]
+    fn merged_supernodes_hold_the_elimination_with_few_zeros_more() {
+        for pattern in patterns() {
+            let s = Symbolic::of(&pattern).unwrap();
+            let (wanted, got) = (eliminated(&pattern), columns(&s));
+            assert_eq!(got.len(), wanted.len());
+            assert!(wanted.iter().zip(&got).all(|(w, g)| w.iter().all(|r| g.contains(r))));
+            for i in 0..s.count() {
+                let entries = |c: &[Vec<u32>]| c[s.columns(i)].iter().map(Vec::len).sum::<usize>() as f64;
+                let (all, width) = (entries(&got), s.columns(i).len());
+                let share = ZEROS.iter().find(|z| z.0 >= width).unwrap().1;
+                assert!(all - entries(&wanted) <= share * all);
+                assert_eq!(s.values(i).len(), width * s.height(i));
+                let inside = |d: &usize| s.below(*d).iter().any(|r| s.columns(i).contains(&(*r as usize)));
+                let earlier: Vec<u32> = (0..i).filter(inside).map(|d| d as u32).collect();
+                assert_eq!(s.updates(i), earlier);
+            }
+            assert_eq!(s.entries(), (0..s.count()).map(|i| s.values(i).len()).sum::<usize>());
+        }
+    }
+
+    #[test]
+    fn a_dense_matrix_is_one_supernode() {
+        let n = 30;
+        let columns = (0..=n)
+            .scan(0, |sum, j| {
+                let before = *sum;
+                *sum += n - j.min(n);
+                Some(before)
+            })
+            .collect();
+        let rows = (0..n).flat_map(|j| j..n).collect();
+        let s = Symbolic::of(&Pattern { columns, rows }).unwrap();
+        assert_eq!((s.count(), s.columns(0), s.entries()), (1, 0..30, 900));
+    }
+}
