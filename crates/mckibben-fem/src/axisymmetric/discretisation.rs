@@ -45,6 +45,8 @@ pub struct Problem {
     pub braid: Option<BraidSpec>,
     /// What holds the last station.
     pub ends: Ends,
+    /// λp: by how much the rubber is stretched along where nothing is displaced.
+    pub prestretch: f64,
 }
 
 impl Problem {
@@ -62,12 +64,13 @@ impl Problem {
             stiffness: braid.family_stiffness_n_per_mm(tube),
             compression: braid.compression,
         };
-        Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded)
+        let prestretch = tube.prestretch;
+        Self { prestretch, ..Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded) }
     }
 
     /// Of its parts.
     pub fn new(law: Law, bulk: Bulk, braid: Option<BraidSpec>, ends: Ends) -> Self {
-        Self { law, bulk, braid, ends }
+        Self { law, bulk, braid, ends, prestretch: 1.0 }
     }
 }
 
@@ -122,8 +125,9 @@ impl Discretisation {
         let mut elements = Vec::with_capacity(mesh.through * mesh.along);
         for slab in 0..mesh.along {
             for i in 0..mesh.through {
-                let geometry = Geometry::new(&nodes(&mesh, slab, i))
+                let mut geometry = Geometry::new(&nodes(&mesh, slab, i))
                     .ok_or(FemError::Element { element: slab * mesh.through + i })?;
+                geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
                 elements.push(geometry);
             }
         }
@@ -167,7 +171,7 @@ impl Discretisation {
 
     /// Gradients at local coordinates of an element with these nodes.
     pub fn point(&self, nodes: &[[f64; 2]; NODES], xi: f64, eta: f64) -> Option<Point> {
-        point(nodes, xi, eta, 1.0)
+        Some(point(nodes, xi, eta, 1.0)?.prestretched(self.problem.prestretch))
     }
 
     /// Half length at rest in mm.
