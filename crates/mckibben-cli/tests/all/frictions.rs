@@ -374,6 +374,7 @@ const COUNTS: &[(&str, &str, &str)] = &[
     ("wall", "1.5mm", ""),
     ("length", "210mm", ""),
     ("density", "930kg/m3", ""),
+    ("prestretch", "1.1", ""),
     ("angle", "24deg", ""),
     ("rubber", "dragon-skin-30", ""),
     ("braid", "nfl-19", ""),

@@ -7,7 +7,7 @@ use crate::FemError;
 use crate::element::q2::{Geometry, NODES, Point, point};
 use crate::element::strand::{self, STRAND_POINTS, StrandPoint};
 use crate::solver::body::State;
-use mckibben::muscle::{Bulk, Crimp, Muscle, StrandLay};
+use mckibben::muscle::{Bulk, Crimp, Muscle, Parts, StrandLay};
 use mckibben::rubber::{Law, RubberLaw};
 
 /// What holds the last station.
@@ -45,24 +45,32 @@ pub struct Problem {
     pub braid: Option<BraidSpec>,
     /// What holds the last station.
     pub ends: Ends,
+    /// λp: by how much the rubber is stretched along where nothing is displaced.
+    pub prestretch: f64,
 }
 
 impl Problem {
     /// Rubber and braid of a muscle between bonded terminals.
     pub fn of(muscle: &Muscle) -> Self {
+        Self::of_parts(muscle.parts())
+    }
+
+    /// The same of its parts.
+    pub fn of_parts(Parts { tube, braid, .. }: &Parts) -> Self {
+        let rubber = &tube.rubber;
         let braid = BraidSpec {
-            lay: muscle.strand_lay(),
-            crimp: muscle.braid().crimp,
-            stiffness: muscle.family_stiffness_n_per_mm(),
-            compression: muscle.braid().compression,
+            lay: braid.lay(tube),
+            crimp: braid.crimp,
+            stiffness: braid.family_stiffness_n_per_mm(tube),
+            compression: braid.compression,
         };
-        let rubber = &muscle.tube().rubber;
-        Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded)
+        let prestretch = tube.prestretch;
+        Self { prestretch, ..Self::new(rubber.law.clone(), rubber.bulk, Some(braid), Ends::Bonded) }
     }
 
     /// Of its parts.
     pub fn new(law: Law, bulk: Bulk, braid: Option<BraidSpec>, ends: Ends) -> Self {
-        Self { law, bulk, braid, ends }
+        Self { law, bulk, braid, ends, prestretch: 1.0 }
     }
 }
 
@@ -117,8 +125,9 @@ impl Discretisation {
         let mut elements = Vec::with_capacity(mesh.through * mesh.along);
         for slab in 0..mesh.along {
             for i in 0..mesh.through {
-                let geometry = Geometry::new(&nodes(&mesh, slab, i))
+                let mut geometry = Geometry::new(&nodes(&mesh, slab, i))
                     .ok_or(FemError::Element { element: slab * mesh.through + i })?;
+                geometry.points = geometry.points.map(|p| p.prestretched(problem.prestretch));
                 elements.push(geometry);
             }
         }
@@ -162,7 +171,7 @@ impl Discretisation {
 
     /// Gradients at local coordinates of an element with these nodes.
     pub fn point(&self, nodes: &[[f64; 2]; NODES], xi: f64, eta: f64) -> Option<Point> {
-        point(nodes, xi, eta, 1.0)
+        Some(point(nodes, xi, eta, 1.0)?.prestretched(self.problem.prestretch))
     }
 
     /// Half length at rest in mm.

@@ -7,12 +7,13 @@
 
 use super::assembly::{Assembled, assemble};
 use super::body::Body;
-use super::discretisation::{BraidSpec, Discretisation, Problem};
+use super::discretisation::{Discretisation, Problem};
 use super::mesh::Mesh;
 use crate::FemError;
 use crate::results::Sensitivity;
 use crate::solver::body::State;
-use mckibben::muscle::{Crimp, Muscle, StrandLay};
+use mckibben::muscle::measures::{STIFFNESS, of_section};
+use mckibben::muscle::{Muscle, Parts};
 use mckibben::rubber::Law;
 
 /// A law with `change` added to its constant number `index`.
@@ -20,38 +21,17 @@ fn changed(law: &Law, index: usize, change: f64) -> Law {
     law.with_constants(|i, value| if i == index { value + change } else { value })
 }
 
-/// The measures of a muscle that are varied.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Measures {
-    outer_diameter: f64,
-    wall: f64,
-    length: f64,
-    angle_deg: f64,
-    thickness: f64,
-    diameter: Option<f64>,
-    crimp: Option<Crimp>,
-    stiffness: Option<f64>,
-}
-
-impl Measures {
-    fn lay(&self) -> StrandLay {
-        let diameter = self.diameter.unwrap_or(self.outer_diameter);
-        StrandLay::new(self.angle_deg.to_radians(), diameter, self.thickness)
-    }
-}
-
 /// The body with other measures; the mesh keeps its proportions.
-fn rebuilt(d: &Discretisation, law: Law, from: &Measures, to: &Measures) -> Result<Discretisation, FemError> {
+fn rebuilt(d: &Discretisation, law: Law, from: &Parts, to: &Parts) -> Result<Discretisation, FemError> {
     let mut mesh: Mesh = d.mesh.clone();
-    let (outer, stretch) = (0.5 * to.outer_diameter, to.length / from.length);
-    let inner = outer - to.wall;
+    let (outer, stretch) = (to.tube.outer_radius_mm(), to.tube.length_mm / from.tube.length_mm);
+    let inner = outer - to.tube.wall_mm;
     for node in &mut mesh.nodes {
-        let share = (node[0] - (0.5 * from.outer_diameter - from.wall)) / from.wall;
+        let share = (node[0] - from.tube.inner_radius_mm()) / from.tube.wall_mm;
         *node = [inner + share * (outer - inner), node[1] * stretch];
     }
-    let braid =
-        d.problem.braid.map(|b| BraidSpec { lay: to.lay(), crimp: to.crimp, stiffness: to.stiffness, ..b });
-    let mut out = Discretisation::new(mesh, Problem { law, braid, ..d.problem.clone() })?;
+    let problem = Problem { law, ends: d.problem.ends, ..Problem::of_parts(to) };
+    let mut out = Discretisation::new(mesh, problem)?;
     // The scale of the multipliers' equations must not change with the law.
     (out.augment, out.augment_strand) = (d.augment, d.augment_strand);
     Ok(out)
@@ -82,18 +62,13 @@ pub fn of(
     let d = std::sync::Arc::clone(&body.discretisation);
     let state = body.state.clone();
     let law = d.problem.law.clone();
-    let here = Measures {
-        outer_diameter: muscle.outer_diameter_mm(),
-        wall: muscle.wall_mm(),
-        length: muscle.length_mm(),
-        angle_deg: muscle.braid().angle_deg,
-        thickness: muscle.braid().thickness_mm,
-        diameter: muscle.braid().diameter_mm,
-        crimp: muscle.braid().crimp,
-        stiffness: muscle.family_stiffness_n_per_mm(),
-    };
+    let mut here = muscle.parts().clone();
+    // k is held, also where it follows from other measures.
+    if let Some(k) = muscle.family_stiffness_n_per_mm() {
+        (STIFFNESS.set)(&mut here, k);
+    }
     let mut out = Vec::new();
-    let mut add = |name: String, value: f64, unit: &'static str, make: &dyn Fn(f64) -> (Law, Measures)| {
+    let mut add = |name: String, value: f64, unit: &'static str, make: &dyn Fn(f64) -> (Law, Parts)| {
         if !wanted(&name) {
             return Ok(());
         }
@@ -111,33 +86,18 @@ pub fn of(
     };
     for (index, c) in law.constants().into_iter().enumerate() {
         let name = format!("tube.material.{}", c.name);
-        add(name, c.value, c.constant.unit(), &|h| (changed(&law, index, h), here))?;
+        add(name, c.value, c.constant.unit(), &|h| (changed(&law, index, h), here.clone()))?;
     }
-    let same = |to: Measures| (law.clone(), to);
-    if let Some(k) = here.stiffness {
-        let make = |h: f64| same(Measures { stiffness: Some(k + h), ..here });
-        add("braid.stiffness".into(), k, "N/mm", &make)?;
-    }
-    let make = |h: f64| same(Measures { outer_diameter: here.outer_diameter + h, ..here });
-    add("tube.outer_diameter".into(), here.outer_diameter, "mm", &make)?;
-    let make = |h: f64| same(Measures { wall: here.wall + h, ..here });
-    add("tube.wall_thickness".into(), here.wall, "mm", &make)?;
-    let make = |h: f64| same(Measures { length: here.length + h, ..here });
-    add("tube.length".into(), here.length, "mm", &make)?;
-    let make = |h: f64| same(Measures { angle_deg: here.angle_deg + h, ..here });
-    add("braid.angle".into(), here.angle_deg, "deg", &make)?;
-    if here.thickness > 0.0 {
-        let make = |h: f64| same(Measures { thickness: here.thickness + h, ..here });
-        add("braid.thickness".into(), here.thickness, "mm", &make)?;
-    }
-    if let Some(crimp) = here.crimp {
-        let strained = |h: f64| Crimp { strain: crimp.strain + h, ..crimp };
-        let make = |h: f64| same(Measures { crimp: Some(strained(h)), ..here });
-        add("braid.crimp".into(), crimp.strain, "", &make)?;
-    }
-    if let Some(diameter) = here.diameter {
-        let make = |h: f64| same(Measures { diameter: Some(diameter + h), ..here });
-        add("braid.diameter".into(), diameter, "mm", &make)?;
+    // Ends that give way are around this body, friction is added to its pull.
+    let measures = ["tube", "braid"].into_iter().flat_map(of_section).filter(|m| m.identify.is_some());
+    for measure in [&STIFFNESS].into_iter().chain(measures) {
+        let Some(value) = (measure.get)(&here) else { continue };
+        let make = |h: f64| {
+            let mut to = here.clone();
+            (measure.set)(&mut to, value + h);
+            (law.clone(), to)
+        };
+        add(measure.key.into(), value, measure.unit(), &make)?;
     }
     Ok(out)
 }
@@ -147,14 +107,14 @@ fn residual(
     d: &Discretisation,
     state: &State,
     law: Law,
-    from: &Measures,
-    to: &Measures,
+    from: &Parts,
+    to: &Parts,
 ) -> Result<Vec<f64>, FemError> {
     let other = rebuilt(d, law, from, to)?;
     let mut state = state.clone();
     // At fixed ε the terminal moves with L0. All axial displacements go with it: what is added to free unknowns does
     // not change what arrives at the terminal, and the terminal's move alone would be too rough for differences.
-    let ratio = to.length / from.length;
+    let ratio = to.tube.length_mm / from.tube.length_mm;
     for j in 0..=2 * d.layout.along {
         let at = d.layout.at(j);
         for i in 0..d.layout.nodes() {

@@ -49,6 +49,21 @@ pub struct Point {
     pub psi: [f64; MODES],
     /// Reference volume 2πR dR dZ in mm³.
     pub volume: f64,
+    /// F where nothing is displaced: across (r and around) and along.
+    pub at_rest: [f64; 2],
+}
+
+impl Point {
+    /// The same where the rubber was stretched along by λp before it had this shape, its volume kept: gradients are those in its natural
+    /// shape, in which R is wider by √λp and Z shorter by 1/λp.
+    #[must_use]
+    pub fn prestretched(mut self, prestretch: f64) -> Self {
+        let across = 1.0 / prestretch.sqrt();
+        self.at_rest = [across, prestretch];
+        self.r.iter_mut().chain(&mut self.t).for_each(|v| *v *= across);
+        self.z.iter_mut().for_each(|v| *v *= prestretch);
+        self
+    }
 }
 
 /// An element at rest.
@@ -92,6 +107,7 @@ pub fn point(nodes: &[[f64; 2]; NODES], xi: f64, eta: f64, weight: f64) -> Optio
         t: [0.0; PADDED],
         psi: [1.0, 0.0, 0.0],
         volume: 2.0 * PI * radius * det * weight,
+        at_rest: [1.0; 2],
     };
     for a in 0..NODES {
         let [sx, sy] = slope[a];

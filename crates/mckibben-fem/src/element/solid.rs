@@ -109,11 +109,11 @@ fn dot(a: &Row, b: &Row) -> f64 {
 #[inline(always)]
 pub fn gradient(p: &Point, u: &Unknowns) -> Gradient {
     Gradient {
-        a: 1.0 + dot(&p.r, &u.r),
+        a: p.at_rest[0] + dot(&p.r, &u.r),
         b: dot(&p.z, &u.r),
         c: dot(&p.r, &u.z),
-        d: 1.0 + dot(&p.z, &u.z),
-        t: 1.0 + dot(&p.t, &u.r),
+        d: p.at_rest[1] + dot(&p.z, &u.z),
+        t: p.at_rest[0] + dot(&p.t, &u.r),
     }
 }
 

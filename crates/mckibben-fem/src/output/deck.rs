@@ -38,6 +38,9 @@ pub enum DeckError {
     /// A terminal that is a body.
     #[error("an input deck has the rigid plane for a terminal: leave out `terminal`")]
     Plug,
+    /// A tube that is stressed at rest.
+    #[error("an input deck begins from rubber without stress: leave out tube.prestretch")]
+    Prestretch,
     /// No pressures, or pressures that fall or are not above zero.
     #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]
     Pressures {
@@ -85,6 +88,9 @@ pub fn deck(model: &ThreeDimensional, contraction: f64, pressures_mpa: &[f64]) -
     }
     if mesh.plug().is_some() {
         return Err(DeckError::Plug);
+    }
+    if model.muscle().tube().prestretch != 1.0 {
+        return Err(DeckError::Prestretch);
     }
     let steps = steps(contraction, pressures_mpa)?;
     let muscle = model.muscle();

@@ -55,6 +55,8 @@ pub struct Problem {
     pub others: Vec<Other>,
     /// Length along z at rest in mm to which contractions refer; where it is `None`, the greatest z.
     pub length_mm: Option<f64>,
+    /// λp: by how much the rubber, which is the first material, is stretched along z where nothing is displaced.
+    pub prestretch: f64,
 }
 
 /// A second material.
@@ -89,13 +91,20 @@ impl Problem {
             bulk,
             others: vec![],
             length_mm: None,
+            prestretch: 1.0,
             nodes,
         }
     }
 
     /// Place in mm of a node in the reference configuration of a brick.
-    pub fn rest(&self, _brick: usize, node: u32) -> [f64; 3] {
-        self.nodes[node as usize]
+    /// Rubber that was mounted with a stretch is wider there by √λp and shorter by 1/λp.
+    pub fn rest(&self, brick: usize, node: u32) -> [f64; 3] {
+        let [x, y, z] = self.nodes[node as usize];
+        if self.prestretch == 1.0 || self.others.first().is_some_and(|other| brick >= other.first) {
+            return [x, y, z];
+        }
+        let wider = self.prestretch.sqrt();
+        [wider * x, wider * y, z / self.prestretch]
     }
 
     /// One eighth of a muscle between bonded rigid terminals.
@@ -169,6 +178,7 @@ impl Problem {
             bulk: rubber.bulk,
             others,
             length_mm: Some(mesh.half_length_mm()),
+            prestretch: muscle.tube().prestretch,
             nodes: nodes.to_vec(),
         }
     }

@@ -10,6 +10,7 @@ mod contact;
 mod identify;
 mod lay;
 mod measured;
+mod prestretch;
 mod shared;
 mod small_angles;
 mod three_dimensional;

@@ -68,7 +68,8 @@ pub use workspace::{ModelId, Workspace};
 
 use crate::muscle::Muscle;
 
-/// What a model leaves out that takes the strands as straight ones on the surface of a tube that fills its sleeve.
+/// What a model leaves out that takes the strands as straight ones on the surface of a tube that fills its sleeve, and the tube as mounted
+/// without a stretch.
 fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
     let braid = muscle.braid();
     let keys = [
@@ -77,9 +78,13 @@ fn strands_on_the_tube(model: &str, muscle: &Muscle) -> Option<String> {
         ("braid.crimp", braid.crimp.is_some()),
     ];
     let stated: Vec<&str> = keys.into_iter().filter(|k| k.1).map(|k| k.0).collect();
-    (!stated.is_empty()).then(|| {
+    let strands = (!stated.is_empty()).then(|| {
         format!("{model} takes the strands as lying straight on the tube: {} not used", stated.join(", "))
-    })
+    });
+    let tube = (muscle.tube().prestretch != 1.0)
+        .then(|| format!("{model} takes the tube as mounted without a stretch: tube.prestretch not used"));
+    let both: Vec<String> = strands.into_iter().chain(tube).collect();
+    (!both.is_empty()).then(|| both.join("; "))
 }
 
 /// What a model leaves out of the rubber that takes it as on its first inflation.

@@ -8,6 +8,13 @@
 //! with λ the axial stretch and ro the outer radius now. Source: Green & Zerna (1954) \[green1954\]; Liu & Rahn (2003) \[liu2003\] use the same
 //! kinematics for the muscle. The integral runs over y = ln t, where Gauss points converge fastest; for neo-Hookean and
 //! Mooney–Rivlin rubber it is known in closed form ([`super::wall_mooney`]).
+//!
+//! A tube that was mounted with a stretch λp has its natural shape elsewhere: longer by 1/λp and wider by √λp than at rest in the
+//! muscle, with free lateral surfaces and its volume kept. There R, Ro and the law's stretches are taken: λz = λp λ, and
+//!
+//!   W(λ, ro) = Wn(λp λ, ro)/λp
+//!
+//! per length at rest in the muscle, Wn that of the natural tube per its own length.
 
 use super::quadrature::rule;
 use super::wall_mooney::Mooney;
@@ -46,18 +53,22 @@ pub(super) struct SquareEnergy {
 /// The wall of a tube at rest with its integration points.
 #[derive(Debug, Clone)]
 pub struct Wall {
+    /// Of the natural tube
     ro2: f64,
     ri2: f64,
     /// ln(Ro²/Ri²)
     span: f64,
     /// (t = R², weight)
     points: Vec<(f64, f64)>,
+    /// λp
+    prestretch: f64,
 }
 
 impl Wall {
     /// The wall of a tube. The number of points grows with Ro/Ri so that the integral is good to about 1e-12.
     pub fn new(tube: &Tube) -> Self {
-        let (ro, ri) = (tube.outer_radius_mm(), tube.inner_radius_mm());
+        let wider = tube.prestretch.sqrt();
+        let (ro, ri) = (wider * tube.outer_radius_mm(), wider * tube.inner_radius_mm());
         let span = 2.0 * (ro / ri).ln();
         let points = match span {
             s if s < 0.15 => 4,
@@ -67,7 +78,8 @@ impl Wall {
             _ => 20,
         };
         // Nearly solid rods: as many panels as it takes, each over no more than a factor e² in R².
-        Self::with_panels(ro, ri, (span / 2.0).ceil().max(1.0) as usize, points)
+        let panels = (span / 2.0).ceil().max(1.0) as usize;
+        Self { prestretch: tube.prestretch, ..Self::with_panels(ro, ri, panels, points) }
     }
 
     /// The wall between two radii in mm with a chosen number of integration points.
@@ -86,12 +98,12 @@ impl Wall {
                 (t, PI * half * weight * t)
             }));
         }
-        Self { ro2: ro * ro, ri2: ri * ri, span: 2.0 * (ro / ri).ln(), points: list }
+        Self { ro2: ro * ro, ri2: ri * ri, span: 2.0 * (ro / ri).ln(), points: list, prestretch: 1.0 }
     }
 
-    /// Ro² − Ri² in mm².
+    /// Ro² − Ri² of the mounted tube in mm².
     pub fn section(&self) -> f64 {
-        self.ro2 - self.ri2
+        (self.ro2 - self.ri2) / self.prestretch
     }
 
     /// Inner radius squared now, in mm²; not above zero where the bore would vanish.
@@ -101,29 +113,36 @@ impl Wall {
 
     /// W and its derivatives at an axial stretch λ and outer radius ro in mm.
     pub fn energy(&self, law: &Law, axial_stretch: f64, outer_radius_mm: f64) -> WallEnergy {
-        match self.closed(law) {
-            Some(wall) => wall.energy(axial_stretch, outer_radius_mm),
-            None => self.integrated(law, axial_stretch, outer_radius_mm),
-        }
+        let (p, l) = (self.prestretch, self.prestretch * axial_stretch);
+        let e = match self.closed(law) {
+            Some(wall) => wall.energy(l, outer_radius_mm),
+            None => self.integrated(law, l, outer_radius_mm),
+        };
+        WallEnergy { w: e.w / p, l: e.l, r: e.r / p, ll: p * e.ll, lr: e.lr, rr: e.rr / p }
     }
 
     /// The same at λ and x = ro².
     #[inline(always)]
     pub(super) fn of_square(&self, law: &Law, axial_stretch: f64, x: f64) -> SquareEnergy {
-        if let Some(wall) = self.closed(law) {
-            return wall.of_square(axial_stretch, x);
-        }
-        let r = x.sqrt();
-        let e = self.integrated(law, axial_stretch, r);
-        let i = 0.5 / r;
-        let by_x = e.r * i;
-        SquareEnergy { w: e.w, l: e.l, x: by_x, ll: e.ll, lx: e.lr * i, xx: (e.rr - 2.0 * by_x) * i * i }
+        let (p, l) = (self.prestretch, self.prestretch * axial_stretch);
+        let e = match self.closed(law) {
+            Some(wall) => wall.of_square(l, x),
+            None => {
+                let r = x.sqrt();
+                let e = self.integrated(law, l, r);
+                let i = 0.5 / r;
+                let by_x = e.r * i;
+                let xx = (e.rr - 2.0 * by_x) * i * i;
+                SquareEnergy { w: e.w, l: e.l, x: by_x, ll: e.ll, lx: e.lr * i, xx }
+            }
+        };
+        SquareEnergy { w: e.w / p, l: e.l, x: e.x / p, ll: p * e.ll, lx: e.lx, xx: e.xx / p }
     }
 
     #[inline(always)]
     fn closed(&self, law: &Law) -> Option<Mooney> {
         let MooneyRivlin { c10_mpa, c01_mpa } = law.as_mooney_rivlin()?;
-        Some(Mooney { c10_mpa, c01_mpa, ro2: self.ro2, section: self.section(), span: self.span })
+        Some(Mooney { c10_mpa, c01_mpa, ro2: self.ro2, section: self.ro2 - self.ri2, span: self.span })
     }
 
     /// W and its derivatives by integration, for any law.
@@ -133,8 +152,8 @@ impl Wall {
 
     /// Largest principal stretch in the wall (it is at the bore or at the outer surface).
     pub fn largest_stretch(&self, axial_stretch: f64, outer_radius_mm: f64) -> f64 {
-        let lambda = axial_stretch;
-        let inside = (self.bore2(lambda, outer_radius_mm) / self.ri2).max(0.0).sqrt();
+        let lambda = self.prestretch * axial_stretch;
+        let inside = (self.bore2(axial_stretch, outer_radius_mm) / self.ri2).max(0.0).sqrt();
         let outside = outer_radius_mm / self.ro2.sqrt();
         let thinnest = 1.0 / (lambda * inside.min(outside));
         inside.max(outside).max(lambda).max(thinnest)

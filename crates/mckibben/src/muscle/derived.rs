@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 /// What a workshop needs to build the muscle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BuildSheet {
-    /// Length of tube to cut: L0 and what is clamped on both plugs, in mm.
+    /// Length of tube to cut, before it is stretched: L0/λp and what is clamped on both plugs, in mm.
     pub tube_cut_mm: f64,
     /// Length of sleeve to cut, at the angle θ0, in mm (the same: it lies on the tube).
     pub braid_cut_mm: f64,
@@ -97,13 +97,16 @@ impl Muscle {
     pub fn build_sheet(&self) -> BuildSheet {
         let cut = self.length_mm() + 2.0 * self.terminals().insertion_mm();
         let (ro, ri) = (self.tube().outer_radius_mm(), self.tube().inner_radius_mm());
+        let stretch = self.tube().prestretch;
+        // What is clamped has the section of before.
+        let tube_cut_mm = self.length_mm() / stretch + 2.0 * self.terminals().insertion_mm();
         BuildSheet {
-            tube_cut_mm: cut,
+            tube_cut_mm,
             braid_cut_mm: cut,
             plug_diameter_mm: 2.0 * ri,
             strand_cut_mm: cut / self.braid().angle_rad().cos(),
             strands: self.braid().strands.map(|s| s.count),
-            rubber_volume_mm3: PI * (ro * ro - ri * ri) * cut,
+            rubber_volume_mm3: PI * (ro * ro - ri * ri) * (stretch * tube_cut_mm),
         }
     }
 

@@ -10,13 +10,15 @@ use super::{Braid, Muscle, NEUTRAL_ANGLE_DEG, Tube};
 /// Ro, Ri: radii of the tube at rest; ro, ri: those of the contracted one, whose wall keeps its volume; θ0: angle of the strands to
 /// the axis at rest; braids of some thickness and wide sleeves as [`StrandLay`](super::StrandLay) has them. λ is the hoop stretch at the bore, which is the largest: the wall grows thinner on its way out, so that
 /// ri/Ri ≥ ro/Ro. For a thin wall it is sin54.7°/sinθ0. It follows from the measures alone, not from a pressure.
+/// Of a tube that was mounted with a stretch λp it is ri/(Ri √λp), or λp where that is more.
 pub fn largest_stretch(tube: &Tube, braid: &Braid) -> f64 {
     let (sin, cos) = braid.angle_rad().sin_cos();
     let (sin_neutral, cos_neutral) = NEUTRAL_ANGLE_DEG.to_radians().sin_cos();
     let (outer, inner, lay) = (tube.outer_radius_mm(), tube.inner_radius_mm(), braid.lay(tube));
     let (axial, hoop) = (cos_neutral / cos, sin_neutral / sin);
     let bore = lay.outer_radius_mm(hoop).powi(2) - (outer * outer - inner * inner) / axial;
-    bore.max(0.0).sqrt() / inner
+    // Before it was mounted the bore was wider by √λp, and at rest the tube is as long as λp.
+    (bore.max(0.0).sqrt() / (inner * tube.prestretch.sqrt())).max(tube.prestretch)
 }
 
 impl Muscle {

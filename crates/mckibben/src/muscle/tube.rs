@@ -16,12 +16,15 @@ pub struct Tube {
     pub rubber: Rubber,
     /// Density ρ of the rubber in kg/m³, where it is stated.
     pub density_kg_per_m3: Option<f64>,
+    /// λp: length between the terminals over the length that the tube had before it was mounted; 1 without a stretch. D0, s and L0 are
+    /// those of the mounted tube, which grew thinner by λp^(−1/2) as its rubber keeps its volume.
+    pub prestretch: f64,
 }
 
 impl Tube {
     /// A tube by its outer diameter, wall and length in mm, and its rubber.
     pub fn new(outer_diameter_mm: f64, wall_mm: f64, length_mm: f64, rubber: Rubber) -> Self {
-        Self { outer_diameter_mm, wall_mm, length_mm, rubber, density_kg_per_m3: None }
+        Self { outer_diameter_mm, wall_mm, length_mm, rubber, density_kg_per_m3: None, prestretch: 1.0 }
     }
 
     /// The tube of the paper's prototype.

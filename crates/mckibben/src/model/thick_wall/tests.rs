@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::model::Workspace;
+use crate::muscle::measures::PRESTRETCH;
 use crate::muscle::{Braid, BraidStiffness, Crimp, Rubber, Terminals, Tube};
 use crate::rubber::{MooneyRivlin, RubberLaw};
 
@@ -157,4 +158,111 @@ fn a_sleeve_of_the_tubes_own_diameter_and_no_thickness_leave_every_digit() {
             assert_eq!(of(&model), of(&other));
         }
     }
+}
+
+fn prestretched(wall_mm: f64, mu_mpa: f64, stiffness: BraidStiffness, prestretch: f64) -> Muscle {
+    let rubber = Rubber::of(Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.5 * mu_mpa, c01_mpa: 0.0 }));
+    let braid = Braid { angle_deg: 25.0, stiffness, ..Braid::paper() };
+    let tube = Tube::new(19.0, wall_mm, 200.0, rubber);
+    Muscle::new(tube, braid, Terminals::default(), None).unwrap().with(&PRESTRETCH, prestretch).unwrap()
+}
+
+/// By hand for a thin tube of neo-Hookean rubber under strands that do not stretch, ρ = r/Ro = √((1 − λ² cos²θ0)/sin²θ0): natural
+/// stretches are λp λ along and ρ/√λp around, so that w = ½μ (λp² λ² + ρ²/λp + 1/(λp λ² ρ²) − 3) per volume, and with ρρ' = −λ cot²θ0
+///
+///   F = π Ro² P (3 λ² cos²θ0 − 1)/sin²θ0 + 2π Ro s μ (λp² λ + ρρ'/λp − (ρρ'/ρ⁴λ² + 1/ρ²λ³)/λp).
+#[test]
+fn a_thin_tube_with_a_prestretch_is_the_membrane() {
+    let (wall, ro, p) = (1e-5, 9.5f64, 0.3);
+    let mu = 0.4 / wall;
+    let (sin2, cos2) = (25f64.to_radians().sin().powi(2), 25f64.to_radians().cos().powi(2));
+    for stretch in [0.8, 1.0, 1.25] {
+        let model = ThickWall::new(&prestretched(wall, mu, BraidStiffness::Inextensible, stretch));
+        for l in [1.0, 0.95, 0.85] {
+            let rho2 = (1.0 - l * l * cos2) / sin2;
+            let slope = -l * cos2 / sin2;
+            let squeezed = slope / (rho2 * rho2 * l * l) + 1.0 / (rho2 * l * l * l);
+            let rubber = stretch * stretch * l + (slope - squeezed) / stretch;
+            let ideal = PI * ro * ro * p * (3.0 * l * l * cos2 - 1.0) / sin2;
+            let exact = ideal + 2.0 * PI * ro * wall * mu * rubber;
+            let force = model.force_n(&mut Workspace::new(), p, 1.0 - l).unwrap();
+            assert!(
+                (force - exact).abs() < 1e-5 * exact.abs().max(100.0),
+                "λp {stretch}, λ {l}: {force} {exact}"
+            );
+        }
+    }
+}
+
+/// A tension test: without pressure at rest length σ = μ (λp² − 1/λp) over π (Ro² − Ri²), whatever the wall and the strands.
+#[test]
+fn without_pressure_it_pulls_as_in_a_tension_test() {
+    for (wall, stiffness) in [(1.5, BraidStiffness::NewtonPerMm(300.0)), (4.0, BraidStiffness::Inextensible)]
+    {
+        for stretch in [0.9, 1.1, 1.4] {
+            let m = prestretched(wall, 0.4, stiffness, stretch);
+            let force = ThickWall::new(&m).force_n(&mut Workspace::new(), 0.0, 0.0).unwrap();
+            let section = PI * (9.5f64.powi(2) - (9.5 - wall).powi(2));
+            let exact = 0.4 * (stretch * stretch - 1.0 / stretch) * section;
+            assert!((force / exact - 1.0).abs() < 1e-9, "{wall} {stretch}: {force} {exact}");
+        }
+    }
+}
+
+/// F dL − P dV is what the energy of wall and braid changes by (virtual work), and slopes are those of differences, for laws in closed
+/// form and by integration.
+#[test]
+fn with_a_prestretch_the_pull_is_the_slope_of_the_energy() {
+    let yeoh = Law::Yeoh(crate::rubber::Yeoh { c10_mpa: 0.1, c20_mpa: 0.01, c30_mpa: 0.0 });
+    for law in [Law::MooneyRivlin(MooneyRivlin { c10_mpa: 0.10, c01_mpa: 0.02 }), yeoh] {
+        let m = prestretched(1.5, 0.4, BraidStiffness::NewtonPerMm(300.0), 1.2);
+        let m = m.with_tube(Tube { rubber: Rubber::of(law), ..m.tube().clone() }).unwrap();
+        let (model, p, l, h) = (ThickWall::new(&m), 0.3, 0.9, 1e-5);
+        let (above, below) = (model.state(p, l + h).unwrap(), model.state(p, l - h).unwrap());
+        let here = model.state(p, l).unwrap();
+        let volume = |s: &State, l: f64| PI * s.r * s.r * l;
+        let work = (above.energy - below.energy) - p * (volume(&above, l + h) - volume(&below, l - h));
+        assert!((work / (2.0 * h) / here.force - 1.0).abs() < 1e-8, "{}", here.force);
+        assert!(((above.force - below.force) / (2.0 * h) / here.force_l - 1.0).abs() < 1e-7);
+        let (more, less) = (model.state(p + h, l).unwrap(), model.state(p - h, l).unwrap());
+        assert!(((more.force - less.force) / (2.0 * h) / here.force_p - 1.0).abs() < 1e-7);
+        let square = model.sheet(l, here.r * here.r);
+        assert!((square.w / here.energy - 1.0).abs() < 1e-12 && (square.l / here.axial - 1.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn a_prestretch_is_identified_from_pulls_and_a_wrong_one_refused() {
+    use crate::identify::{Parameter, Request, Target, identify};
+    use crate::least_squares::Loss;
+    use crate::measured::{DataPoint, MeasuredPoint};
+    use crate::muscle::Direction;
+    let truth = prestretched(1.5, 0.4, BraidStiffness::NewtonPerMm(300.0), 1.15);
+    let model = ThickWall::new(&truth);
+    let mut points: Vec<DataPoint> = vec![];
+    for p in [0.1, 0.2, 0.3] {
+        for e in [0.0, 0.05, 0.1, 0.15] {
+            let force_n = model.force_n(&mut Workspace::new(), p, e).unwrap();
+            let branch = Direction::Mean;
+            points.push(DataPoint::of(MeasuredPoint { pressure_mpa: p, contraction: e, force_n, branch }));
+        }
+    }
+    let start = truth.with(&PRESTRETCH, 1.0).unwrap();
+    let free = [Parameter::free(Target::parse("tube.prestretch", &start).unwrap())];
+    let request = Request {
+        muscle: &start,
+        free: &free,
+        fixed: &[],
+        points: &points,
+        loss: Loss::Squares,
+        two_sided: false,
+    };
+    let found = identify(&request, |m| Ok(Box::new(ThickWall::new(m)))).unwrap();
+    let value = found.muscle.tube().prestretch;
+    assert!((value - 1.15).abs() < 1e-6 && found.parameters[0].identifiable, "{value}");
+    let refused = start.with(&PRESTRETCH, 3.0).unwrap_err().to_string();
+    assert_eq!(refused, "tube.prestretch is 3; it must lie between 0.5 and 2");
+    assert_ne!(truth.digest(), start.digest());
+    // 200 mm of it were 200/1.15 mm before, and 20 mm on each plug.
+    assert!((truth.build_sheet().tube_cut_mm - (200.0 / 1.15 + 40.0)).abs() < 1e-12);
 }

@@ -179,10 +179,10 @@ impl Measure {
         Some(name.replace('_', "-"))
     }
 
-    /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number.
+    /// What stands for its value in help texts: `LENGTH`, or the symbol of a plain number that a keyboard has.
     pub fn value_name(&self) -> String {
         let noun = self.dimension.noun().rsplit(' ').next().unwrap_or_default();
-        (if self.is_plain() { self.symbol } else { noun }).to_uppercase()
+        (if self.is_plain() && self.symbol.is_ascii() { self.symbol } else { noun }).to_uppercase()
     }
 
     /// The sentence of its flag, with the value of the prototype.

@@ -13,6 +13,7 @@ pub static MEASURES: &[&Measure] = &[
     &WALL,
     &LENGTH,
     &DENSITY,
+    &PRESTRETCH,
     &ANGLE,
     &INSERTION,
     &SEATING,
@@ -105,6 +106,32 @@ pub static DENSITY: Measure = Measure {
     label: "density of the rubber",
     get: |p| p.tube.density_kg_per_m3,
     set: |p, v| p.tube.density_kg_per_m3 = Some(v),
+    ..Measure::BASE
+};
+
+/// λp
+pub static PRESTRETCH: Measure = Measure {
+    key: "tube.prestretch",
+    field: Some("prestretch"),
+    dimension: Dimension::Ratio,
+    written: Written::Number,
+    bounds: Bounds::Between(0.5, 2.0),
+    default: Some(1.0),
+    symbol: "λp",
+    about: "Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted muscle",
+    comment: "mounted length over the length before; D0, wall and length are the mounted ones",
+    label: "mounted with a stretch of",
+    digested: true,
+    identify: Some(Identify {
+        also: &["prestretch"],
+        // Beside 1, where a model that leaves it out and one that has it differ.
+        start: |_| Some(1.02),
+        bounds: |_| (0.5, 2.0),
+        limit: |_| 0.05,
+        ..IDENTIFY
+    }),
+    get: |p| Some(p.tube.prestretch).filter(|v| *v != 1.0),
+    set: |p, v| p.tube.prestretch = v,
     ..Measure::BASE
 };
 
