@@ -17,6 +17,8 @@ FIELDS: dict[str, tuple[str, float, str, dict[str, Any]]] = {
     "outer_diameter_mm": ("3.1 cm", 31.0, "1 N", {}),
     "wall_mm": ("2500 um", 2.5, "1 mm/N", {}),
     "length_mm": ("0.3 m", 300.0, "1 mm2", {}),
+    "density_kg_per_m3": ("0.93 g/cm3", 930.0, "1 N", {}),
+    "prestretch": ("", 1.1, "1 mm", {}),
     "angle_deg": ("25 deg", 25.0, "25 mm", {}),
     "strand_diameter_mm": ("0.25 mm", 0.25, "1 N", {"braid": "flexo-overexpanded-0.75in", "strand_modulus_mpa": 8530}),
     "strand_modulus_mpa": ("8.5 GPa", 8500.0, "1 N", {"braid": "flexo-overexpanded-0.75in", "strand_diameter_mm": 0.25}),
