@@ -4746,6 +4746,9 @@ class MuscleShowAnswer(Record):
         Stiffness k of one strand family, N/mm; none for inextensible strands.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3, where it is stated.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle, where it is stated.
     seating_mm : mm
         Seating: total displacement of both ends under load, mm, where it is stated.
     slip_mm_per_n : mm/N
@@ -4765,7 +4768,7 @@ class MuscleShowAnswer(Record):
     """
 
     __slots__ = ()
-    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'rubber_mass_g', 'law', 'constants_mpa', 'shear_modulus_mpa', 'fitted_to_stretch', 'bulk_modulus_mpa', 'stiffness_n_per_mm', 'density_kg_per_m3', 'seating_mm', 'slip_mm_per_n', 'grip_mm', 'derived', 'build_sheet', 'warnings', 'characteristics', 'muscle_file')
+    _fields_ = ('outer_diameter_mm', 'wall_mm', 'length_mm', 'angle_deg', 'rubber', 'braid', 'sleeve', 'rubber_mass_g', 'law', 'constants_mpa', 'shear_modulus_mpa', 'fitted_to_stretch', 'bulk_modulus_mpa', 'stiffness_n_per_mm', 'density_kg_per_m3', 'prestretch', 'seating_mm', 'slip_mm_per_n', 'grip_mm', 'derived', 'build_sheet', 'warnings', 'characteristics', 'muscle_file')
     _nested_ = {'derived': 'Derived', 'build_sheet': 'BuildSheetAnswer', 'characteristics': 'Characteristics'}
     outer_diameter_mm: float
     wall_mm: float
@@ -4782,6 +4785,7 @@ class MuscleShowAnswer(Record):
     bulk_modulus_mpa: float | None
     stiffness_n_per_mm: float | None
     density_kg_per_m3: float | None
+    prestretch: float | None
     seating_mm: float | None
     slip_mm_per_n: float | None
     grip_mm: float | None

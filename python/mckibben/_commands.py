@@ -86,6 +86,7 @@ def compare(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -143,6 +144,9 @@ def compare(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -190,7 +194,7 @@ def compare(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
+    return answered("compare", {"muscle": muscle, "models": models, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "data": data, "columns": columns, "branch": branch, "fit": fit, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "CompareAnswer", progress)  # type: ignore[no-any-return]
 
 
 def contraction(
@@ -202,6 +206,7 @@ def contraction(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -245,6 +250,9 @@ def contraction(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -307,7 +315,7 @@ def contraction(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("contraction", {"muscle": muscle, "force_n": force_n, "pressure_mpa": pressure_mpa, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "load": load, "load_tables": load_tables, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def curve(
@@ -318,6 +326,7 @@ def curve(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -365,6 +374,9 @@ def curve(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -438,7 +450,7 @@ def curve(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
+    return answered("curve", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressures_mpa": pressures_mpa, "contractions": contractions, "forces_n": forces_n, "load": load, "load_tables": load_tables, "both": both, "figure": figure}, "Curve", progress)  # type: ignore[no-any-return]
 
 
 def design(
@@ -676,6 +688,7 @@ def force(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -717,6 +730,9 @@ def force(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -774,7 +790,7 @@ def force(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("force", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def formula_show(
@@ -815,6 +831,7 @@ def identify(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -866,6 +883,9 @@ def identify(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -948,7 +968,7 @@ def identify(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
+    return answered("identify", {"muscle": muscle, "data": data, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "columns": columns, "formula": formula, "pressures_mpa": pressures_mpa, "contractions": contractions, "outer_diameters_mm": outer_diameters_mm, "walls_mm": walls_mm, "weights": weights, "branches": branches, "two_sided": two_sided, "free": free, "fix": fix, "bounds": bounds, "loss": loss, "laws": laws, "figure": figure}, "Identification", progress)  # type: ignore[no-any-return]
 
 
 def joint(
@@ -1155,6 +1175,7 @@ def muscle_show(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1193,6 +1214,9 @@ def muscle_show(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1252,7 +1276,7 @@ def muscle_show(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa, "muscle_file": muscle_file}, "MuscleShowAnswer")  # type: ignore[no-any-return]
+    return answered("muscle-show", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "pressure_mpa": pressure_mpa, "muscle_file": muscle_file}, "MuscleShowAnswer")  # type: ignore[no-any-return]
 
 
 def plan(
@@ -1291,6 +1315,7 @@ def pressure(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1332,6 +1357,9 @@ def pressure(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1389,7 +1417,7 @@ def pressure(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
+    return answered("pressure", {"muscle": muscle, "force_n": force_n, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "both": both}, "PointAnswer")  # type: ignore[no-any-return]
 
 
 def rubber_fit(
@@ -1528,6 +1556,7 @@ def shape(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1564,6 +1593,9 @@ def shape(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1611,7 +1643,7 @@ def shape(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
+    return answered("shape", {"muscle": muscle, "pressure_mpa": pressure_mpa, "contraction": contraction, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "mesh": mesh, "match": match, "terminal": terminal, "force_n": force_n}, "Shape")  # type: ignore[no-any-return]
 
 
 def simulate(
@@ -1622,6 +1654,7 @@ def simulate(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1665,6 +1698,9 @@ def simulate(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1731,7 +1767,7 @@ def simulate(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
+    return answered("simulate", {"muscle": muscle, "test": test, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "mesh": mesh, "match": match, "terminal": terminal, "pressures_mpa": pressures_mpa, "contractions": contractions, "of_largest": of_largest, "forces_n": forces_n, "two_sided": two_sided, "deck": deck, "picture": picture, "figure": figure}, "SimulateAnswer", progress)  # type: ignore[no-any-return]
 
 
 def study(
@@ -1741,6 +1777,7 @@ def study(
     wall_mm: Number | None = None,
     length_mm: Number | None = None,
     density_kg_per_m3: Number | None = None,
+    prestretch: Number | None = None,
     angle_deg: Number | None = None,
     rubber: str | Rubber | None = None,
     braid: str | Braid | None = None,
@@ -1779,6 +1816,9 @@ def study(
         Length L0 between the terminals at rest, mm.
     density_kg_per_m3 : kg/m3
         Density ρ of the rubber, kg/m3.
+    prestretch
+        Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted
+        muscle.
     angle_deg : deg
         Angle θ0 of the strands to the axis at rest, degrees.
     rubber
@@ -1838,7 +1878,7 @@ def study(
     MckibbenError
         One of its classes says why there is no answer.
     """
-    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
+    return answered("study", {"muscle": muscle, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns, "model": model, "formulas": formulas, "mesh": mesh, "match": match, "terminal": terminal, "extrapolate": extrapolate, "two_sided": two_sided, "direction": direction, "figure": figure}, "StudyAnswer", progress)  # type: ignore[no-any-return]
 
 
 def sweep(

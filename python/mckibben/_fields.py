@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from ._parts import Braid, Rubber
 
 # Fields of a muscle, after `muscle`, its file.
-MUSCLE = ("outer_diameter_mm", "wall_mm", "length_mm", "density_kg_per_m3", "angle_deg", "rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness", "seating_mm", "slip_mm_per_n", "grip_mm", "end_factor", "cone_factor", "strand_length_mm", "turns")
+MUSCLE = ("outer_diameter_mm", "wall_mm", "length_mm", "density_kg_per_m3", "prestretch", "angle_deg", "rubber", "braid", "strand_diameter_mm", "strand_modulus_mpa", "stiffness", "seating_mm", "slip_mm_per_n", "grip_mm", "end_factor", "cone_factor", "strand_length_mm", "turns")
 # Fields that hold several quantities.
 LISTS = {"angles_deg", "contractions", "forces_n", "hold_out_mm", "outer_diameters_mm", "pressures_mpa", "strand_length_per_turn_mm", "walls_mm"}
 # Fields that may be an interval, by command.
@@ -40,6 +40,7 @@ class MuscleFields:
         wall_mm: Number | None = None,
         length_mm: Number | None = None,
         density_kg_per_m3: Number | None = None,
+        prestretch: Number | None = None,
         angle_deg: Number | None = None,
         rubber: str | Rubber | None = None,
         braid: str | Braid | None = None,
@@ -67,6 +68,9 @@ class MuscleFields:
             Length L0 between the terminals at rest, mm.
         density_kg_per_m3 : kg/m3
             Density ρ of the rubber, kg/m3.
+        prestretch
+            Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the
+            mounted muscle.
         angle_deg : deg
             Angle θ0 of the strands to the axis at rest, degrees.
         rubber
@@ -96,7 +100,7 @@ class MuscleFields:
         """
         from ._plain import muscle_text
 
-        self._hold(muscle_text({"muscle": base, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns}))
+        self._hold(muscle_text({"muscle": base, "outer_diameter_mm": outer_diameter_mm, "wall_mm": wall_mm, "length_mm": length_mm, "density_kg_per_m3": density_kg_per_m3, "prestretch": prestretch, "angle_deg": angle_deg, "rubber": rubber, "braid": braid, "strand_diameter_mm": strand_diameter_mm, "strand_modulus_mpa": strand_modulus_mpa, "stiffness": stiffness, "seating_mm": seating_mm, "slip_mm_per_n": slip_mm_per_n, "grip_mm": grip_mm, "end_factor": end_factor, "cone_factor": cone_factor, "strand_length_mm": strand_length_mm, "turns": turns}))
 
     def _hold(self, text: str) -> None:
         raise NotImplementedError
@@ -108,6 +112,11 @@ class MuscleFields:
     def density_kg_per_m3(self) -> float | None:
         """Density ρ of the rubber, kg/m3."""
         return self._field("density_kg_per_m3")  # type: ignore[no-any-return]
+
+    @property
+    def prestretch(self) -> float | None:
+        """Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted muscle."""
+        return self._field("prestretch")  # type: ignore[no-any-return]
 
     @property
     def strand_diameter_mm(self) -> float | None:
