@@ -28,6 +28,13 @@ fn alone(command: &mut Command, user: u32) {
     unsafe { command.pre_exec(become_alone) };
 }
 
+/// Copies the program by a process of its own: a file that this one has open for writing is inherited by what another test starts at that
+/// instant, and cannot be executed for as long ("text file busy").
+fn place_program(dir: &Path) {
+    let copied = Command::new("cp").arg(env!("CARGO_BIN_EXE_mckibben")).arg(dir.join("mckibben")).status();
+    assert!(copied.unwrap().success());
+}
+
 /// Runs a line, with as many threads as the system gives or with the calling one alone.
 fn runs(dir: &Path, line: &str, user: Option<u32>) -> Ran {
     let mut command = Command::new(dir.join("mckibben"));
@@ -44,7 +51,7 @@ fn without_threads_the_answers_are_the_same_bytes() {
     let dir = dir.path();
     // For that user as well, wherever the repository lies.
     fs::set_permissions(dir, fs::Permissions::from_mode(0o777)).unwrap();
-    fs::copy(env!("CARGO_BIN_EXE_mckibben"), dir.join("mckibben")).unwrap();
+    place_program(dir);
     for file in ["examples/bench.toml", "examples/bench.csv", "data/campaign/paper.csv"] {
         let from = root().join(file);
         fs::copy(&from, dir.join(from.file_name().unwrap())).unwrap();
@@ -80,7 +87,7 @@ fn without_threads_the_answers_are_the_same_bytes() {
 fn without_threads_a_server_says_that_it_cannot_answer() {
     let dir = folder();
     fs::set_permissions(dir.path(), fs::Permissions::from_mode(0o777)).unwrap();
-    fs::copy(env!("CARGO_BIN_EXE_mckibben"), dir.path().join("mckibben")).unwrap();
+    place_program(dir.path());
     let run = runs(dir.path(), "serve --port 0", Some(300_000 + std::process::id()));
     assert!(run.code == 2 && run.out.is_empty(), "{run:?}");
     assert!(run.err.contains("the system gives it no thread"), "{}", run.err);
