@@ -12,19 +12,19 @@ use crate::warnings::largest_stretch;
 use crate::words::number;
 use mckibben::answer::Options;
 use mckibben::budget::Resource;
-use mckibben::identify::{
-    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Spread,
-    Target, identify_default, identify_with, try_laws,
-};
-use mckibben::least_squares::{EstimateError, Loss};
-use mckibben::measured::{
-    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
-};
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
+use mckibben_fit::identify::{
+    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Spread,
+    Target, identify_default, identify_with, try_laws,
+};
+use mckibben_fit::least_squares::{EstimateError, Loss};
+use mckibben_fit::measured::{
+    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -10,11 +10,11 @@ use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
-use mckibben::rubber::fit::{
+use mckibben::rubber::{RubberLaw, Stability};
+use mckibben_fit::rubber::{
     FitSettings, FittedLaw, Form, HeldOutError, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
     TensionFitError, fit_tension_with, read_tests,
 };
-use mckibben::rubber::{RubberLaw, Stability};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -3,9 +3,10 @@
 use crate::fields::{Columns, TextFile};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::rubber::Law;
-use mckibben::rubber::fit::Form;
-use mckibben::rubber::over_time::{
-    OgdenRoxburgh, OverTimeError, Prony, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
+use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
+use mckibben_fit::rubber::Form;
+use mckibben_fit::rubber_over_time::{
+    OverTimeFitError, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -130,11 +131,11 @@ pub(crate) fn softening(file: &TextFile, columns: &Columns, form: Form) -> Resul
     })
 }
 
-impl From<OverTimeError> for Problem {
-    fn from(error: OverTimeError) -> Self {
+impl From<OverTimeFitError> for Problem {
+    fn from(error: OverTimeFitError) -> Self {
         match error {
-            OverTimeError::Law(error) => error.into(),
-            OverTimeError::NotConverged { .. } => {
+            OverTimeFitError::Law(error) => error.into(),
+            OverTimeFitError::NotConverged { .. } => {
                 Self::new(ProblemKind::NotConverged, error.to_string(), "take `laws` with fewer constants")
             }
             _ => Self::new(ProblemKind::Fit, error.to_string(), ""),

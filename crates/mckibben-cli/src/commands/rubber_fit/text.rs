@@ -1,11 +1,11 @@
 //! What `rubber fit` tells people.
 
 use crate::output::text::{number, or_dash, pairs, percent, place, table, understood};
-use mckibben::rubber::fit::{
-    FitSettings, FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter, TensionFit,
-};
 use mckibben::rubber::{RubberLaw, Stability};
 use mckibben_app::{BranchAnswer, PronyAnswer, RubberFitAnswer, SofteningAnswer};
+use mckibben_fit::rubber::{
+    FitSettings, FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter, TensionFit,
+};
 use std::collections::BTreeMap;
 use std::path::Path;
 

@@ -1,0 +1,106 @@
+//! Softening constants from a cyclic test that begins with the first loading.
+//!
+//! Points whose stretch goes beyond all before are the first loading: the law is fitted to them. r, m and β then make the sum of squares
+//! of the nominal stress of all later points as small as possible, each with the largest energy of its own past. No rate is known here: loops
+//! that depend on the rate are taken for softening.
+
+use super::bar::check;
+use super::{Bar, OverTimeFitError, TimePoint};
+use crate::least_squares::{Loss, Unknown, estimate};
+use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
+use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
+use mckibben::rubber::{Law, RubberLaw};
+
+/// A law with its softening.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SofteningFit {
+    /// The law of the first loading.
+    pub law: Law,
+    /// Its softening.
+    pub softening: OgdenRoxburgh,
+    /// Standard errors of r, m (MPa) and β, the law taken as known; `None` where the data do not determine them.
+    pub standard_errors: [Option<f64>; 3],
+    /// Points of the first loading, and below it.
+    pub points: (usize, usize),
+    /// Root mean square of the differences of nominal stress on the first loading and below it, in MPa.
+    pub rms_mpa: (f64, f64),
+    /// The largest energy of the test, in MPa.
+    pub w_max_mpa: f64,
+}
+
+/// Fits a law and its softening to a history in the order of time.
+///
+/// # Errors
+/// [`OverTimeFitError`].
+pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, OverTimeFitError> {
+    check(history)?;
+    let mut virgin = vec![];
+    let (mut low, mut high) = (1.0, 1.0);
+    // A first loading in tension, in compression, or one after the other.
+    for p in history {
+        let beyond = p.stretch > high || p.stretch < low;
+        (low, high) = (p.stretch.min(low), p.stretch.max(high));
+        virgin.push(beyond || (virgin.iter().all(|v| *v) && p.stretch == 1.0));
+    }
+    let first: Vec<TensionPoint> = history
+        .iter()
+        .zip(&virgin)
+        .filter(|(_, first)| **first)
+        .map(|(p, _)| TensionPoint::new(Mode::Uniaxial, p.stretch, p.nominal_stress_mpa))
+        .collect();
+    let later = history.len() - first.len();
+    let needed = form.fewest_points();
+    if first.len() < needed || later < 4 {
+        let (points, virgin) = (history.len(), first.len());
+        return Err(OverTimeFitError::NoVirginCycle { points, virgin, later, needed });
+    }
+    let settings = FitSettings { forms: vec![form], history: true, ..FitSettings::default() };
+    let fit = fit_tension(&first, &settings)?;
+    let law = fit.laws[0].law.clone();
+    let energy = |stretch: f64| {
+        let across = stretch.powf(-0.5);
+        law.principal([stretch, across, across]).w
+    };
+    let w_max_mpa = energy(low).max(energy(high));
+    let none = Prony::default();
+    let differences = |x: &[f64]| -> Option<Vec<f64>> {
+        let softening = OgdenRoxburgh { r: x[0], m_mpa: x[1], beta: x[2] };
+        let model = Bar::new(&law, Some(softening), &none).over(history).ok()?;
+        let pairs = model.iter().zip(history).zip(&virgin).filter(|(_, first)| !**first);
+        let found: Vec<f64> = pairs.map(|((model, p), _)| model - p.nominal_stress_mpa).collect();
+        found.iter().all(|v| v.is_finite()).then_some(found)
+    };
+    let weights = vec![1.0; later];
+    let mut best = None;
+    let mut why = None;
+    for (m, beta) in [(0.3, 0.02), (0.02, 0.3), (0.1, 0.1)] {
+        let unknowns = [
+            Unknown { start: 1.8, low: 1.0, high: 50.0, scale: 1.0 },
+            Unknown::above(m * w_max_mpa, 0.0, w_max_mpa),
+            Unknown::above(beta, 1e-6, 1.0),
+        ];
+        match estimate(&differences, &unknowns, &weights, Loss::Squares) {
+            Ok(found) => {
+                let squares: f64 = found.residuals.iter().map(|r| r * r).sum();
+                if best.as_ref().is_none_or(|(s, _)| squares < *s) {
+                    best = Some((squares, found));
+                }
+            }
+            Err(error) => why = Some(error),
+        }
+    }
+    let (squares, found) = match (best, why) {
+        (Some(best), _) => best,
+        (None, Some(error)) => return Err(OverTimeFitError::NotConverged { what: "softening", error }),
+        (None, None) => return Err(OverTimeFitError::TooFew { points: later, duration_s: 0.0, branches: 0 }),
+    };
+    let softening = OgdenRoxburgh { r: found.x[0], m_mpa: found.x[1], beta: found.x[2] }.validated()?;
+    Ok(SofteningFit {
+        softening,
+        standard_errors: [0, 1, 2].map(|i| Some(found.standard_errors[i]).filter(|e| e.is_finite())),
+        points: (first.len(), later),
+        rms_mpa: (fit.laws[0].rms_mpa, (squares / later as f64).sqrt()),
+        w_max_mpa,
+        law,
+    })
+}
