@@ -143,7 +143,7 @@ fn rank(heading: &str, label: &str, entry: &Entry) -> Option<usize> {
     if let Some(place) = entry.own.iter().position(|own| own.eq_ignore_ascii_case(heading)) {
         return Some(place);
     }
-    let known = |label: &str| entry.words.contains(&label) || entry.own.contains(&label);
+    let known = |label: &str| entry.words().iter().any(|word| word == label) || entry.own.contains(&label);
     if known(label) {
         return Some(WORD);
     }

@@ -4,6 +4,9 @@
 //! ([`plain`](super::heading::plain)). Umlauts lose their dots, so that their other spelling (`ue`) stands beside them.
 
 use mckibben_units::Dimension;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+use toml_edit::{DocumentMut, TableLike};
 
 /// What a column means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -97,8 +100,8 @@ pub(crate) struct Entry {
     pub(crate) otherwise: Option<Meaning>,
     /// Headings of our own, the best liked first; they go before all others.
     pub(crate) own: &'static [&'static str],
-    /// Words of people; two columns of the same quantity are ambiguous.
-    pub(crate) words: &'static [&'static str],
+    /// The key of its words in `data/words.toml`, where it has any; two columns of the same quantity are ambiguous.
+    words: &'static str,
 }
 
 /// The quantities of one kind of table.
@@ -122,6 +125,26 @@ pub(crate) struct Need {
     pub(crate) names: &'static str,
 }
 
+/// The words of `data/words.toml`, of all languages together.
+static WORDS: LazyLock<BTreeMap<String, Vec<String>>> =
+    LazyLock::new(|| read(include_str!("../data/words.toml")).unwrap_or_default());
+
+fn read(text: &str) -> Option<BTreeMap<String, Vec<String>>> {
+    let table: DocumentMut = text.parse().ok()?;
+    let words = |lists: &dyn TableLike| {
+        let lists: Option<Vec<_>> = lists.iter().map(|(_, list)| list.as_array()).collect();
+        lists?.into_iter().flatten().map(|word| word.as_str().map(str::to_owned)).collect::<Option<Vec<_>>>()
+    };
+    table.iter().map(|(key, lists)| Some((key.to_owned(), words(lists.as_table_like()?)?))).collect()
+}
+
+impl Entry {
+    /// Words of people for it.
+    pub(crate) fn words(&self) -> &'static [String] {
+        WORDS.get(self.words).map_or(&[], Vec::as_slice)
+    }
+}
+
 impl Vocabulary {
     /// The entry of a meaning.
     pub(crate) fn entry(&self, meaning: Meaning) -> Option<&'static Entry> {
@@ -136,7 +159,7 @@ const fn of(
     name: &'static str,
     dimension: Option<Dimension>,
     own: &'static [&'static str],
-    words: &'static [&'static str],
+    words: &'static str,
 ) -> Entry {
     Entry { meaning, name, dimension, otherwise: None, own, words }
 }
@@ -146,47 +169,10 @@ const fn or(
     name: &'static str,
     dimension: Dimension,
     own: &'static [&'static str],
-    words: &'static [&'static str],
+    words: &'static str,
 ) -> Entry {
     Entry { meaning, name, dimension: Some(dimension), otherwise: Some(otherwise), own, words }
 }
-
-/// Pulls, in both kinds of tables.
-const FORCE: &[&str] = &[
-    "force",
-    "f",
-    "load",
-    "pull",
-    "pulling_force",
-    "tensile_force",
-    "contraction_force",
-    "contractile_force",
-    "tension",
-    "blocked_force",
-    "blocking_force",
-    "output_force", // English
-    "kraft",
-    "zugkraft",
-    "zug",
-    "last",
-    "muskelkraft",
-    "blockierkraft",
-    "standardkraft", // German
-    "effort",
-    "traction",
-    "force_de_traction",
-    "charge", // French
-    "fuerza",
-    "carga",
-    "fuerza_de_traccion",
-    "traccion",
-    "forza",
-    "carico", // Spanish, Italian
-];
-
-/// Ways, in both kinds of tables.
-const WAY: [&str; 8] =
-    ["displacement", "delta_l", "dl", "δl", "weg", "deplacement", "desplazamiento", "spostamento"];
 
 /// Pressures, in every kind of tables that has them.
 const PRESSURE: Entry = of(
@@ -194,30 +180,7 @@ const PRESSURE: Entry = of(
     "pressure",
     Some(Dimension::Pressure),
     &["pressure_mpa", "pressure_kpa", "pressure_bar"],
-    &[
-        "pressure",
-        "p",
-        "press",
-        "overpressure",
-        "air_pressure",
-        "supply_pressure",
-        "input_pressure",
-        "druck",
-        "uberdruck",
-        "ueberdruck",
-        "luftdruck",
-        "innendruck",
-        "muskeldruck",
-        "relativdruck",
-        "pression",
-        "pression_relative",
-        "pression_d_air",
-        "presion",
-        "presion_manometrica",
-        "presion_relativa",
-        "presion_de_aire",
-        "pressione",
-    ],
+    "pressure",
 );
 
 /// Contractions, likewise.
@@ -226,38 +189,11 @@ const CONTRACTION: Entry = or(
     "contraction",
     Dimension::Ratio,
     &["contraction", "contraction_percent"],
-    &[
-        "contraction_ratio",
-        "contraction_rate",
-        "contraction_strain",
-        "relative_contraction",
-        "strain",
-        "epsilon",
-        "eps",
-        "ε",
-        "dl_l0",
-        "δl_l0",
-        "dl_l",
-        "δl_l",
-        "kontraktion",
-        "kontraktionsgrad",
-        "kontraktionsrate",
-        "relative_verkurzung",
-        "taux_de_contraction",
-        "contraction_relative",
-        "contraccion",
-        "contrazione",
-    ],
+    "contraction",
 );
 
 /// Times, in every kind of tables that has them.
-const TIME: Entry = of(
-    Meaning::Time,
-    "time",
-    Some(Dimension::Time),
-    &["time_s"],
-    &["time", "t", "zeit", "temps", "tiempo", "tempo"],
-);
+const TIME: Entry = of(Meaning::Time, "time", Some(Dimension::Time), &["time_s"], "time");
 
 /// Stretches of a rubber.
 const STRETCH: Entry = of(
@@ -265,48 +201,12 @@ const STRETCH: Entry = of(
     "stretch",
     Some(Dimension::Ratio),
     &["stretch", "stretch_ratio", "extension_ratio", "lambda", "λ", "stretch_1", "lambda_1", "λ1"],
-    &[
-        "elongation_ratio",
-        "streckung",
-        "verstreckung",
-        "streckverhaltnis",
-        "taux_d_etirement",
-        "estiramiento",
-    ],
+    "stretch",
 );
 
 /// Nominal stresses of a rubber.
-const NOMINAL_STRESS: Entry = of(
-    Meaning::NominalStress,
-    "nominal_stress",
-    Some(Dimension::Pressure),
-    NO,
-    &[
-        "nominal_stress",
-        "nominal_stress_1",
-        "engineering_stress",
-        "engineering_stress_1",
-        "eng_stress",
-        "pk1_stress",
-        "tensile_stress",
-        "stress",
-        "stress_1",
-        "p",
-        "sigma",
-        "σ",
-        "spannung",
-        "nennspannung",
-        "zugspannung",
-        "technische_spannung",
-        "contrainte",
-        "contrainte_nominale",
-        "esfuerzo",
-        "esfuerzo_nominal",
-        "tension_nominal",
-        "sforzo",
-        "tensione",
-    ],
-);
+const NOMINAL_STRESS: Entry =
+    of(Meaning::NominalStress, "nominal_stress", Some(Dimension::Pressure), NO, "nominal_stress");
 
 const fn over_time(needed: &'static [Need]) -> Vocabulary {
     Vocabulary { what: "a command", needed, entries: OVER_TIME }
@@ -318,20 +218,8 @@ const OVER_TIME: &[Entry] = &[
     TIME,
     PRESSURE,
     CONTRACTION,
-    of(
-        Meaning::Opening,
-        "opening",
-        Some(Dimension::Ratio),
-        &["opening"],
-        &["valve", "valve_opening", "u", "ventil", "offnung", "ouverture", "apertura"],
-    ),
-    of(
-        Meaning::JointAngle,
-        "angle",
-        Some(Dimension::Angle),
-        &["angle_deg"],
-        &["angle", "joint_angle", "phi", "φ", "winkel", "gelenkwinkel", "angulo"],
-    ),
+    of(Meaning::Opening, "opening", Some(Dimension::Ratio), &["opening"], "opening"),
+    of(Meaning::JointAngle, "angle", Some(Dimension::Angle), &["angle_deg"], "joint_angle"),
 ];
 
 /// A rubber strip over time.
@@ -412,114 +300,38 @@ pub const POINTS: Vocabulary = Vocabulary {
     entries: &[
         PRESSURE,
         CONTRACTION,
-        or(
-            (Meaning::Shortening, Meaning::Contraction),
-            "shortening",
-            Dimension::Length,
-            NO,
-            &[
-                "shortening",
-                "stroke",
-                "travel",
-                "contraction_length",
-                "contracted_length",
-                "contraction_stroke",
-                WAY[0],
-                WAY[1],
-                WAY[2],
-                WAY[3],
-                "verkurzung",
-                "verkuerzung",
-                "hub",
-                "verfahrweg",
-                "standardweg",
-                "verschiebung",
-                WAY[4],
-                "raccourcissement",
-                "course",
-                WAY[5],
-                "acortamiento",
-                "carrera",
-                WAY[6],
-                WAY[7],
-            ],
-        ),
-        of(
-            Meaning::Length,
-            "length",
-            Some(Dimension::Length),
-            NO,
-            &[
-                "length",
-                "l",
-                "current_length",
-                "present_length",
-                "actual_length",
-                "muscle_length",
-                "lange",
-                "laenge",
-                "muskellange",
-                "aktuelle_lange",
-                "istlange",
-                "longueur",
-                "longueur_du_muscle",
-                "longitud",
-                "longitud_del_musculo",
-                "lunghezza",
-            ],
-        ),
-        of(
-            Meaning::RestLength,
-            "rest_length",
-            Some(Dimension::Length),
-            NO,
-            &[
-                "rest_length",
-                "length_at_rest",
-                "l0",
-                "l_0",
-                "initial_length",
-                "nominal_length",
-                "resting_length",
-                "ruhelange",
-                "ausgangslange",
-                "anfangslange",
-                "nennlange",
-                "longueur_initiale",
-                "longueur_au_repos",
-                "longitud_inicial",
-                "longitud_en_reposo",
-            ],
-        ),
-        of(Meaning::Force, "force", Some(Dimension::Force), &["force_n"], FORCE),
-        of(Meaning::Branch, "branch", None, &["branch"], NO),
-        of(Meaning::Measured, "measured", None, &["measured"], NO),
-        of(Meaning::Status, "status", None, &["status"], NO),
-        of(Meaning::ForceError, "force_error", Some(Dimension::Force), &["force_error_n"], &["force_error"]),
+        or((Meaning::Shortening, Meaning::Contraction), "shortening", Dimension::Length, NO, "shortening"),
+        of(Meaning::Length, "length", Some(Dimension::Length), NO, "length"),
+        of(Meaning::RestLength, "rest_length", Some(Dimension::Length), NO, "rest_length"),
+        of(Meaning::Force, "force", Some(Dimension::Force), &["force_n"], "force"),
+        of(Meaning::Branch, "branch", None, &["branch"], ""),
+        of(Meaning::Measured, "measured", None, &["measured"], ""),
+        of(Meaning::Status, "status", None, &["status"], ""),
+        of(Meaning::ForceError, "force_error", Some(Dimension::Force), &["force_error_n"], "force_error"),
         of(
             Meaning::ContractionError,
             "contraction_error",
             Some(Dimension::Ratio),
             &["contraction_error"],
-            NO,
+            "",
         ),
         of(
             Meaning::PressureError,
             "pressure_error",
             Some(Dimension::Pressure),
             &["pressure_error_mpa"],
-            &["pressure_error"],
+            "pressure_error",
         ),
-        of(Meaning::Weight, "weight", None, &["weight"], NO),
+        of(Meaning::Weight, "weight", None, &["weight"], ""),
         of(
             Meaning::OuterDiameter,
             "outer_diameter",
             Some(Dimension::Length),
             &["outer_diameter_mm"],
-            &["outer_diameter"],
+            "outer_diameter",
         ),
-        of(Meaning::Wall, "wall", Some(Dimension::Length), &["wall_mm"], &["wall"]),
-        of(Meaning::Angle, "angle", Some(Dimension::Angle), &["angle_deg"], &["angle"]),
+        of(Meaning::Wall, "wall", Some(Dimension::Length), &["wall_mm"], "wall"),
+        of(Meaning::Angle, "angle", Some(Dimension::Angle), &["angle_deg"], "braid_angle"),
     ],
 };
 
@@ -556,7 +368,7 @@ pub const TESTS: Vocabulary = Vocabulary {
             "stretch_2",
             Some(Dimension::Ratio),
             &["stretch_2", "lambda_2", "λ2", "transverse_stretch"],
-            NO,
+            "",
         ),
         or(
             (Meaning::Strain, Meaning::Extension),
@@ -574,102 +386,36 @@ pub const TESTS: Vocabulary = Vocabulary {
                 "tensile_strain_percent",
                 "elongation_percent",
             ],
-            &[
-                "tensile_strain",
-                "epsilon",
-                "eps",
-                "ε",
-                "dehnung",
-                "nenndehnung",
-                "technische_dehnung",
-                "deformation",
-                "deformation_nominale",
-                "deformacion",
-                "deformacion_unitaria",
-                "deformazione",
-            ],
+            "strain",
         ),
         of(
             Meaning::TrueStrain,
             "true_strain",
             Some(Dimension::Ratio),
             &["true_strain", "log_strain", "logarithmic_strain"],
-            &["hencky_strain", "wahre_dehnung", "deformation_vraie", "deformacion_verdadera"],
+            "true_strain",
         ),
         or(
             (Meaning::Extension, Meaning::Strain),
             "extension",
             Dimension::Length,
             &["extension_mm", "displacement_mm", "elongation_mm"],
-            &[
-                "extension",
-                "elongation",
-                "crosshead_displacement",
-                WAY[0],
-                WAY[1],
-                WAY[2],
-                WAY[3],
-                "verlangerung",
-                "verlaengerung",
-                "langenanderung",
-                "traversenweg",
-                "standardweg",
-                WAY[4],
-                "allongement",
-                WAY[5],
-                "alargamiento",
-                "elongacion",
-                WAY[6],
-                "allungamento",
-                WAY[7],
-            ],
+            "extension",
         ),
-        of(
-            Meaning::Length,
-            "length",
-            Some(Dimension::Length),
-            NO,
-            &["length", "current_length", "lange", "laenge", "longueur", "longitud", "lunghezza"],
-        ),
+        of(Meaning::Length, "length", Some(Dimension::Length), NO, "rubber_length"),
         NOMINAL_STRESS,
-        of(
-            Meaning::TrueStress,
-            "true_stress",
-            Some(Dimension::Pressure),
-            NO,
-            &[
-                "true_stress",
-                "true_stress_1",
-                "cauchy_stress",
-                "cauchy_stress_1",
-                "wahre_spannung",
-                "contrainte_vraie",
-                "esfuerzo_verdadero",
-            ],
-        ),
-        of(
-            Meaning::NominalStress2,
-            "nominal_stress_2",
-            Some(Dimension::Pressure),
-            NO,
-            &["nominal_stress_2", "engineering_stress_2", "stress_2"],
-        ),
-        of(
-            Meaning::TrueStress2,
-            "true_stress_2",
-            Some(Dimension::Pressure),
-            NO,
-            &["true_stress_2", "cauchy_stress_2"],
-        ),
+        of(Meaning::TrueStress, "true_stress", Some(Dimension::Pressure), NO, "true_stress"),
+        of(Meaning::NominalStress2, "nominal_stress_2", Some(Dimension::Pressure), NO, "nominal_stress_2"),
+        of(Meaning::TrueStress2, "true_stress_2", Some(Dimension::Pressure), NO, "true_stress_2"),
         of(
             Meaning::TrueStressDifference,
             "true_stress_difference",
             Some(Dimension::Pressure),
             NO,
-            &["true_stress_difference", "cauchy_stress_difference", "true_stress_1_minus_2"],
+            "true_stress_difference",
         ),
-        of(Meaning::Force, "force", Some(Dimension::Force), NO, FORCE),
-        of(Meaning::Mode, "mode", None, &["mode", "test", "loading", "deformation"], NO),
+        of(Meaning::Force, "force", Some(Dimension::Force), NO, "force"),
+        of(Meaning::Mode, "mode", None, &["mode", "test", "loading", "deformation"], ""),
     ],
 };
 
@@ -684,10 +430,12 @@ mod tests {
             let mut seen: Vec<&str> = vec![];
             for entry in vocabulary.entries {
                 assert!(vocabulary.entry(entry.meaning).is_some_and(|e| e.name == entry.name));
-                for word in entry.own.iter().chain(entry.words) {
-                    assert_eq!(plain(word), *word, "{word}");
+                assert!(entry.words.is_empty() != WORDS.contains_key(entry.words), "{}", entry.name);
+                let words = entry.words().iter().map(String::as_str);
+                for word in entry.own.iter().copied().chain(words) {
+                    assert_eq!(plain(word), word, "{word}");
                     // `deformation` is a mode in our own tables, a strain with a unit in French ones.
-                    assert!(!seen.contains(word) || *word == "deformation", "{word} is there twice");
+                    assert!(!seen.contains(&word) || word == "deformation", "{word} is there twice");
                     seen.push(word);
                 }
             }
