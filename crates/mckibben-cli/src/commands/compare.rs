@@ -28,7 +28,7 @@ pub struct CompareArgs {
     /// Models, by name [fe,paper,thick-wall,ideal]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = MODELS, hide_possible_values = true)]
     pub models: Vec<String>,
-    /// One model, as --models
+    /// One model, same as --models with one name
     #[arg(long, value_name = "NAME", conflicts_with = "models", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     /// Measured points: a table of pressures, contractions (or shortenings, or lengths) and forces, with units
@@ -39,10 +39,10 @@ pub struct CompareArgs {
     /// Constants to fit to the points, for each model: modulus, end-factor, stiffness
     #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "data")]
     pub fit: Vec<String>,
-    /// Pressures, without --data [0.05..0.25:0.05]
+    /// Pressures, if there is no --data [0.05..0.25:0.05]
     #[arg(short, long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
     pub pressure: Option<String>,
-    /// Contraction ratios, without --data [0..0.2:0.01]
+    /// Contraction ratios, if there is no --data [0..0.2:0.01]
     #[arg(short = 'e', long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with = "data")]
     pub contraction: Option<String>,
     #[command(flatten)]

@@ -15,7 +15,7 @@ use mckibben_app::{Characteristics, MuscleShowAnswer, MuscleShowRequest, muscle_
 /// `muscle show`.
 #[derive(Debug, Args)]
 pub struct MuscleShowArgs {
-    /// Also what it does at this pressure: blocked force, free contraction, work, air, burst
+    /// Also show its values at this pressure: blocked force, free contraction, work, air, burst
     #[arg(short, long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub pressure: Option<String>,
     #[command(flatten)]

@@ -58,37 +58,37 @@ pub struct RubberFitArgs {
     /// Length of the specimen at rest, for a column of extensions or lengths
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub gauge_length: Option<String>,
-    /// Fit these modes alone and hold out the others: how well the laws follow them is said
+    /// Fit only these modes; hold out the others and show the errors of the laws there
     #[arg(long, value_name = "LIST")]
     pub fit_mode: Option<String>,
-    /// Leave out what is stretched further: a stretch (3), or a strain (200%)
+    /// Leave out points beyond this stretch (3) or strain (200%)
     #[arg(long, value_name = "STRETCH", allow_hyphen_values = true)]
     pub up_to: Option<String>,
-    /// Differences over the measured stress: small stretches count as much as large ones
+    /// Minimise relative differences: small stretches count as much as large ones
     #[arg(long)]
     pub relative: bool,
-    /// Every mode counts alike [every point counts alike]
+    /// Give every mode the same weight [every point has the same weight]
     #[arg(long)]
     pub balance: bool,
-    /// Factors on the modes, such as uniaxial=1,equibiaxial=2
+    /// Weights of the modes, such as uniaxial=1,equibiaxial=2
     #[arg(long, value_name = "LIST")]
     pub weights: Option<String>,
-    /// Laws that stay stable in a muscle only (C01 not below 0)
+    /// Fit only laws that stay stable in a muscle (C01 not below 0)
     #[arg(long)]
     pub stable: bool,
-    /// Hoop stretch of the muscle up to which a law should be stable
+    /// Hoop stretch of the muscle up to which a law must be stable
     #[arg(long, value_name = "STRETCH", default_value = "3", allow_hyphen_values = true)]
     pub hoop_stretch: String,
-    /// Fit a Prony series of N branches too, from a column of times
+    /// Also fit a Prony series of N branches; needs a column of times
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=8))]
     pub relaxation: Option<u8>,
-    /// Fit Ogden–Roxburgh softening too, from a column of times that begins with the first loading
+    /// Also fit Ogden–Roxburgh softening; needs a column of times that begins with the first loading
     #[arg(long)]
     pub softening: bool,
     /// Name of the rubber in the muscle file [that of the data file]
     #[arg(long)]
     pub name: Option<String>,
-    /// Muscle that gets the rubber, for -o [the prototype]
+    /// Muscle file that receives the rubber, for -o [the prototype]
     #[arg(long, value_name = "FILE")]
     pub muscle: Option<PathBuf>,
     #[command(flatten)]

@@ -10,10 +10,10 @@ use std::path::{Path, PathBuf};
 /// `schema`.
 #[derive(Debug, Args)]
 pub struct SchemaArgs {
-    /// Which command, in its words joined by a hyphen (force, rubber-fit); all of them where none is named
+    /// Command, its words joined by a hyphen (force, rubber-fit) [all commands]
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
-    /// Write to a file instead of standard output; without COMMAND into a folder, a file for each command
+    /// Write to a file instead of standard output; without COMMAND: into a folder, one file per command
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
     #[command(flatten)]
