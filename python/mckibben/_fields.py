@@ -88,7 +88,7 @@ class MuscleFields:
         slip_mm_per_n : mm/N
             What both ends together slip under the load of a clamp, mm/N.
         grip_mm : mm
-            Length at each end, within that of the muscle, in which tube and braid are held, mm.
+            Length at each end, within L0, in which tube and braid are held, mm.
         end_factor
             Empirical end factor k of Tondu & Lopez, for the models tondu-lopez and thick-wall.
         cone_factor
@@ -115,7 +115,7 @@ class MuscleFields:
 
     @property
     def prestretch(self) -> float | None:
-        """Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the mounted muscle."""
+        """Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted muscle."""
         return self._field("prestretch")  # type: ignore[no-any-return]
 
     @property
@@ -145,7 +145,7 @@ class MuscleFields:
 
     @property
     def grip_mm(self) -> float | None:
-        """Length at each end, within that of the muscle, in which tube and braid are held, mm."""
+        """Length at each end, within L0, in which tube and braid are held, mm."""
         return self._field("grip_mm")  # type: ignore[no-any-return]
 
     @property

@@ -220,7 +220,7 @@ fn each(
         (None, _) => None,
         (Some(_), true) => loaded(&request.load, model, workspace, &fixed, question.options)?,
         (Some(_), false) => {
-            let message = "`load` goes with an isobaric test, where the pressure is the same along a curve";
+            let message = "`load` is for isobaric tests only, where the pressure is constant along a curve";
             return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
         }
     };
@@ -293,11 +293,11 @@ pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result
     match test {
         Test::Isotonic => Problem::refuse_unused(
             &[("contractions", contractions)],
-            format!("`test` {name} takes pulls (`forces_n`) and answers with contractions"),
+            format!("`test` {name} needs pulls (`forces_n`) and computes contractions"),
         ),
         Test::Isometric | Test::Isobaric => Problem::refuse_unused(
             &[("forces_n", forces)],
-            format!("`test` {name} takes contractions (`contractions`) and answers with pulls"),
+            format!("`test` {name} needs contractions (`contractions`) and computes pulls"),
         ),
     }
 }

@@ -363,7 +363,7 @@ impl IdentifyRequest {
         }
         if sets.is_empty() {
             let hint = "give `data` with pressures, contractions and forces, or `formula` paper";
-            return Err(Problem::new(ProblemKind::MissingInput, "there is nothing to identify from", hint));
+            return Err(Problem::new(ProblemKind::MissingInput, "there are no data to identify from", hint));
         }
         self.check_weights(sets.len())?;
         let mut points = vec![];

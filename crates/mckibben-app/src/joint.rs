@@ -48,7 +48,7 @@ impl JointFields {
         let file = parse_joint(&text.text).map_err(|e| Problem::from(e.of(Path::new(&text.name))))?;
         let muscle = |name: &str| -> Result<Muscle, Problem> {
             let of = self.muscles.iter().find(|m| m.name == name).ok_or_else(|| {
-                let message = format!("{}: its muscle file {name} is not there", text.name);
+                let message = format!("{}: its muscle file {name} is missing", text.name);
                 Problem::new(ProblemKind::File, message, "").in_field("muscles")
             })?;
             MuscleFields::of_file(of.clone()).resolve()
@@ -235,11 +235,11 @@ pub fn joint(request: &JointRequest, progress: &dyn Progress) -> Result<JointAns
         }
     };
     if rows.is_empty() && map.is_none() {
-        let message = "nothing is asked: give `pressures_mpa`, `angles_deg`, or `map`";
+        let message = "the request is incomplete: give `pressures_mpa`, `angles_deg` or `map`";
         return Err(Problem::new(
             ProblemKind::Usage,
             message,
-            "`pressures_mpa` alone says where the joint rests",
+            "`pressures_mpa` alone gives the rest position",
         ));
     }
     let summaries: Vec<MuscleSummary> = joint.muscles().iter().map(|m| (&m.muscle).into()).collect();
@@ -289,12 +289,12 @@ impl Asked<'_> {
         let angles = request.angles_deg.as_deref();
         if !families.is_empty() {
             let (torque, sought) = (request.torque_nm.is_some(), request.stiffness_nm_per_rad.is_some());
-            let why = "it is wanted of pressures that are sought, and `pressures_mpa` are given";
+            let why = "it applies if the pressures are computed, and `pressures_mpa` are given";
             Problem::refuse_unused(&[("stiffness_nm_per_rad", sought)], why)?;
             let why = "with `pressures_mpa` and `angles_deg` the torque is the answer";
             Problem::refuse_unused(&[("torque_nm", torque && angles.is_some())], why)?;
             let supply = request.max_pressure_mpa.is_some() && request.map.is_none();
-            let why = "it bounds pressures that are sought, and `pressures_mpa` are given";
+            let why = "it limits pressures that are computed, and `pressures_mpa` are given";
             Problem::refuse_unused(&[("max_pressure_mpa", supply)], why)?;
         }
         for &p in families.iter().flatten() {
@@ -313,7 +313,7 @@ impl Asked<'_> {
             (true, None) if request.torque_nm.or(request.stiffness_nm_per_rad).is_some() => {
                 return Err(Problem::missing(
                     "angles_deg",
-                    "the angle at which the torque and the stiffness are wanted",
+                    "the angle at which the torque and the stiffness are required",
                 ));
             }
             (true, None) => {}

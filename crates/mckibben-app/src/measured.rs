@@ -1,4 +1,4 @@
-//! `validate --measured`: the dossier of everything measured, what each fit leaves of its points and of those it predicts blind.
+//! `validate --measured`: the validation report of every measured case: the errors of each fit at fitted points and at predicted points.
 
 use crate::fields::MeshFields;
 use crate::figure;
@@ -11,7 +11,7 @@ use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben_fit::identify::Identified;
 use mckibben_fit::validation::case::{Case, CaseError, CaseFiles, Facts, Measurement, measurements};
-use mckibben_fit::validation::dossier::{DossierError, FitResult, Group, dossier};
+use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
 use mckibben_fit::validation::rubber::RubberCase;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -42,7 +42,7 @@ pub struct MeasuredFolder {
     pub points: String,
 }
 
-/// The dossiers of measured muscles.
+/// The validation reports of measured muscles and rubbers.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct MeasuredAnswer {
     /// The model.
@@ -174,7 +174,7 @@ pub struct MeasuredBin {
     pub rms_n: f64,
 }
 
-/// The dossier of everything measured.
+/// The validation report of every measured case.
 ///
 /// # Errors
 /// [`Problem`] names the folder and the fit.
@@ -184,7 +184,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     let cases: Vec<&Case> = all.iter().filter_map(Measurement::muscle).collect();
     let stretched: Vec<&RubberCase> = all.iter().filter_map(Measurement::rubber).collect();
     if request.figure.is_some() && cases.is_empty() {
-        let message = "the figure shows measured muscles, and these are rubbers alone: leave it out";
+        let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
         return Err(Problem::new(
             ProblemKind::Usage,
             message,
@@ -196,7 +196,7 @@ pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<Me
     progress.budget().admit(Resource::Points, (points + stresses) as f64)?;
     let model = Model::named(request.model.as_deref().unwrap_or("fe"), &[], &MeshFields::default())?;
     let build = |muscle: &Muscle| model.build(muscle);
-    let found = dossier(&cases, &build, progress)?;
+    let found = report(&cases, &build, progress)?;
     let (rubbers, stresses) = rubbers(&stretched, progress)?;
     let name = model.name().to_owned();
     let figure = request.figure.as_ref().map(|u| figure::measured(&cases, &found, (&name, &build), u));
@@ -273,16 +273,16 @@ impl From<&CaseError> for Problem {
     }
 }
 
-impl From<DossierError> for Problem {
-    fn from(error: DossierError) -> Self {
+impl From<ReportError> for Problem {
+    fn from(error: ReportError) -> Self {
         match error {
-            DossierError::Cancelled => Self::cancelled(),
-            DossierError::Fit { case, fit, fitted_to, error } => {
+            ReportError::Cancelled => Self::cancelled(),
+            ReportError::Fit { case, fit, fitted_to, error } => {
                 let problem = Self::from(error);
                 let message = format!("{case}, fit \"{fit}\" on {fitted_to}: {}", problem.message);
                 Self { message, ..problem }
             }
-            DossierError::Rubber { case, fit, error } => {
+            ReportError::Rubber { case, fit, error } => {
                 let problem = Self::from(error);
                 let message = format!("{case}, fit \"{fit}\": {}", problem.message);
                 Self { message, ..problem }

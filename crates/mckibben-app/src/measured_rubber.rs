@@ -4,7 +4,7 @@ use crate::measured::MeasuredFacts;
 use crate::problem::Problem;
 use mckibben::progress::Progress;
 use mckibben_fit::rubber::Parameter;
-use mckibben_fit::validation::rubber::{RubberCase, RubberFitResult, dossier};
+use mckibben_fit::validation::rubber::{RubberCase, RubberFitResult, report};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -66,7 +66,7 @@ pub(crate) fn rubbers(
     cases: &[&RubberCase],
     progress: &dyn Progress,
 ) -> Result<(Vec<MeasuredRubber>, Vec<MeasuredStress>), Problem> {
-    let found = dossier(cases, progress)?;
+    let found = report(cases, progress)?;
     let of = |(number, case): (usize, &&RubberCase)| {
         let fits = found.iter().filter(|r| r.case == number).map(|r| {
             let RubberFitResult { fit, parameters, prony, stable, .. } = r.clone();

@@ -86,10 +86,8 @@ impl StepFields {
                 "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)",
             )
         })?;
-        let load = self
-            .load
-            .as_deref()
-            .ok_or_else(|| Problem::missing("load", "what it moves, such as mass:10kg"))?;
+        let load =
+            self.load.as_deref().ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
         let numeric = valve.trim().starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == '-');
         let key = if numeric { "sonic_conductance" } else { "name" };
         let held = load.trim().strip_prefix("held").map(|rest| rest.trim_start_matches(':').trim());
@@ -411,7 +409,7 @@ pub fn motion(request: &MotionRequest, progress: &dyn Progress) -> Result<Motion
         .models
         .iter()
         .any(|m| contact(m.muscle()))
-        .then(|| "a drive has the friction C·P^β alone: friction.lever is not used".to_owned());
+        .then(|| "a drive uses only the friction C·P^β: friction.lever is not used".to_owned());
     let said = moved.models.iter().flat_map(|m| m.muscle().warnings()).chain(left_out);
     let all: Vec<Warning> = told.into_iter().chain(said.map(Warning::from)).collect();
     let mut warnings = Warning::gravest(&all);
@@ -450,8 +448,9 @@ impl Moved {
             (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
             (None, Some(model)) => {
                 let load = file.load.clone().ok_or_else(|| {
-                    let hint = "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle whose ends are held";
-                    Problem::new(ProblemKind::File, "the drive has no [load], and nothing that moves", hint)
+                    let hint =
+                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with fixed ends";
+                    Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
                 })?;
                 let (damping_n_s_per_m, stops_mm) = (file.damping_n_s_per_m, file.stops_mm);
                 Some(SingleMuscle { damping_n_s_per_m, stops_mm, ..SingleMuscle::new(&**model, load) })
@@ -531,10 +530,14 @@ impl Moved {
         };
         match rest.moves {
             Moves::Rests => None,
-            Moves::Creeps => Some(format!("still moving: {end}; a later end shows where it rests")),
-            Moves::Swings if damped => Some(format!("still swinging: {end}; a later end, or more damping")),
+            Moves::Creeps => {
+                Some(format!("still moving: {end}; set a later end time to reach the rest position"))
+            }
+            Moves::Swings if damped => {
+                Some(format!("still oscillating: {end}; set a later end time, or more damping"))
+            }
             Moves::Swings => Some(format!(
-                "still swinging: {end}. Its damping is 0, since none is given: only the air, and friction and relaxation where they are stated, take energy out"
+                "still oscillating: {end}. No damping is given, so it is 0: only the air dissipates energy, and friction and relaxation if they are stated"
             )),
         }
     }
@@ -598,7 +601,7 @@ impl From<MotionError> for Problem {
             _ => ProblemKind::File,
         };
         let hint = match error {
-            MotionError::NeverLifted { .. } => "the load `held` fills a muscle whose ends are held",
+            MotionError::NeverLifted { .. } => "use the load `held` for a muscle with fixed ends",
             _ => "",
         };
         Self::new(kind, error.to_string(), hint)

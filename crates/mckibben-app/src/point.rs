@@ -152,7 +152,7 @@ pub fn contraction(request: &ContractionRequest, progress: &dyn Progress) -> Res
         });
     }
     if request.force_n.is_some() {
-        let message = "`force_n` and `load` exclude one another: give the load, or the pull";
+        let message = "`force_n` conflicts with `load`: give the load, or the pull";
         return Err(Problem::new(ProblemKind::Usage, message, "`load` takes `force:300N` as well"));
     }
     let mut said: Option<LoadAnswer> = None;

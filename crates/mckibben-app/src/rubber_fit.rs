@@ -30,7 +30,7 @@ pub struct RubberFitRequest {
     pub data: Option<TextFile>,
     /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
     pub columns: Columns,
-    /// Laws by name, or `all`; all that the points carry where none is named.
+    /// Laws by name, or `all`; all that the points determine if none is named.
     pub laws: Vec<String>,
     /// Terms of `ogden`; 1, 2 and 3 where it is left out.
     pub terms: Option<usize>,
@@ -225,8 +225,8 @@ impl RubberFitAnswer {
     }
 }
 
-const APART: &str = "softening and relaxation were fitted apart, each as if there were nothing but it: what relaxes in the test counts as softening, and the \
-     reverse; a muscle file holds the law of the first loading with both";
+const APART: &str = "softening and relaxation were fitted separately, each without the other: relaxation during the test counts as softening, and the \
+     reverse; the muscle file has the law of the first loading with both";
 
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
 ///
@@ -347,7 +347,7 @@ impl RubberFitRequest {
         })
     }
 
-    /// The laws that are asked for; none means all that the points carry.
+    /// The laws that are asked for; none means all that the points determine.
     fn forms(&self) -> Result<Vec<Form>, Problem> {
         let mut forms: Vec<Form> = vec![];
         if self.laws.is_empty() && self.terms.is_none() {
@@ -357,7 +357,7 @@ impl RubberFitRequest {
             word.trim() == "all" || Form::parse(word).iter().any(|form| form.terms().is_some())
         };
         let alone = self.terms.is_some() && !self.laws.is_empty() && !self.laws.iter().any(several);
-        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a number of terms")?;
+        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a selectable number of terms")?;
         let all = ["all".to_owned()];
         for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
             let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
@@ -375,7 +375,7 @@ impl RubberFitRequest {
             }
         }
         if forms.is_empty() {
-            let message = "none of these laws has so many terms";
+            let message = "none of these laws has this number of terms";
             let hint = "leave `terms` out, or take `laws` ogden";
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("terms"));
         }

@@ -147,7 +147,7 @@ pub fn muscle_show(request: &MuscleShowRequest) -> Result<MuscleShowAnswer, Prob
             ("two_sided", asking.two_sided),
             ("direction", !asking.direction.is_mean()),
         ];
-        let why = "a model is asked what the muscle does at a pressure, and no `pressure_mpa` is given";
+        let why = "the model is used only for values at a pressure, and no `pressure_mpa` is given";
         Problem::refuse_unused(&fields, why)
             .map_err(|p| p.with_hint("give `pressure_mpa`, such as 0.2 MPa"))?;
     }

@@ -244,7 +244,7 @@ impl Spec {
         let bounds = [
             ("the outer diameter", Some(self.outer_diameter_mm.bounds().0)),
             ("the wall", Some(self.wall_mm.bounds().0)),
-            ("the largest bulged diameter", self.limits.bulged_diameter_mm),
+            ("largest bulged diameter", self.limits.bulged_diameter_mm),
             ("the least burst margin", self.limits.burst_margin),
             ("the largest stretch", self.limits.stretch),
             ("the largest strand strain", self.limits.strand_strain),

@@ -258,7 +258,7 @@ impl DesignRequest {
         let points = !self.points.is_empty() || self.force_n.is_some();
         let asked = [points, self.load.load.is_some(), !self.torques.is_empty()];
         if asked.iter().filter(|a| **a).count() > 1 {
-            let message = "`force_n` or `points`, `load` and `torques` each say what the muscle must do: give one of them";
+            let message = "`force_n` or `points`, `load` and `torques` each state the requirement: give only one of them";
             return Err(Problem::new(ProblemKind::Usage, message, ""));
         }
         if !self.torques.is_empty() {
@@ -279,7 +279,7 @@ impl DesignRequest {
                 (Some(e), _) => Way::Contraction(ratio(e)?),
                 (None, Some(stroke)) => Way::Stroke(stroke),
                 (None, None) => {
-                    return Err(Problem::missing("stroke_mm", "how far the load is lifted, such as 40 mm")
+                    return Err(Problem::missing("stroke_mm", "the lift of the load, such as 40 mm")
                         .with_hint("or give `contraction`, such as 0.15 (15 %)"));
                 }
             };
@@ -424,7 +424,8 @@ impl Choice {
                 Values::Interval(finite(field, *low)?, finite(field, *high)?)
             }
             Self::Between { low, high } => {
-                let message = format!("the interval from {low} to {high} runs backwards");
+                let message =
+                    format!("the interval from {low} to {high} is reversed: write the smaller value first");
                 return Err(Problem::new(ProblemKind::Range, message, "").in_field(field));
             }
         })

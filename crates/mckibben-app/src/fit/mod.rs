@@ -131,7 +131,7 @@ fn section(request: &FitRequest) -> Result<FitAnswer, Problem> {
     match method {
         Method::Paper(_) => Problem::refuse_unused(
             &[("terms", request.terms.is_some())],
-            "the paper's `method` has a number of terms of its own",
+            "`method` paper has a fixed number of terms",
         )?,
         Method::Global(_) => request.check_rules("global")?,
     }
@@ -212,7 +212,8 @@ fn universal(request: &FitRequest, _: Form, _: &dyn Progress) -> Result<FitAnswe
 /// Where there is no file system there are no campaigns on disk.
 #[cfg(not(feature = "files"))]
 fn no_files() -> Problem {
-    Problem::new(ProblemKind::Usage, "there are no campaigns on disk here", "").in_field("campaign")
+    Problem::new(ProblemKind::Usage, "this build of the program cannot read campaigns from disk", "")
+        .in_field("campaign")
 }
 
 /// Why a table gives no formula.
@@ -228,9 +229,9 @@ impl FitRequest {
     fn check_name(&self) -> Result<(), Problem> {
         let why = match self.name.as_deref() {
             Some(n) if Model::is_taken(n) || n.trim().is_empty() => {
-                format!("\"{n}\" cannot be told from a model that exists already")
+                format!("\"{n}\" is already the name of a model")
             }
-            Some(n) if n.contains(char::is_control) => "a name does not hold control characters".into(),
+            Some(n) if n.contains(char::is_control) => "a name must not contain control characters".into(),
             _ => return Ok(()),
         };
         Err(Problem::new(ProblemKind::Usage, why, "take another name").in_field("name"))
@@ -258,11 +259,11 @@ impl FitRequest {
         self.check_rules("universal")?;
         Problem::refuse_unused(
             &[("terms", self.terms.is_some())],
-            "`method` universal has terms of its own",
+            "`method` universal has a fixed set of terms",
         )?;
         let Some((field, _)) = foreign.into_iter().find(|f| f.1) else { return Ok(()) };
-        let message = "the methods universal and universal-small know no such thing";
-        let hint = "leave it out; a campaign says everything of its muscles";
+        let message = "the methods universal and universal-small do not use it";
+        let hint = "leave it out; a campaign states all data of its muscles";
         Err(Problem::new(ProblemKind::Usage, message, hint).in_field(field))
     }
 

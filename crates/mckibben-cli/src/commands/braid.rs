@@ -68,7 +68,7 @@ fn list_text(answer: &BraidListAnswer) -> String {
     let row = |m: &MaterialSummary| vec![m.name.clone(), number(m.modulus_mpa * 1e-3, 4), m.title.clone()];
     let materials = table(&["strands of", "E [GPa]", ""], answer.materials.iter().map(row).collect());
     format!(
-        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. What is not stated has to be given for a stiffness. `mckibben braid show NAME` tells more.\n"
+        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. A stiffness needs the data that are not stated. `mckibben braid show NAME` shows the details.\n"
     )
 }
 

@@ -34,7 +34,7 @@ pub enum StudyWord {
 /// `curve`.
 #[derive(Debug, Args)]
 pub struct CurveArgs {
-/// Kind of test
+    /// Kind of test
     #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
     pub test: Option<Test>,
     /// Compute a study of the paper

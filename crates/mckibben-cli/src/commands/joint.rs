@@ -134,7 +134,7 @@ fn as_text(answer: &JointAnswer, u: &Units) -> String {
         let most = map.torques.iter().map(|t| t.2).fold(f64::NEG_INFINITY, f64::max);
         let least = map.torques.iter().map(|t| t.1).fold(f64::INFINITY, f64::min);
         if at_rest.is_empty() {
-            text += "\nat rest it leans on a limit of its range, or is loose, at all of these pressures\n";
+            text += "\nat all of these pressures the joint rests at a limit of its range, or is loose\n";
         } else {
             text += &format!(
                 "\nat rest it reaches {} to {} ° and {} to {} N m/rad\n",

@@ -132,9 +132,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
         ("--branch", !asking.direction.is_mean()),
     ];
     if let Some((flag, _)) = ignored.into_iter().find(|f| f.1) {
-        let message = format!(
-            "{flag} would change nothing: a motion follows the model, its friction and what goes slack by itself"
-        );
+        let message = format!("{flag} has no effect: a motion always computes friction and slack");
         return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
     }
     let files = files_of(args)?;

@@ -90,7 +90,7 @@ fn browser() -> Result<&'static str, Failure> {
         quiet.is_ok_and(|status| status.success())
     };
     names.iter().find(runs).copied().ok_or_else(|| {
-        let message = "a PDF is printed by Chromium or Chrome, and none is installed";
+        let message = "a PDF needs Chromium or Chrome, which is not installed";
         Failure::input(
             ProblemKind::Output,
             message,
@@ -104,7 +104,7 @@ fn printed(browser: &str, html: &str) -> Result<Vec<u8>, Failure> {
     let wrong = |why: String| {
         Failure::input(
             ProblemKind::Output,
-            format!("{browser} does not print the page: {why}"),
+            format!("{browser} could not print the page: {why}"),
             "print the HTML page",
         )
     };

@@ -34,7 +34,7 @@ fn laws() -> String {
         (Some(first), Some(last)) => format!(" (or {first} to {last})"),
         _ => String::new(),
     };
-    format!("Laws: {}{range}, or `all` [all that the points carry]", words.join(", "))
+    format!("Laws: {}{range}, or `all` [all that the points determine]", words.join(", "))
 }
 
 /// `rubber fit`.
@@ -160,7 +160,7 @@ fn request(args: &RubberFitArgs) -> Result<RubberFitRequest, Failure> {
 fn modes(text: Option<&str>) -> Result<Vec<Mode>, Failure> {
     let one = |word: &str| {
         let short: String = word.trim().chars().take(60).collect();
-        let message = format!("--fit-mode: the mode \"{short}\" is none of {}", Mode::WORDS);
+        let message = format!("--fit-mode: \"{short}\" is not a valid mode; expected one of {}", Mode::WORDS);
         Mode::parse(word).ok_or_else(|| Failure::input(ProblemKind::Usage, message, "write uniaxial,planar"))
     };
     text.into_iter().flat_map(|t| t.split(',')).map(one).collect()
@@ -175,10 +175,11 @@ fn weights(text: Option<&str>) -> Result<BTreeMap<Mode, f64>, Failure> {
             Failure::input(ProblemKind::Usage, format!("--weights: {why}"), "write uniaxial=1,equibiaxial=2")
         };
         let (word, value) = entry.split_once('=').ok_or_else(|| bad(format!("\"{short}\" has no =")))?;
-        let mode = Mode::parse(word)
-            .ok_or_else(|| bad(format!("\"{short}\": the mode is none of {}", Mode::WORDS)))?;
+        let mode = Mode::parse(word).ok_or_else(|| {
+            bad(format!("\"{short}\" is not a valid mode; expected one of {}", Mode::WORDS))
+        })?;
         if out.insert(mode, ratio("--weights", Some(value))?.unwrap_or(1.0)).is_some() {
-            return Err(bad(format!("{mode} is there twice")));
+            return Err(bad(format!("{mode} is given twice")));
         }
     }
     Ok(out)

@@ -37,7 +37,7 @@ pub struct ServeArgs {
 pub fn run(args: ServeArgs, format: Format, limits: &[(Resource, f64)]) -> Result<u8, Failure> {
     if !args.address.is_loopback() && args.host_name.is_empty() {
         let message = format!("--address: {} requires --host-name", args.address);
-        let hint = "say by which name or address others ask, as in --host-name bench.local";
+        let hint = "give the name or address that clients use, such as --host-name bench.local";
         return Err(Failure::input(ProblemKind::Usage, message, hint));
     }
     // Signals are taken over before anybody can know that the server is there.

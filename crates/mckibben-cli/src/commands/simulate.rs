@@ -35,7 +35,7 @@ pub const EXAMPLES: &str = "Examples:
 /// `simulate`.
 #[derive(Debug, Args)]
 pub struct SimulateArgs {
-/// Kind of test
+    /// Kind of test
     #[arg(long, value_parser = word::<Test>(), default_value = "isometric")]
     pub test: Test,
     /// Pressures [0.05..0.25:0.05]
@@ -159,7 +159,8 @@ fn check_picture(path: Option<&Path>) -> Result<(), Failure> {
     if ending(path).is_some_and(|e| ["svg", "png"].contains(&e.as_str())) {
         return Ok(());
     }
-    let message = format!("cannot tell the format of {}: a picture ends in .svg or .png", path.display());
+    let message =
+        format!("unknown format of {}: the name of a picture must end in .svg or .png", path.display());
     Err(Failure::input(ProblemKind::Plot, message, "`--plot` draws curves, and also as .html"))
 }
 
@@ -227,7 +228,7 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
         ("ε".into(), percents(contractions, 4)),
         (u.force.heading("F"), u.force.column(pulls, 5)),
         (u.volume.heading("V"), u.volume.column(of(|r| r.volume_mm3), 4)),
-        (u.length.heading("bulges to"), u.length.column(of(|r| r.bulged_diameter_mm), 4)),
+        (u.length.heading("bulged D"), u.length.column(of(|r| r.bulged_diameter_mm), 4)),
         (
             u.force.heading(if strands { "strand" } else { "braid" }),
             u.force.column(responses().map(|r| r.and_then(tension)), 4),
@@ -251,7 +252,7 @@ fn as_text(answer: &SimulateAnswer, u: &Units) -> String {
 
 /// Where a slack muscle hangs.
 fn hangs(q: &Simulated) -> String {
-    q.free_contraction.map_or_else(|| "slack".into(), |e| format!("slack, hangs at {}", percent(e)))
+    q.free_contraction.map_or_else(|| "slack".into(), |e| format!("slack, free contraction {}", percent(e)))
 }
 
 /// What is known of one equilibrium beyond the table.
@@ -283,7 +284,7 @@ fn last_text(s: &Solution, u: &Units) -> String {
         ));
     }
     if !s.sensitivities.is_empty() {
-        out.push_str("\nWhat the pull gains when one of these grows by 1 %\n");
+        out.push_str("\nChange of the pull if one of these grows by 1 %\n");
     }
     for x in &s.sensitivities {
         let gain = 0.01 * x.value * x.force_n_per_unit;

@@ -74,7 +74,7 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
 /// Times are for people only: JSON and CSV hold nothing that depends on the machine.
 fn sweep_text(a: &SweepAnswer) -> String {
     format!(
-        "{} random muscles, one question each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended in a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
+        "{} random muscles, one point each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended with a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
         a.muscles,
         a.seed,
         a.required_answered,
@@ -113,7 +113,7 @@ fn as_text(cases: &[Case]) -> String {
         "\nValidation: are they the right equations? Root mean square of the differences from measured pulls\n\n"
             .into(),
         section(&rms, &["rms [N]", "largest or blocked [N]", "rms of it", "allowed"], &of_blocked),
-        "\nValidation: does the ± hold the measured points?\n\n".into(),
+        "\nValidation: does the ± cover the measured points?\n\n".into(),
         section(&shares, &["held", "at least"], &covered),
         summary(&values, &rms, &shares),
     ]

@@ -81,7 +81,7 @@ pub enum EstimateError {
     },
     /// Bounds or a scale that are not valid for an unknown.
     #[error(
-        "unknown {index} cannot be sought: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+        "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
         .unknown.start, .unknown.low, .unknown.high, .unknown.scale
     )]
     Unknown {
@@ -217,9 +217,9 @@ pub fn estimate(
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         if !(settled || report.termination.was_successful()) {
             let reason = match report.termination {
-                TerminationReason::User(_) => "the model has no answer beside the best values so far".into(),
-                TerminationReason::LostPatience => "the search did not end; free fewer unknowns".into(),
-                _ => "the data leave the unknowns open, or the model's answers are not smooth".into(),
+                TerminationReason::User(_) => "the model has no answer near the best values found".into(),
+                TerminationReason::LostPatience => "the search did not converge; free fewer unknowns".into(),
+                _ => "the data do not determine the unknowns, or the model is not smooth".into(),
             };
             return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }

@@ -104,7 +104,7 @@ pub enum TensionFitError {
     },
     /// The stress does not grow with the stretch.
     #[error(
-        "the points pull with a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; look at the columns and their signs"
+        "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
     )]
     NoStiffness {
         /// The neo-Hookean modulus that fits best.
@@ -121,7 +121,7 @@ pub enum TensionFitError {
         expected: &'static str,
     },
     /// A term too many.
-    #[error("{law}: so many terms follow these data no better than fewer do")]
+    #[error("{law}: this number of terms fits these data no better than fewer terms")]
     NoBetter {
         /// Which law.
         law: String,

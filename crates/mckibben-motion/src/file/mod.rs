@@ -178,9 +178,7 @@ fn subject(root: &Section<'_>) -> Result<Subject, FileError> {
     match (root.text("muscle", expected)?, root.text("joint", expected)?) {
         (Some(muscle), None) => Ok(Subject::Muscle(muscle.into())),
         (None, Some(joint)) => Ok(Subject::Joint(joint.into())),
-        (Some(_), Some(_)) => {
-            Err(said(root, "joint", "stands beside a muscle: a drive moves one or the other"))
-        }
+        (Some(_), Some(_)) => Err(said(root, "joint", "conflicts with muscle: a drive moves one of them")),
         (None, None) => Err(root.missing("muscle", None, "what moves: a muscle or a joint")),
     }
 }
@@ -193,7 +191,8 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
     // Errors of syntax with their places.
     let source = Source::parse(text)?;
     let wrong = |what: &str| source.error(dotted, Problem::Said(what.into()));
-    let mut document: toml_edit::DocumentMut = text.parse().map_err(|_| wrong("stands in no TOML"))?;
+    let mut document: toml_edit::DocumentMut =
+        text.parse().map_err(|_| wrong("cannot be written in TOML"))?;
     let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
     let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
     for part in parents.split('.').filter(|p| !p.is_empty()) {
@@ -267,7 +266,7 @@ fn line(section: &Section<'_>, tables: &Tables) -> Result<Option<Load>, FileErro
 fn held(section: &Section<'_>) -> Result<Option<f64>, FileError> {
     let Some(contraction) = section.quantity("held", Dimension::Ratio)? else { return Ok(None) };
     if let Some(key) = LOAD.iter().find(|key| **key != "held" && section.has(key)) {
-        return Err(said(section, key, "stands beside held: a muscle whose ends are held moves no load"));
+        return Err(said(section, key, "conflicts with held: a muscle with fixed ends moves no load"));
     }
     if contraction.abs() >= 1.0 {
         return Err(said(section, "held", "must be a contraction below 1, such as \"10 %\""));

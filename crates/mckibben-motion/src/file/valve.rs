@@ -113,7 +113,7 @@ pub(super) fn air(section: &Section<'_>, wall_temperature_k: f64) -> Result<Air,
     let heat = match section.number("polytropic_index")? {
         None => heat,
         Some(_) if section.has("heat") => {
-            return Err(said(section, "polytropic_index", "stands beside heat: give one of them"));
+            return Err(said(section, "polytropic_index", "conflicts with heat; keep one"));
         }
         Some(n) if (1.0..=1.4).contains(&n) => Heat::Polytropic(n),
         Some(_) => return Err(said(section, "polytropic_index", "must be from 1 to 1.4")),
