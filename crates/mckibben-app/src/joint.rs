@@ -58,8 +58,8 @@ impl JointFields {
     }
 }
 
-/// A joint to be asked. With pressures and angles its torques; with pressures alone where it rests; with angles and without
-/// pressures the pressures for a torque and a stiffness.
+/// A joint. Pressures and angles give its torques; pressures alone give its rest position; angles alone give
+/// the pressures for a torque and a stiffness.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct JointRequest {
@@ -73,17 +73,17 @@ pub struct JointRequest {
     pub pressures_mpa: Vec<Vec<f64>>,
     /// Angles from the neutral one in degrees.
     pub angles_deg: Option<Vec<f64>>,
-    /// Torque in N m: without pressures the one wanted (0 where it is left out), beside pressures alone one from outside that turns to +.
+    /// Torque in N m: without pressures the required torque (default 0); with pressures alone an external torque that turns to +.
     pub torque_nm: Option<f64>,
-    /// Stiffness wanted, N m/rad; the lowest pressures where it is left out.
+    /// Required stiffness, N m/rad; default: the lowest pressures.
     pub stiffness_nm_per_rad: Option<f64>,
-    /// Pressure of the supply in MPa, for pressures that are sought and for the map; 0.6 where it is left out.
+    /// Supply pressure in MPa, for computed pressures and for the map; default 0.6.
     pub max_pressure_mpa: Option<f64>,
-    /// The map of angles and stiffnesses that the joint reaches, with so many pressures of each muscle.
+    /// Map of the reachable angles and stiffnesses, with this number of pressures of each muscle.
     pub map: Option<usize>,
-    /// Answer outside of the model's range, with a warning.
+    /// Compute outside the model's range too, with a warning.
     pub extrapolate: bool,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -110,7 +110,7 @@ pub struct JointRow {
     pub torque_turning_minus_nm: Option<f64>,
     /// −dτ/dφ at these pressures, N m/rad.
     pub stiffness_nm_per_rad: f64,
-    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: rests anywhere about this angle.
+    /// Of a joint at rest: `stable`, `unstable`, at a `limit` of its range, or `loose`: it rests at any angle near this one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rest: Option<RestWord>,
     /// Pull of the first muscle, N.
@@ -158,9 +158,9 @@ pub enum RestWord {
     Stable,
     /// It does not.
     Unstable,
-    /// It leans on a limit of its range.
+    /// It rests at a limit of its range.
     Limit,
-    /// Nothing acts, and it rests anywhere about this angle.
+    /// No torque acts, and it rests at any angle near this one.
     Loose,
 }
 
@@ -192,7 +192,7 @@ pub struct JointAnswer {
     /// What the joint reaches, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<JointMap>,
-    /// What the user should know.
+    /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.

@@ -17,15 +17,15 @@ use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// Measured muscles and rubbers, each with what is known of it and what is to be fitted.
+/// Measured muscles and rubbers, each with its known data and its fits.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MeasuredRequest {
-    /// The folders; those that are built in where there are none.
+    /// The folders; default: the built-in cases.
     pub cases: Vec<MeasuredFolder>,
     /// The model of the muscles; `fe` where none is named.
     pub model: Option<String>,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -49,11 +49,11 @@ pub struct MeasuredAnswer {
     pub model: String,
     /// The muscles.
     pub cases: Vec<MeasuredCase>,
-    /// What is left of their points, fit by fit.
+    /// Errors at their points, fit by fit.
     pub results: Vec<MeasuredResult>,
     /// The rubbers.
     pub rubbers: Vec<MeasuredRubber>,
-    /// What is left of their stresses, fit by fit.
+    /// Errors at their stresses, fit by fit.
     pub stresses: Vec<MeasuredStress>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,7 +81,7 @@ pub struct MeasuredFacts {
     pub title: String,
     /// Who measured it.
     pub source: String,
-    /// On what terms the points may be used.
+    /// Terms of use of the points.
     pub terms: String,
     /// What is known of it.
     pub known: String,
@@ -107,7 +107,7 @@ pub struct MeasuredFit {
     pub parameters: Vec<Identified>,
 }
 
-/// What a fit leaves of some points: measured less computed.
+/// Errors of a fit at some points: measured − computed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredResult {
     /// Name of the case's folder.
@@ -126,15 +126,15 @@ pub struct MeasuredResult {
     pub rms_n: f64,
     /// Largest difference in N.
     pub largest_n: f64,
-    /// Mean of measured less computed in N.
+    /// Mean of measured − computed in N.
     pub bias_n: f64,
     /// `rms_n` over the largest blocked force of these points.
     pub rms_of_blocked: f64,
-    /// Share of the points that the ± of the model holds; null where there are none, or no ±.
+    /// Share of the points within the ± of the model; null if there are none, or no ±.
     pub held: Option<f64>,
     /// How many points of single branches there are.
     pub branch_points: usize,
-    /// Share of these that the ± with its part for friction holds; null where there are none.
+    /// Share of these within the ± with its part for friction; null if there are none.
     pub branch_held: Option<f64>,
     /// The points of each branch of the hysteresis, where it was measured.
     pub by_branch: Vec<MeasuredBranch>,
@@ -144,7 +144,7 @@ pub struct MeasuredResult {
     pub by_contraction: Vec<MeasuredBin>,
 }
 
-/// What a fit leaves of the points of one branch of the hysteresis.
+/// Errors of a fit at the points of one branch of the hysteresis.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredBranch {
     /// The branch: `contraction` while the muscle shortened or its pressure rose, `elongation` back.
@@ -153,13 +153,13 @@ pub struct MeasuredBranch {
     pub points: usize,
     /// Root mean square in N.
     pub rms_n: f64,
-    /// Mean of measured less computed in N.
+    /// Mean of measured − computed in N.
     pub bias_n: f64,
-    /// Share of the points that the ± holds, with its part for friction where the muscle states none.
+    /// Share of the points within the ±, with its part for friction if the muscle states none.
     pub held: Option<f64>,
 }
 
-/// What a fit leaves of points of about one contraction.
+/// Errors of a fit at points of about one contraction.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredBin {
     /// From this contraction ratio,
@@ -168,7 +168,7 @@ pub struct MeasuredBin {
     pub to: f64,
     /// How many points.
     pub points: usize,
-    /// Mean of measured less computed in N.
+    /// Mean of measured − computed in N.
     pub bias_n: f64,
     /// Root mean square in N.
     pub rms_n: f64,

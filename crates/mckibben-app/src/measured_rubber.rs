@@ -36,7 +36,7 @@ pub struct MeasuredRubberFit {
     pub stable: bool,
 }
 
-/// What a fit leaves of some nominal stresses: measured less computed.
+/// Errors of a fit at some nominal stresses: measured − computed.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MeasuredStress {
     /// Name of the case's folder.
@@ -55,7 +55,7 @@ pub struct MeasuredStress {
     pub rms_mpa: f64,
     /// The same over the root mean square of the measured stresses.
     pub relative: f64,
-    /// Mean of measured less computed in MPa.
+    /// Mean of measured − computed in MPa.
     pub bias_mpa: f64,
     /// Largest difference in MPa.
     pub largest_mpa: f64,

@@ -57,7 +57,7 @@ impl Model {
     pub const FE: Model =
         Model::Elements(Elements::Axisymmetric(MeshSpec { through: None, along: None, grading: None }));
 
-    /// Every model there is.
+    /// All models.
     pub fn all() -> Vec<ModelEntry> {
         let entry = |(name, description): (&str, &str)| ModelEntry {
             name: name.into(),

@@ -25,13 +25,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// A drive to be run: its file, and those that it names.
+/// A drive: its file, and the files that it names.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MotionRequest {
     /// Drive file (TOML).
     pub drive: Option<TextFile>,
-    /// In place of a drive file: a muscle with a load, filled through a valve.
+    /// Instead of a drive file: a muscle with a load, filled through a valve.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step: Option<StepFields>,
     /// The muscle file that it names, of a drive with one muscle.
@@ -49,32 +49,32 @@ pub struct MotionRequest {
     pub sweep: Option<MotionSweep>,
     /// Find the smallest valve with this rise time (10–90 %), s.
     pub rise_time_s: Option<f64>,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
-/// A step of the pressure of one muscle. It stands on its stop, at its length at rest, until it is lifted.
+/// A pressure step of one muscle. The load rests on its stop, at the rest length of the muscle, until the muscle lifts it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct StepFields {
     /// Gauge pressure from 0.05 s on, MPa.
     pub pressure_mpa: Option<f64>,
-    /// Gauge pressure of the supply, MPa; 0.6 where it is left out.
+    /// Gauge pressure of the supply, MPa; default 0.6.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub supply_mpa: Option<f64>,
     /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
     pub valve: Option<String>,
     /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`; `held`, or `held:10%`, holds both ends at a contraction.
     pub load: Option<String>,
-    /// Damper of the load, N s/m.
+    /// Damping of the load, N s/m.
     pub damping_n_s_per_m: f64,
-    /// The end, s; 2 where it is left out.
+    /// The end, s; default 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,
 }
 
 impl StepFields {
-    /// The drive file that says the same.
+    /// The equivalent drive file.
     fn drive(&self) -> Result<TextFile, Problem> {
         let pressure = given("pressure_mpa", self.pressure_mpa, "a pressure, such as 0.3 MPa")?;
         let until = finite("until_s", self.until_s.unwrap_or(2.0))?;
@@ -132,11 +132,11 @@ pub struct MotionRun {
     pub series: MotionSeries,
     /// 10–90 % of the first step that moved it, s.
     pub rise_time_s: Option<f64>,
-    /// Until it stays within 2 % of its way, s.
+    /// Time until it stays within 2 % of its stroke, s.
     pub settling_time_s: Option<f64>,
-    /// How far it went beyond its end, as a share of its way.
+    /// Overshoot beyond its end, as a share of its stroke.
     pub overshoot: Option<f64>,
-    /// Until the pressure is within 2 % of its first rise, s.
+    /// Time until the pressure is within 2 % of its first rise, s.
     pub fill_time_s: Option<f64>,
     /// Likewise of its first fall, s.
     pub vent_time_s: Option<f64>,
@@ -151,7 +151,7 @@ pub struct MotionRun {
     /// The same of a joint, °/s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_velocity_deg_per_s: Option<f64>,
-    /// Whether it rests at the end, within 2 % of its way; none where the command still changes there, or both ends are held.
+    /// Whether it rests at the end, within 2 % of its stroke; none if the command still changes there, or both ends are fixed.
     pub at_rest: Option<bool>,
     /// Where a muscle's load rests in the end under the commanded pressure, without friction.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -159,7 +159,7 @@ pub struct MotionRun {
     /// Where a joint rests in the end under the commanded pressures, without friction, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equilibrium_angle_deg: Option<f64>,
-    /// Why it ended before its end; the series goes as far as it was computed.
+    /// Reason why the run stopped early; the series covers the computed part.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ended_early: Option<String>,
     /// Largest power of the muscles, W.
@@ -184,7 +184,7 @@ pub struct MotionRun {
     /// What happened: ends of stroke, slack, valve switching, reversals.
     #[schemars(with = "Vec<serde_json::Value>")]
     pub events: Vec<Event>,
-    /// Questions to the models.
+    /// Number of evaluations of the models.
     pub model_answers: usize,
 }
 
@@ -294,7 +294,7 @@ pub struct MotionAnswer {
     pub sonic_conductance_l_per_s_bar: Option<f64>,
     /// Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its strands.
     pub burst_pressure_mpa: Option<f64>,
-    /// What the user should know.
+    /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.

@@ -27,9 +27,9 @@ pub struct ReportRequest {
     /// The muscle.
     #[serde(flatten)]
     pub muscle: MuscleFields,
-    /// Gauge pressure P in MPa; 0.25 where it is left out.
+    /// Gauge pressure P in MPa; default 0.25.
     pub pressure_mpa: Option<f64>,
-    /// Contraction ratio ε of the state that is shown; half the free contraction where it is left out.
+    /// Contraction ratio ε of the state that is shown; default half the free contraction.
     pub contraction: Option<f64>,
     /// Units: `bar`, or `psi,lbf,in`.
     pub units: Units,
@@ -40,9 +40,9 @@ pub struct ReportRequest {
 pub struct ReportAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
-    /// What the user should know, in sentences.
+    /// Warnings, in sentences.
     pub warnings: Vec<String>,
     /// The report.
     pub document: Document,
@@ -51,7 +51,7 @@ pub struct ReportAnswer {
 /// Models that are compared.
 const MODELS: [&str; 4] = ["fe", "universal", "thick-wall", "ideal"];
 
-/// All that is known of a muscle, by `fe`.
+/// A report of a muscle, by `fe`.
 ///
 /// # Errors
 /// [`Problem`].
@@ -267,7 +267,7 @@ fn build(shown: &MuscleShowAnswer, u: &Units) -> Vec<Part> {
     vec![Part::Heading("Build sheet".into()), pairs(rows)]
 }
 
-/// What is assumed, and what to mind.
+/// Assumptions and limits.
 fn limits(shown: &MuscleShowAnswer, point: &PointAnswer) -> Vec<Part> {
     let mut list = vec![
         "The tube is bonded to rigid terminals; the strands move with its outer surface and turn freely at their crossings, with friction only where the muscle file states it.".to_owned(),

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Tension tests, and what is wanted of the laws.
+/// Tension tests, and the laws to fit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct RubberFitRequest {
@@ -32,7 +32,7 @@ pub struct RubberFitRequest {
     pub columns: Columns,
     /// Laws by name, or `all`; all that the points determine if none is named.
     pub laws: Vec<String>,
-    /// Terms of `ogden`; 1, 2 and 3 where it is left out.
+    /// Terms of `ogden`; default 1, 2 and 3.
     pub terms: Option<usize>,
     /// How the specimens were stretched, where the table has no column `mode`; with a column `stretch_2` that is `general`.
     pub mode: Mode,
@@ -40,30 +40,30 @@ pub struct RubberFitRequest {
     pub area_mm2: Option<f64>,
     /// Length of the specimen at rest, mm, for a column of extensions or lengths.
     pub gauge_length_mm: Option<f64>,
-    /// Modes that are fitted, all where none is named. The others are held out, and how well each law follows them is said.
+    /// Modes to fit; default: all. The others are held out, and the answer gives the errors of each law there.
     pub fit_modes: Vec<Mode>,
-    /// Leave out what is stretched further.
+    /// Leave out points beyond this stretch.
     pub up_to_stretch: Option<f64>,
-    /// Differences over the measured stress: small stretches count as much as large ones.
+    /// Minimise relative differences: small stretches count as much as large ones.
     pub relative: bool,
-    /// Every mode counts alike, however many points it has.
+    /// Give every mode the same weight, whatever its number of points.
     pub balance: bool,
-    /// Factors on the modes.
+    /// Weights of the modes.
     pub weights: BTreeMap<Mode, f64>,
-    /// Laws that stay stable in a muscle only.
+    /// Fit only laws that stay stable in a muscle.
     pub stable: bool,
-    /// Hoop stretch of the muscle up to which a law should be stable; 3 where it is left out.
+    /// Hoop stretch of the muscle up to which a law must be stable; default 3.
     pub hoop_stretch: Option<f64>,
     /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on.
     /// Of the one law of `laws`, else of the recommended one.
     pub relaxation: Option<usize>,
     /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
     pub softening: bool,
-    /// Name of the rubber in the muscle file; that of the table where it is left out.
+    /// Name of the rubber in the muscle file; default that of the table.
     pub name: Option<String>,
-    /// Muscle that gets the rubber; the prototype where it is left out.
+    /// Muscle that receives the rubber; default: the prototype.
     pub muscle: Option<TextFile>,
-    /// The answer shall carry a figure.
+    /// Add a figure to the answer.
     pub figure: bool,
 }
 
@@ -82,9 +82,9 @@ pub struct RubberFitAnswer {
     pub held_out: usize,
     /// Largest principal stretch of the points.
     pub fitted_to_stretch: f64,
-    /// What was made small.
+    /// The objective of the fit.
     pub measure: Measure,
-    /// Whether every mode counted alike.
+    /// Whether every mode had the same weight.
     pub balance: bool,
     /// The law to take, where one is stable in a muscle.
     pub recommended: Option<String>,
@@ -94,7 +94,7 @@ pub struct RubberFitAnswer {
     pub laws: Vec<LawAnswer>,
     /// Laws without a fit, and why.
     pub failed: Vec<String>,
-    /// What to mind.
+    /// Warnings.
     pub warnings: Vec<String>,
     /// Relaxation, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -105,7 +105,7 @@ pub struct RubberFitAnswer {
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// What was wanted.
+    /// The request.
     #[serde(skip)]
     pub settings: FitSettings,
     /// What was found.
@@ -128,7 +128,7 @@ pub struct LawAnswer {
     pub name: String,
     /// Whether it was held among the laws that are stable in a muscle.
     pub constrained: bool,
-    /// How well it does.
+    /// Quality of the fit.
     #[serde(flatten)]
     pub quality: LawQuality,
     /// Its constants.
@@ -139,7 +139,7 @@ pub struct LawAnswer {
     pub held_out: Vec<HeldOutError>,
 }
 
-/// How well a law follows the points, and where it is stable.
+/// Quality of the fit of a law, and its range of stability.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct LawQuality {
     /// Shear modulus μ at rest, MPa.

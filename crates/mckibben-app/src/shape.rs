@@ -30,7 +30,7 @@ pub struct ShapeRequest {
     pub mesh: MeshFields,
     /// Gauge pressure P in MPa.
     pub pressure_mpa: Option<f64>,
-    /// Contraction ratio ε = ΔL/L0; 0 where it is left out.
+    /// Contraction ratio ε = ΔL/L0; default 0.
     pub contraction: Option<f64>,
     /// Pull F in N in place of the contraction.
     pub force_n: Option<f64>,

@@ -121,7 +121,7 @@ pub struct Spec {
     pub rubbers: Vec<Rubber>,
     /// Bounds on what comes out.
     pub limits: Limits,
-    /// What to rank by.
+    /// Quantity to rank by.
     pub objective: Objective,
     /// How many candidates and rejected muscles to report.
     pub top: usize,

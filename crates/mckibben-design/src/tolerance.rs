@@ -6,7 +6,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Muscle, MuscleError};
 use serde::Serialize;
 use thiserror::Error;
 
-/// Half-widths of what may vary, each ±.
+/// Tolerances: half-widths, each ±.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Tolerances {
     /// Wall in mm.

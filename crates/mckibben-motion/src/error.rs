@@ -132,7 +132,7 @@ pub enum MotionError {
         "a rise time of {wanted_s} s is not met by any valve: with {largest_l_per_s_bar} L/(s bar) {}; raise the supply or lower the mass", reached(*.reached_s)
     )]
     NoValve {
-        /// What was wanted.
+        /// The request.
         wanted_s: f64,
         /// The largest conductance that was tried.
         largest_l_per_s_bar: f64,

@@ -121,7 +121,7 @@ pub struct Motion {
     pub integration_steps: usize,
     /// Right-hand sides.
     pub evaluations: usize,
-    /// Questions to the models.
+    /// Number of evaluations of the models.
     pub model_answers: usize,
     /// Where the command is constant at the end: whether the load rests there.
     pub rest: Option<Rest>,

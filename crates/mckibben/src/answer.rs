@@ -50,7 +50,7 @@ pub struct Answer {
     /// Its parts, each a 95 % half-width in N; they add as squares.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub uncertainty_parts_n: Option<UncertaintyParts>,
-    /// What the user should know, in sentences.
+    /// Warnings, in sentences.
     #[cfg_attr(feature = "schema", schemars(with = "Vec<String>"))]
     pub warnings: Vec<Warning>,
 }

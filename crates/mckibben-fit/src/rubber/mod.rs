@@ -57,7 +57,7 @@ pub struct FitSettings {
     pub forms: Vec<Form>,
     /// What is made small.
     pub measure: Measure,
-    /// Every mode counts alike, however many points it has. Else every point counts alike.
+    /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
     pub balance: bool,
     /// A factor on the weights of a mode.
     pub mode_weights: Vec<(Mode, f64)>,
@@ -164,7 +164,7 @@ pub struct TensionFit {
     /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with uniaxial tests
     /// alone, one of I1.
     pub recommended: Option<usize>,
-    /// What to mind.
+    /// Warnings.
     pub warnings: Vec<TensionWarning>,
 }
 

@@ -13,7 +13,7 @@ const MUSCLE_STRETCH: f64 = 2.3;
 /// Shear moduli of rubbers, from soft gels to hard rubber, in MPa.
 const MODULI: (f64, f64) = (0.005, 20.0);
 
-/// What to mind.
+/// Warnings.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TensionWarning {
     /// Points behind a rupture were left out.

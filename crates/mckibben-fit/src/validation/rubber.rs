@@ -74,7 +74,7 @@ pub struct RubberGroup {
     pub rms_mpa: f64,
     /// The same over the root mean square of the measured stresses.
     pub relative: f64,
-    /// Mean of measured less computed in MPa.
+    /// Mean of measured − computed in MPa.
     pub bias_mpa: f64,
     /// Largest in MPa.
     pub largest_mpa: f64,
