@@ -9,6 +9,8 @@ use crate::columns::{COLUMNS, Column, Slot};
 pub struct Layout {
     /// Constants of the law: `c10_mpa`.
     pub(crate) constants: Vec<String>,
+    /// Other measures that vary: `seating_mm`.
+    pub(crate) measures: Vec<String>,
     /// Keys of the sensitivities: `tube.material.c10`.
     pub(crate) sensitivities: Vec<String>,
     /// Columns that it does not have; they read as nothing.
@@ -45,7 +47,7 @@ impl Field {
         match self.slot(row) {
             Slot::Number(v) => Some(*v),
             Slot::Optional(v) => *v,
-            Slot::Constants(list) => self.of(list),
+            Slot::Constants(list) | Slot::Measures(list) => self.of(list),
             _ => None,
         }
     }
@@ -54,11 +56,11 @@ impl Field {
 impl Layout {
     /// The columns of a plan's table.
     pub(crate) fn of(plan: &Plan) -> Self {
-        Self::new(plan.constants(), plan.sensitivities())
+        Self { measures: plan.measures(), ..Self::new(plan.constants(), plan.sensitivities()) }
     }
 
     pub(crate) fn new(constants: Vec<String>, sensitivities: Vec<String>) -> Self {
-        Self { constants, sensitivities, lacking: vec![] }
+        Self { constants, sensitivities, ..Self::default() }
     }
 
     /// All columns.
@@ -67,6 +69,7 @@ impl Layout {
             let one = |name: String, key: Option<String>| Field { name, column, key };
             match (column.slot)(&mut Row::default()) {
                 Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
+                Slot::Measures(_) => self.measures.iter().map(|k| one(k.clone(), None)).collect(),
                 Slot::Sensitivities(_) => {
                     let name = |k: &String| format!("d_force_d_{}", k.replace('.', "_"));
                     self.sensitivities.iter().map(|k| one(name(k), Some(k.clone()))).collect()

@@ -22,7 +22,7 @@ impl Column {
         match field.slot(&mut Row::default()) {
             Slot::Whole(_) => Self::Int64(vec![]),
             Slot::Count(_) => Self::Int32(vec![]),
-            Slot::Number(_) | Slot::Constants(_) => Self::Double(vec![]),
+            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Self::Double(vec![]),
             Slot::Optional(_) | Slot::Sensitivities(_) => Self::Optional(vec![]),
             Slot::Text(_) | Slot::Status(_) => Self::Text(vec![]),
         }
@@ -56,7 +56,9 @@ impl Column {
             (Self::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
             (Self::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
             (Self::Double(c), Slot::Number(v)) => c.push(*v),
-            (Self::Double(c), Slot::Constants(list)) => c.push(field.of(list).unwrap_or(0.0)),
+            (Self::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+                c.push(field.of(list).unwrap_or(0.0))
+            }
             (Self::Optional(c), Slot::Optional(v)) => c.push(*v),
             (Self::Optional(c), Slot::Sensitivities(list)) => c.push(field.of(list)),
             (Self::Text(c), Slot::Text(v)) => c.push(ByteArray::from(v.as_str())),
@@ -72,7 +74,9 @@ impl Column {
             (Self::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
             (Self::Int32(c), Slot::Count(v)) => *v = u32::try_from(*c.get(i)?).unwrap_or(0),
             (Self::Double(c), Slot::Number(v)) => *v = *c.get(i)?,
-            (Self::Double(c), Slot::Constants(list)) => list.push((field.key().to_owned(), *c.get(i)?)),
+            (Self::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+                list.push((field.key().to_owned(), *c.get(i)?));
+            }
             (Self::Optional(c), Slot::Optional(v)) => *v = *c.get(i)?,
             (Self::Optional(c), Slot::Sensitivities(list)) => {
                 list.extend(c.get(i)?.map(|v| (field.key().to_owned(), v)));
