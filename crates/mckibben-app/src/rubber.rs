@@ -194,7 +194,7 @@ fn of_curve(word: &str, window: &Window, l: &WindowLaw) -> LibraryFit {
         taken: means(word, None, &l.law, Some(window.fitted_to_stretch)),
         by_reach: means(word, Some(reach), &l.law, Some(window.fitted_to_stretch)),
         reach_up_to: Some(reach),
-        constants: columns(&l.law),
+        constants: l.law.columns(),
         shear_modulus_mpa: l.law.shear_modulus_mpa(),
         up_to_strain: Some(window.fitted_to_stretch - 1.0),
         r_squared: Some(l.r_squared),
@@ -225,17 +225,13 @@ fn as_published(word: &str, entry: &RubberEntry, fit: &RubberFit) -> LibraryFit 
         taken: alone && means(word, None, &fit.law, fitted),
         by_reach: alone && means(word, end, &fit.law, fitted),
         reach_up_to: end.filter(|_| alone),
-        constants: columns(&fit.law),
+        constants: fit.law.columns(),
         shear_modulus_mpa: fit.law.shear_modulus_mpa(),
         up_to_strain: fit.up_to_strain,
         r_squared: fit.r_squared,
         fitted: None,
         fit: fit.law.clone(),
     }
-}
-
-fn columns(law: &Law) -> BTreeMap<String, f64> {
-    law.constants().into_iter().map(|c| (c.column(), c.value)).collect()
 }
 
 /// max |P − P_best| over max |P_best| of stretches from 1 to `end`.

@@ -30,7 +30,7 @@ mod standing;
 mod warning;
 
 pub use data::{ReadOptions, read_tension, read_tests};
-pub use fitted::{FittedLaw, ModeError, Parameter};
+pub use fitted::{FittedLaw, LawQuality, ModeError, Parameter};
 pub use form::Form;
 pub use held_out::HeldOutError;
 pub use mode::Mode;
@@ -43,7 +43,7 @@ use super::stability::MUSCLE_HOOP_STRETCH;
 use crate::budget::Exceeded;
 use crate::progress::{Progress, Silent};
 use problem::Problem;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// What is wanted of a fit.
@@ -136,15 +136,8 @@ pub enum TensionFitError {
     },
 }
 
-/// As data it is its message.
-impl Serialize for TensionFitError {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
 /// The laws of one set of tests.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct TensionFit {
     /// The points that were fitted.
     pub points: Vec<TensionPoint>,
@@ -207,7 +200,7 @@ pub fn fit_tension_with(
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
         return Err(TensionFitError::NoStiffness { modulus_mpa: problem.modulus_mpa });
     }
-    let fitted_to_stretch = problem.points.iter().map(TensionPoint::largest_stretch).fold(1.0, f64::max);
+    let fitted_to_stretch = problem.fitted_to_stretch();
     let (mut laws, mut failed) = (vec![], vec![]);
     for (done, form) in forms.iter().enumerate() {
         progress.report(done, forms.len());
@@ -221,7 +214,7 @@ pub fn fit_tension_with(
         problem.budget.ended()?;
     }
     // Free and stable of one law stay together.
-    laws.sort_by(|a, b| a[0].aicc.total_cmp(&b[0].aicc));
+    laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));
     let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
     for law in &mut laws {
         law.held_out = held_out::errors(&law.law, &held_out, settings.hoop_stretch);

@@ -14,13 +14,15 @@ mod softening;
 
 pub use bar::{Bar, TimePoint, read_history};
 pub use erf::{erf, erf_integral};
-pub use fit_prony::{PronyFit, fit_prony};
+pub use fit_prony::{BranchFit, PronyFit, fit_prony};
 pub use fit_softening::{SofteningFit, fit_softening};
 pub use prony::{Branch, Held, Prony};
 pub use softening::{OgdenRoxburgh, Softened};
 
+use super::Law;
 use super::fit::TensionFitError;
 use crate::least_squares::EstimateError;
+use serde::{Serialize, Serializer};
 use thiserror::Error;
 
 /// Why there is no rubber over time.
@@ -85,6 +87,11 @@ pub enum OverTimeError {
         /// Why.
         error: EstimateError,
     },
+}
+
+/// The constants of a law by their names.
+fn columns<S: Serializer>(law: &Law, serializer: S) -> Result<S::Ok, S::Error> {
+    law.columns().serialize(serializer)
 }
 
 #[cfg(test)]
