@@ -85,7 +85,7 @@ pub use fit::*;
 pub use identify::*;
 pub use joint::*;
 pub use json_size::JsonSize;
-pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
+pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
     AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, Unanswered, Wanted as WantedOfPoint,
     curve_columns, with_parameters,
