@@ -2,7 +2,7 @@
 
 pub use crate::muscle_fields::{MeasureValues, MuscleFields, NamedFields};
 pub use mckibben::muscle::Direction;
-pub use mckibben::table::{Columns, Understood, UnderstoodColumn};
+pub use mckibben_table::{Columns, Understood, UnderstoodColumn};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -12,19 +12,19 @@ use crate::warnings::largest_stretch;
 use crate::words::number;
 use mckibben::answer::Options;
 use mckibben::budget::Resource;
-use mckibben::identify::{
-    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Target,
-    identify_default, identify_with, try_laws,
-};
-use mckibben::least_squares::{EstimateError, Loss};
-use mckibben::measured::{
-    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
-};
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
+use mckibben_fit::identify::{
+    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Target,
+    identify_default, identify_with, try_laws,
+};
+use mckibben_fit::least_squares::{EstimateError, Loss};
+use mckibben_fit::measured::{
+    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
@@ -70,24 +70,11 @@ pub struct IdentifyRequest {
     /// Bounds of what is free: NAME=LOW:HIGH.
     pub bounds: Vec<String>,
     /// How residuals count.
-    pub loss: LossWord,
+    pub loss: Loss,
     /// Every law of the rubber is tried, with all of its constants free beside what else is.
     pub laws: bool,
     /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
-}
-
-/// How residuals count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum LossWord {
-    /// By their squares.
-    #[default]
-    Squares,
-    /// Those far off less (Huber).
-    Huber,
-    /// The largest most (sixth powers).
-    Largest,
 }
 
 /// What is done with the branches of the hysteresis.
@@ -265,7 +252,7 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         free: &free,
         fixed: &fixed,
         points: &points,
-        loss: request.loss.into(),
+        loss: request.loss,
         two_sided: request.two_sided,
     };
     model.admit(&muscle, &progress.budget())?;
@@ -459,16 +446,6 @@ fn in_one_line(parameters: &[Identified]) -> String {
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
     parameters.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
-impl From<LossWord> for Loss {
-    fn from(word: LossWord) -> Self {
-        match word {
-            LossWord::Squares => Self::Squares,
-            LossWord::Huber => Self::Huber,
-            LossWord::Largest => Self::Largest,
-        }
-    }
 }
 
 impl From<ParameterError> for Problem {

@@ -3,12 +3,14 @@
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Options;
-use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle, read_load};
+use mckibben::load::{Balance, Cycle, Load, LoadError, LoadTable, balances, cycle};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::units::short_numbers;
+use mckibben_table::read_load;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize, Serializer};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// What a muscle works against.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
@@ -28,10 +30,11 @@ impl LoadFields {
     pub(crate) fn resolve(&self, rest_length_mm: f64) -> Result<Option<Load>, Problem> {
         let Some(text) = &self.load else { return Ok(None) };
         let read = |file: &TextFile| -> Result<(String, LoadTable), Problem> {
-            let table = read_load(file.text.as_bytes(), rest_length_mm).map_err(|error| {
+            let bad = |error: &dyn fmt::Display| {
                 Problem::new(ProblemKind::Data, format!("{}: {error}", file.name), "").in_field("load_tables")
-            })?;
-            Ok((file.name.clone(), table))
+            };
+            let points = read_load(file.text.as_bytes(), rest_length_mm).map_err(|e| bad(&e))?;
+            Ok((file.name.clone(), LoadTable::new(points).map_err(|e| bad(&e))?))
         };
         let tables = self.load_tables.iter().map(read).collect::<Result<BTreeMap<_, _>, _>>()?;
         Load::parse(text, &|name| tables.get(name).cloned())

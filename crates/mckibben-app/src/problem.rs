@@ -2,16 +2,16 @@
 
 use mckibben::analysis::AnalysisError;
 use mckibben::budget::{Exceeded, Resource};
-use mckibben::design::{SpecError, SpreadError};
 use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
-use mckibben::table::TableError;
 use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
+use mckibben_design::{SpecError, SpreadError};
 use mckibben_fem::FemError;
+use mckibben_table::TableError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -9,12 +9,12 @@ use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
-use mckibben::rubber::fit::{
+use mckibben_fit::rubber::{
     FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, TensionFitError,
     fit_tension_with, read_tests,
 };
-use mckibben::rubber::over_time::{
-    OverTimeError, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
+use mckibben_fit::rubber_over_time::{
+    OverTimeFitError, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
 };
 use mckibben_report::Figure;
 use schemars::JsonSchema;
@@ -338,11 +338,11 @@ impl From<TensionFitError> for Problem {
     }
 }
 
-impl From<OverTimeError> for Problem {
-    fn from(error: OverTimeError) -> Self {
+impl From<OverTimeFitError> for Problem {
+    fn from(error: OverTimeFitError) -> Self {
         match error {
-            OverTimeError::Law(error) => error.into(),
-            OverTimeError::NotConverged { .. } => {
+            OverTimeFitError::Law(error) => error.into(),
+            OverTimeFitError::NotConverged { .. } => {
                 Self::new(ProblemKind::NotConverged, error.to_string(), "take `laws` with fewer constants")
             }
             _ => Self::new(ProblemKind::Fit, error.to_string(), ""),

@@ -1,14 +1,17 @@
 //! `validate`: verification against exact values, validation against measured muscles, and a sweep of random muscles.
 
+use crate::model::Model;
 use crate::problem::Problem;
 use mckibben::budget::Resource;
 use mckibben::joint;
+use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads;
 use mckibben::verification::Row;
 use mckibben_campaign::fit::held_out;
 use mckibben_fem::axisymmetric::sweep::{Sweep, SweepRow, question};
-use mckibben_fem::{validation, verification};
+use mckibben_fem::verification;
+use mckibben_fit::validation;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -47,7 +50,7 @@ pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<Va
     rows.extend(joint::verification::cases());
     rows.extend(mckibben_motion::verification::cases());
     rows.extend(held_out::cases());
-    rows.extend(validation::cases(progress)?);
+    rows.extend(validation::cases(&|muscle: &Muscle| Model::FE.build(muscle), progress)?);
     Ok(ValidateAnswer { cases: rows })
 }
 

@@ -4,7 +4,7 @@
 
 use mckibben::muscle::Rubber;
 use mckibben::prelude::*;
-use mckibben::rubber::fit::{FitSettings, ReadOptions, fit_tension, read_tension};
+use mckibben_fit::rubber::{FitSettings, ReadOptions, fit_tension, read_tension};
 use std::error::Error;
 
 /// Stretch and nominal stress in uniaxial tension; a file of your own needs the same two columns.

@@ -17,15 +17,15 @@ use crate::problem::Problem;
 use mckibben::analysis::{force_on, pressure_at};
 use mckibben::answer::Options;
 use mckibben::budget::{Exceeded, Resource};
-use mckibben::design::{
-    Build, Candidate, CandidatePoint, Models, OperatingPoint, Outcome, Spec, Spread, Sure, Tolerances,
-    design_joint, design_with, fits, is_doubtful, spread, to_be_sure,
-};
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::{CancelOnly, Progress};
 use mckibben::units::Values;
 use mckibben::warning::Warning;
+use mckibben_design::{
+    Build, Candidate, CandidatePoint, Models, OperatingPoint, Outcome, Spec, Spread, Sure, Tolerances,
+    design_joint, design_with, fits, is_doubtful, spread, to_be_sure,
+};
 use policy::ModelPolicy;
 use request::Search;
 

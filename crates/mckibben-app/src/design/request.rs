@@ -8,13 +8,13 @@ use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::design::{
-    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
-};
-pub use mckibben::design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
+use mckibben_design::{
+    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
+};
+pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,7 @@
 //! Tension tests with the laws fitted to them.
 
 use super::caption;
-use mckibben::rubber::fit::{FittedLaw, Mode, TensionFit, TensionPoint};
+use mckibben_fit::rubber::{FittedLaw, Mode, TensionFit, TensionPoint};
 use mckibben_report::{Axis, Figure, Panel, Series, Style};
 
 /// Most laws on one figure.

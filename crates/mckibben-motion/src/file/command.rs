@@ -5,8 +5,8 @@ use crate::command::Command;
 use crate::control::{Pid, PidOutput};
 use crate::drive::Target;
 use mckibben::muscle::file::{FileError, Section};
-use mckibben::table::{OverTime, read_over_time};
 use mckibben::units::{Dimension, Values, parse_quantity, parse_values};
+use mckibben_table::{OverTime, read_over_time};
 
 /// Keys of [command].
 pub(super) const KEYS: &[&str] = &[

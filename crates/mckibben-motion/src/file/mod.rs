@@ -7,10 +7,12 @@ use crate::air::Air;
 use crate::drive::{Actuator, Supply, Target};
 use crate::error::MotionError;
 use crate::viscoelastic::{Branch, Prony};
-use mckibben::load::{Load, read_load};
+use mckibben::load::{Load, LoadTable};
 use mckibben::muscle::file::{FileError, Problem, Section, Source};
 use mckibben::units::{Dimension, Values};
+use mckibben_table::read_load;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// What moves: its file, relative to the drive file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -290,8 +292,10 @@ fn line(section: &Section<'_>, base: Option<&DriveFile>, tables: &Tables) -> Res
     let mut read = BTreeMap::new();
     for name in Load::tables(text) {
         let Some(table) = tables.texts.get(name) else { continue };
-        let table = read_load(table.as_bytes(), tables.rest_length_mm)
-            .map_err(|error| said(section, "line", format!("is not a valid load: {name}: {error}")))?;
+        let said_of =
+            |error: &dyn fmt::Display| said(section, "line", format!("is not a valid load: {name}: {error}"));
+        let points = read_load(table.as_bytes(), tables.rest_length_mm).map_err(|e| said_of(&e))?;
+        let table = LoadTable::new(points).map_err(|e| said_of(&e))?;
         read.insert(name, table);
     }
     let line = Load::parse(text, &|name| read.get(name).cloned())

@@ -5,7 +5,7 @@
 //! else follows. All energies are in MPa (= N·mm/mm³) and vanish at rest.
 
 mod constant;
-pub mod fit;
+mod form;
 mod invariants;
 mod law;
 mod laws;
@@ -18,6 +18,7 @@ pub use constant::{
     Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, TermCounts, foreign,
     one_of_all,
 };
+pub use form::Form;
 pub use invariants::{InvariantDerivatives, InvariantLaw};
 pub use law::{LawError, LawVisitor};
 pub use laws::*;

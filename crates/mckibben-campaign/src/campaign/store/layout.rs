@@ -10,6 +10,8 @@ use mckibben_parquet::{Kind, Packing};
 pub struct Layout {
     /// Constants of the law: `c10_mpa`.
     pub(crate) constants: Vec<String>,
+    /// Other measures that vary: `seating_mm`.
+    pub(crate) measures: Vec<String>,
     /// Keys of the sensitivities: `tube.material.c10`.
     pub(crate) sensitivities: Vec<String>,
     /// Columns that it does not have; they read as nothing.
@@ -36,7 +38,7 @@ impl Field {
         match self.slot(&mut Row::default()) {
             Slot::Whole(_) => Kind::Int64,
             Slot::Count(_) => Kind::Int32,
-            Slot::Number(_) | Slot::Constants(_) => Kind::Double,
+            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Kind::Double,
             Slot::Optional(_) | Slot::Sensitivities(_) => Kind::Optional,
             Slot::Text(_) | Slot::Status(_) => Kind::Text,
         }
@@ -63,7 +65,7 @@ impl Field {
         match self.slot(row) {
             Slot::Number(v) => Some(*v),
             Slot::Optional(v) => *v,
-            Slot::Constants(list) => self.of(list),
+            Slot::Constants(list) | Slot::Measures(list) => self.of(list),
             _ => None,
         }
     }
@@ -72,11 +74,11 @@ impl Field {
 impl Layout {
     /// The columns of a plan's table.
     pub(crate) fn of(plan: &Plan) -> Self {
-        Self::new(plan.constants(), plan.sensitivities())
+        Self { measures: plan.measures(), ..Self::new(plan.constants(), plan.sensitivities()) }
     }
 
     pub(crate) fn new(constants: Vec<String>, sensitivities: Vec<String>) -> Self {
-        Self { constants, sensitivities, lacking: vec![] }
+        Self { constants, sensitivities, ..Self::default() }
     }
 
     /// All columns.
@@ -85,6 +87,7 @@ impl Layout {
             let one = |name: String, key: Option<String>| Field { name, column, key };
             match (column.slot)(&mut Row::default()) {
                 Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
+                Slot::Measures(_) => self.measures.iter().map(|k| one(k.clone(), None)).collect(),
                 Slot::Sensitivities(_) => {
                     let name = |k: &String| format!("d_force_d_{}", k.replace('.', "_"));
                     self.sensitivities.iter().map(|k| one(name(k), Some(k.clone()))).collect()

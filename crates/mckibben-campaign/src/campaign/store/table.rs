@@ -12,7 +12,9 @@ fn push(column: &mut Column, field: &Field, row: &mut Row) {
         (Column::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
         (Column::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
         (Column::Double(c), Slot::Number(v)) => c.push(*v),
-        (Column::Double(c), Slot::Constants(list)) => c.push(field.of(list).unwrap_or(0.0)),
+        (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+            c.push(field.of(list).unwrap_or(0.0));
+        }
         (Column::Optional(c), Slot::Optional(v)) => c.push(*v),
         (Column::Optional(c), Slot::Sensitivities(list)) => c.push(field.of(list)),
         (Column::Text(c), Slot::Text(v)) => c.push(Text::from(v.as_str())),
@@ -28,7 +30,9 @@ fn fill(column: &Column, i: usize, field: &Field, row: &mut Row) -> Option<Resul
         (Column::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
         (Column::Int32(c), Slot::Count(v)) => *v = u32::try_from(*c.get(i)?).unwrap_or(0),
         (Column::Double(c), Slot::Number(v)) => *v = *c.get(i)?,
-        (Column::Double(c), Slot::Constants(list)) => list.push((field.key().to_owned(), *c.get(i)?)),
+        (Column::Double(c), Slot::Constants(list) | Slot::Measures(list)) => {
+            list.push((field.key().to_owned(), *c.get(i)?));
+        }
         (Column::Optional(c), Slot::Optional(v)) => *v = *c.get(i)?,
         (Column::Optional(c), Slot::Sensitivities(list)) => {
             list.extend(c.get(i)?.map(|v| (field.key().to_owned(), v)));

@@ -1,8 +1,8 @@
 //! What was identified, for people.
 
 use crate::output::text::{Units, number, percent, table, understood};
-use mckibben::identify::Identification;
 use mckibben_app::{IdentifyAnswer, with_error_bar};
+use mckibben_fit::identify::Identification;
 
 /// The whole answer.
 pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {

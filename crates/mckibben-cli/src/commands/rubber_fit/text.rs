@@ -1,10 +1,10 @@
 //! What `rubber fit` tells people.
 
 use crate::output::text::{number, or_dash, pairs, percent, place, table, understood};
-use mckibben::rubber::fit::{FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter};
-use mckibben::rubber::over_time::{BranchFit, PronyFit, SofteningFit};
 use mckibben::rubber::{Law, MUSCLE_HOOP_STRETCH};
 use mckibben_app::{RubberFitAnswer, RubberFitRequest};
+use mckibben_fit::rubber::{FittedLaw, HeldOutError, Measure, Mode, ModeError, Parameter};
+use mckibben_fit::rubber_over_time::{BranchFit, PronyFit, SofteningFit};
 use std::path::Path;
 
 /// The law in words: `mooney-rivlin, held stable`.

@@ -83,7 +83,7 @@ fn exactly(name: &str) -> Option<(&'static RubberEntry, Option<&str>)> {
 }
 
 /// The laws that the data of a muscle's rubber, up to the stretches of this muscle, do not tell from the law that is recommended: that
-/// one and those of equal standing with it ([`TensionFit::of_equal_standing`](crate::rubber::fit::TensionFit::of_equal_standing)), but for
+/// one and those of equal standing with it (`TensionFit::of_equal_standing` of the fit), but for
 /// the muscle's own. What a muscle pulls with one and with another differs by what nobody knows from these data. Empty for rubbers without a
 /// curve. Nothing is fitted.
 pub fn of_equal_standing(muscle: &Muscle) -> Vec<Rubber> {
@@ -181,5 +181,5 @@ impl RubberEntry {
 
 /// Place of a law among all: sums of terms by their number.
 fn order(name: &str) -> usize {
-    crate::rubber::fit::Form::all().iter().position(|f| f.name() == name).unwrap_or(usize::MAX)
+    crate::rubber::Form::all().iter().position(|f| f.name() == name).unwrap_or(usize::MAX)
 }
