@@ -2,7 +2,8 @@
 
 use crate::Row;
 use crate::campaign::Plan;
-use crate::columns::{COLUMNS, Column, Slot};
+use crate::columns::{COLUMNS, Column, Role, Slot};
+use mckibben_parquet::{Kind, Packing};
 
 /// Which columns a table has: those of the plan, less those that a table of an older program lacks.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -30,6 +31,23 @@ impl Field {
     /// Where it stands in a row.
     pub(crate) fn slot<'a>(&self, row: &'a mut Row) -> Slot<'a> {
         (self.column.slot)(row)
+    }
+
+    /// What its values are.
+    pub(super) fn kind(&self) -> Kind {
+        match self.slot(&mut Row::default()) {
+            Slot::Whole(_) => Kind::Int64,
+            Slot::Count(_) => Kind::Int32,
+            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Kind::Double,
+            Slot::Optional(_) | Slot::Sensitivities(_) => Kind::Optional,
+            Slot::Text(_) | Slot::Status(_) => Kind::Text,
+        }
+    }
+
+    /// Its column in a file: what was asked repeats few values, and answers differ.
+    pub(super) fn parquet(&self) -> mckibben_parquet::Field {
+        let packing = if self.column.role == Role::Answer { Packing::Distinct } else { Packing::Repeated };
+        mckibben_parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
     }
 
     /// Its key in a group.
