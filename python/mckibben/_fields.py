@@ -69,8 +69,8 @@ class MuscleFields:
         density_kg_per_m3 : kg/m3
             Density ρ of the rubber, kg/m3.
         prestretch
-            Axial stretch with which the tube is mounted: L0 over its length before; all measures are those of the
-            mounted muscle.
+            Axial stretch of the mounted tube: L0 over its free length; all dimensions are those of the mounted
+            muscle.
         angle_deg : deg
             Angle θ0 of the strands to the axis at rest, degrees.
         rubber

@@ -1,7 +1,8 @@
 //! Fields that requests share.
 
-pub use crate::muscle_fields::{MeasureValues, MuscleFields, NamedFields};
+pub use crate::muscle_fields::{MuscleFields, NamedFields};
 pub use mckibben::muscle::Direction;
+pub use mckibben::muscle::measures::MeasureValues;
 pub use mckibben_table::{Columns, Understood, UnderstoodColumn};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

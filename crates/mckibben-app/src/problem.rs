@@ -9,7 +9,7 @@ use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
 use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
-use mckibben_design::{SpecError, SpreadError};
+use mckibben_design::{SpecError, SpreadError, ToleranceError};
 use mckibben_fem::FemError;
 use mckibben_table::TableError;
 use schemars::JsonSchema;
@@ -315,6 +315,12 @@ impl From<SpecError> for Problem {
 impl From<SpreadError> for Problem {
     fn from(error: SpreadError) -> Self {
         Self::new(ProblemKind::Tolerance, error.to_string(), "take smaller tolerances")
+    }
+}
+
+impl From<ToleranceError> for Problem {
+    fn from(error: ToleranceError) -> Self {
+        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field("tolerance")
     }
 }
 

@@ -21,7 +21,7 @@ fn shear_modulus() -> Result<f64, Box<dyn Error>> {
     for fitted in &fit.laws {
         let constants: Vec<String> =
             fitted.parameters.iter().map(|p| format!("{} {:.4} {}", p.name, p.value, p.unit)).collect();
-        println!("{:<14} R² {:.4}   {}", fitted.law.name(), fitted.r_squared, constants.join(", "));
+        println!("{:<14} R² {:.4}   {}", fitted.law.name(), fitted.quality.r_squared, constants.join(", "));
     }
     for warning in &fit.warnings {
         println!("mind: {warning}");

@@ -45,4 +45,4 @@ pub use spec::{
     BraidChoice, Build, Limits, Objective, OperatingPoint, SAFETY, Spec, SpecError, TorqueWanted,
 };
 pub use sure::{Searcher, Sure, is_doubtful, to_be_sure};
-pub use tolerance::{Spread, SpreadError, Tolerances, spread};
+pub use tolerance::{Spread, SpreadError, ToleranceError, Tolerances, spread};

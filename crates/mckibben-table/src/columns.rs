@@ -86,8 +86,7 @@ impl Vocabulary {
             let word = plain(name);
             let by_name = self.entries.iter().find(|e| e.name == word);
             let by_word = || {
-                let says =
-                    |e: &&Entry| e.own.contains(&&*word) || e.words().iter().any(|known| *known == word);
+                let says = |e: &&Entry| e.own.contains(&&*word) || e.words().contains(&word);
                 self.entries.iter().find(says)
             };
             let entry = by_name.or_else(by_word).ok_or_else(|| {

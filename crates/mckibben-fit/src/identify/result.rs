@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::parameter::Target;
 use crate::measured::{DataPoint, Quantity};
 use mckibben::muscle::{Bench, Direction, Muscle};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// One parameter with what the data say of it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -74,40 +74,50 @@ pub struct Spread {
 
 /// Everything that was identified.
 #[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Identification {
+    /// What was free, with its value and error.
+    pub parameters: Vec<Identified>,
+    /// Correlation of the parameters, row by row.
+    pub correlation: Vec<Vec<f64>>,
+    /// Root mean square of the residuals at the start, N.
+    pub rms_before_n: f64,
+    /// Root mean square of the residuals, N.
+    pub rms_n: f64,
+    /// Largest residual, N.
+    pub max_n: f64,
+    /// Standard deviation of one point: in N, or of stated errors.
+    pub deviation: f64,
+    /// Whether the points state their errors.
+    pub errors_stated: bool,
+    /// Points less parameters that lie on no bound.
+    #[serde(rename = "degrees_of_freedom")]
+    pub freedom: usize,
+    /// Residuals by branch, by what was read, and by table.
+    pub spreads: Vec<Spread>,
+    /// Points that were left out because the muscle was slack.
+    #[serde(rename = "slack_points", serialize_with = "count")]
+    #[cfg_attr(feature = "schema", schemars(with = "usize"))]
+    pub slack: Vec<DataPoint>,
+    /// The points that counted.
+    #[serde(skip)]
+    pub points: Vec<Fitted>,
     /// The muscle with the values found.
     #[serde(skip)]
     pub muscle: Muscle,
     /// The same, for rows of several muscles.
     #[serde(skip)]
     pub candidate: Candidate,
-    /// The parameters, in the order in which they were named.
-    pub parameters: Vec<Identified>,
-    /// Correlation ρ of the parameters.
-    pub correlation: Vec<Vec<f64>>,
-    /// The points that counted.
-    pub points: Vec<Fitted>,
-    /// Points left out because the bench read no force there.
-    pub slack: Vec<DataPoint>,
-    /// Root mean square of all residuals in N: at the start, and in the end.
-    pub rms_before_n: f64,
-    /// See above.
-    pub rms_n: f64,
-    /// Largest residual in N.
-    pub max_n: f64,
-    /// s: what is left for one point, in N or in units of the stated errors.
-    pub deviation: f64,
-    /// Whether the points state their errors.
-    pub errors_stated: bool,
-    /// Degrees of freedom: points less parameters.
-    pub freedom: usize,
-    /// By branch and by set of data.
-    pub spreads: Vec<Spread>,
     /// Sentences a user should read.
+    #[serde(skip)]
     pub notes: Vec<String>,
     /// The bench of the muscle, where points are of it: the ± that holds there.
     #[serde(skip)]
     pub bench: Option<Bench>,
+}
+
+fn count<S: Serializer>(points: &[DataPoint], serializer: S) -> Result<S::Ok, S::Error> {
+    points.len().serialize(serializer)
 }
 
 impl Identification {

@@ -12,6 +12,7 @@ use super::student::t95;
 use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
 use mckibben::budget::Budget;
 use nalgebra::{DMatrix, DVector, Dyn, Owned};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// What is to be made small: the residual of every point as a function of the unknowns.
@@ -31,16 +32,20 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
     }
 }
 
-/// How a point far off counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// Loss function of the residuals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LossWord"))]
 pub enum Loss {
-    /// By its square.
+    /// Sum of squares.
     #[default]
     Squares,
-    /// By its sixth power: what counts is the largest. Standard errors then say little.
-    Largest,
-    /// By its square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 \[huber1964\]).
+    // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 [huber1964]).
+    /// Huber: outliers count less.
     Huber,
+    // By the sixth power; standard errors then say little.
+    /// Sixth powers: the largest residual counts most.
+    Largest,
 }
 
 /// A minimum with its statistics. Matrices have one row and column an unknown.

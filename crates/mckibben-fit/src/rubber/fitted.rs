@@ -6,9 +6,10 @@ use super::point::TensionPoint;
 use super::problem::Problem;
 use super::{FitSettings, Raw, TensionFitError, linear, nonlinear, ogden};
 use crate::least_squares::{aicc, t95};
-use mckibben::rubber::Form;
-use mckibben::rubber::{ConstantValue, Law, LawConstants, Ogden, Stability, is_stable_at, muscle_stability};
-use serde::Serialize;
+use mckibben::rubber::{
+    ConstantValue, Form, Law, LawConstants, Ogden, RubberLaw, Stability, is_stable_at, muscle_stability,
+};
+use serde::{Serialize, Serializer};
 
 /// A constant.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -46,38 +47,72 @@ pub struct ModeError {
 
 /// A fitted law.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LawAnswer"))]
 pub struct FittedLaw {
     /// Which law.
+    #[serde(flatten, serialize_with = "names")]
+    #[cfg_attr(feature = "schema", schemars(with = "FormNames"))]
     pub form: Form,
     /// Whether it was held among the laws that are stable in a muscle.
     pub constrained: bool,
-    /// With its constants; they may be no sound rubber where `constrained` is false.
-    pub law: Law,
-    /// The constants.
+    /// Quality of the fit.
+    #[serde(flatten)]
+    pub quality: LawQuality,
+    /// Its constants.
     pub parameters: Vec<Parameter>,
+    /// Its errors by mode.
+    pub modes: Vec<ModeError>,
+    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
+    pub held_out: Vec<HeldOutError>,
+    /// The law with its constants; they may be no sound rubber where `constrained` is false.
+    #[serde(skip)]
+    pub law: Law,
+}
+
+/// Quality of the fit of a law, and its range of stability.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+pub struct LawQuality {
+    /// Shear modulus μ at rest, MPa.
+    pub shear_modulus_mpa: f64,
     /// R² of the nominal stresses.
     pub r_squared: f64,
     /// R² of the free fit, where this one was held.
     pub free_r_squared: Option<f64>,
-    /// Root mean square of the differences of nominal stress, in MPa.
+    /// Root mean square of the differences of nominal stress, MPa.
     pub rms_mpa: f64,
-    /// Root mean square of the differences over the measured stress, of points that pull; of general tests over the larger of the two
-    /// stresses that the neo-Hookean law which follows all points best has in that state.
+    // Of points that pull; of general tests over the larger of the two stresses that the neo-Hookean law which follows all points best
+    // has in that state.
+    /// Root mean square of the differences over the measured stress.
     pub relative_rms: f64,
-    /// Akaike's criterion, for laws fitted to the same points in the same way.
+    /// Akaike's criterion for small samples.
     pub aicc: f64,
-    /// One entry a test.
-    pub modes: Vec<ModeError>,
-    /// One entry a test that was held out, and one for their points in the states of a muscle.
-    pub held_out: Vec<HeldOutError>,
-    /// Over a muscle's stretches.
-    pub stability: Stability,
+    /// Largest principal stretch of the points.
+    pub fitted_to_stretch: f64,
+    /// Whether it is stable in a muscle.
+    pub stable: bool,
+    /// Hoop stretch from which on it is not.
+    pub unstable_from_hoop_stretch: Option<f64>,
+}
+
+/// A form as its two names.
+#[derive(Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+struct FormNames {
+    /// The law, as in muscle files.
+    law: &'static str,
+    /// The same with the number of its terms.
+    name: String,
+}
+
+fn names<S: Serializer>(form: &Form, serializer: S) -> Result<S::Ok, S::Error> {
+    FormNames { law: form.law(), name: form.name() }.serialize(serializer)
 }
 
 impl FittedLaw {
-    /// Whether it is stable in a muscle.
-    pub fn is_stable(&self) -> bool {
-        self.stability == Stability::Stable && self.law.clone().validated().is_ok()
+    /// Whether a muscle can be computed with it: stable there, and no C01 below zero.
+    pub fn is_trusted(&self) -> bool {
+        self.quality.stable && self.law.negative_c01_mpa().is_none()
     }
 
     /// How the law is held stable, where it is; in words behind its name.
@@ -107,10 +142,14 @@ pub(super) fn laws(
         judged(form, held, raw, problem, hoop)
     };
     let free = fit(false)?;
-    if free.is_stable() && free.law.negative_c01_mpa().is_none() {
+    if free.is_trusted() {
         return Ok(vec![free]);
     }
-    let beside = |held: FittedLaw| FittedLaw { free_r_squared: Some(free.r_squared), ..held };
+    let free_r_squared = Some(free.quality.r_squared);
+    let beside = |held: FittedLaw| {
+        let quality = LawQuality { free_r_squared, ..held.quality };
+        FittedLaw { quality, ..held }
+    };
     match fit(true).map(beside) {
         Ok(held) if settings.stable => Ok(vec![held]),
         Ok(held) => Ok(vec![free, held]),
@@ -162,20 +201,22 @@ fn judged(
     };
     let pulls: Vec<f64> = pulls.filter_map(relative).collect();
     let modes = Mode::ALL.into_iter().filter_map(|mode| of_mode(mode, &law, problem, hoop)).collect();
-    Ok(FittedLaw {
-        form,
-        constrained,
-        parameters,
+    let unstable_from_hoop_stretch = match muscle_stability(&law, hoop) {
+        Stability::Stable => None,
+        Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
+    };
+    let quality = LawQuality {
+        shear_modulus_mpa: law.shear_modulus_mpa(),
         r_squared: if spread > 0.0 { 1.0 - left / spread } else { 0.0 },
         free_r_squared: None,
         rms_mpa: (left / count).sqrt(),
         relative_rms: (pulls.iter().sum::<f64>() / pulls.len().max(1) as f64).sqrt(),
         aicc,
-        modes,
-        held_out: vec![],
-        stability: muscle_stability(&law, hoop),
-        law,
-    })
+        fitted_to_stretch: problem.fitted_to_stretch(),
+        stable: unstable_from_hoop_stretch.is_none() && law.clone().validated().is_ok(),
+        unstable_from_hoop_stretch,
+    };
+    Ok(FittedLaw { form, constrained, quality, parameters, modes, held_out: vec![], law })
 }
 
 fn of_mode(mode: Mode, law: &Law, problem: &Problem, hoop: f64) -> Option<ModeError> {

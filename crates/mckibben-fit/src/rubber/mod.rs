@@ -31,7 +31,7 @@ mod warning;
 mod windows;
 
 pub use data::{ReadOptions, read_tension, read_tests};
-pub use fitted::{FittedLaw, ModeError, Parameter};
+pub use fitted::{FittedLaw, LawQuality, ModeError, Parameter};
 pub use held_out::HeldOutError;
 pub use mckibben::rubber::Form;
 pub use mode::Mode;
@@ -46,7 +46,7 @@ use mckibben::budget::Exceeded;
 use mckibben::progress::{Progress, Silent};
 use mckibben::rubber::MUSCLE_HOOP_STRETCH;
 use problem::Problem;
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// What is wanted of a fit.
@@ -139,15 +139,8 @@ pub enum TensionFitError {
     },
 }
 
-/// As data it is its message.
-impl Serialize for TensionFitError {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
 /// The laws of one set of tests.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct TensionFit {
     /// The points that were fitted.
     pub points: Vec<TensionPoint>,
@@ -210,7 +203,7 @@ pub fn fit_tension_with(
     if !(problem.modulus_mpa > 0.0 && problem.modulus_mpa.is_finite()) {
         return Err(TensionFitError::NoStiffness { modulus_mpa: problem.modulus_mpa });
     }
-    let fitted_to_stretch = problem.points.iter().map(TensionPoint::largest_stretch).fold(1.0, f64::max);
+    let fitted_to_stretch = problem.fitted_to_stretch();
     let (mut laws, mut failed) = (vec![], vec![]);
     for (done, form) in forms.iter().enumerate() {
         progress.report(done, forms.len());
@@ -224,7 +217,7 @@ pub fn fit_tension_with(
         problem.budget.ended()?;
     }
     // Free and stable of one law stay together.
-    laws.sort_by(|a, b| a[0].aicc.total_cmp(&b[0].aicc));
+    laws.sort_by(|a, b| a[0].quality.aicc.total_cmp(&b[0].quality.aicc));
     let mut laws: Vec<FittedLaw> = laws.into_iter().flatten().collect();
     for law in &mut laws {
         law.held_out = held_out::errors(&law.law, &held_out, settings.hoop_stretch);

@@ -73,6 +73,11 @@ impl Problem {
         self.weights.iter().filter(|w| **w > 0.0).count()
     }
 
+    /// Largest principal stretch of the points.
+    pub fn fitted_to_stretch(&self) -> f64 {
+        self.points.iter().map(TensionPoint::largest_stretch).fold(1.0, f64::max)
+    }
+
     /// Largest I1 − 3 of the points.
     pub fn largest_i1_minus_3(&self) -> f64 {
         self.points.iter().map(TensionPoint::i1_minus_3).fold(0.0, f64::max)

@@ -4,7 +4,7 @@ use super::fitted::{FittedLaw, Parameter};
 use super::mode::Mode;
 use super::problem::Problem;
 use super::runs::Sorted;
-use mckibben::rubber::{RubberLaw, Stability};
+use mckibben::rubber::RubberLaw;
 use serde::{Serialize, Serializer};
 use std::fmt;
 
@@ -183,7 +183,7 @@ pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<TensionWarning> {
     if fitted.law.clone().validated().is_err() {
         let modulus_mpa = fitted.law.shear_modulus_mpa();
         out.push(TensionWarning::NoStiffness { law: law.clone(), modulus_mpa });
-    } else if let Stability::UnstableFrom { hoop_stretch } = fitted.stability {
+    } else if let Some(hoop_stretch) = fitted.quality.unstable_from_hoop_stretch {
         out.push(match fitted.law.locks_at() {
             Some(i1_minus_3) => TensionWarning::Locks { law: fitted.form.name(), hoop_stretch, i1_minus_3 },
             None => TensionWarning::Unstable { law: law.clone(), hoop_stretch: hoop_stretch.min(hoop) },

@@ -32,7 +32,7 @@ pub fn windows_of(points: &[TensionPoint]) -> Result<Vec<Window>, TensionFitErro
 
 fn of_fit(fit: &TensionFit, up_to_stretch: Option<f64>) -> Window {
     let equal = fit.of_equal_standing();
-    let best = fit.recommended.map_or(0.0, |i| fit.laws[i].aicc);
+    let best = fit.recommended.map_or(0.0, |i| fit.laws[i].quality.aicc);
     let mut laws: Vec<WindowLaw> = vec![];
     for i in fit.usable() {
         let l = &fit.laws[i];
@@ -48,9 +48,9 @@ fn of_fit(fit: &TensionFit, up_to_stretch: Option<f64>) -> Window {
                 _ => Standing::Behind,
             },
             held: l.constrained,
-            delta_aicc: (10.0 * (l.aicc - best)).round() / 10.0,
-            rms_mpa: digits(l.rms_mpa, 4),
-            r_squared: digits(l.r_squared, 5),
+            delta_aicc: (10.0 * (l.quality.aicc - best)).round() / 10.0,
+            rms_mpa: digits(l.quality.rms_mpa, 4),
+            r_squared: digits(l.quality.r_squared, 5),
             law: l.law.with_constants(|_, value| digits(value, 8)),
         });
     }

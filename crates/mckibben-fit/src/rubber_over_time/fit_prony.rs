@@ -10,29 +10,59 @@
 //! weighted by its samples; points that are weighted by the time they stand for are the caller's choice.
 
 use super::bar::check;
-use super::{Bar, OverTimeFitError, TimePoint};
+use super::{Bar, OverTimeFitError, TimePoint, columns};
 use crate::least_squares::{Loss, Unknown, estimate};
 use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
 use mckibben::rubber::over_time::{Branch, Prony};
 use mckibben::rubber::{Law, RubberLaw};
+use serde::Serialize;
 
-/// A law with its relaxation.
-#[derive(Debug, Clone, PartialEq)]
+/// A law that relaxes, from a uniaxial test over time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "PronyAnswer"))]
 pub struct PronyFit {
-    /// The law of long times, t → ∞.
-    pub long_time: Law,
-    /// The law at once, t → 0: moduli 1/(1 − Σg) times as large.
+    /// The law.
+    #[serde(rename = "law")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    pub form: Form,
+    /// Its constants at once (t → 0), moduli in MPa.
+    #[serde(serialize_with = "columns")]
+    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
     pub instantaneous: Law,
-    /// The series, over the instantaneous law.
-    pub prony: Prony,
-    /// Standard errors of the overstresses bᵢ = gᵢ/(1 − Σg); `None` where the data do not determine them.
-    pub overstress_errors: Vec<Option<f64>>,
-    /// Root mean square of the differences of nominal stress, in MPa.
+    /// Its constants after a long time (t → ∞): moduli are 1 − Σ share times those at once.
+    #[serde(serialize_with = "columns")]
+    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    pub long_time: Law,
+    /// The Prony series.
+    pub branches: Vec<BranchFit>,
+    /// Root mean square of the differences of nominal stress, MPa.
     pub rms_mpa: f64,
-    /// The same of the law without memory that follows all points best.
+    /// The same of the law without memory.
     pub elastic_rms_mpa: f64,
-    /// From the first point to the last, in s.
+    /// Length of the test, s.
     pub duration_s: f64,
+}
+
+/// A branch of a Prony series.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "BranchAnswer"))]
+pub struct BranchFit {
+    /// gᵢ: share of the instantaneous stress that relaxes.
+    pub share: f64,
+    /// τᵢ, s.
+    pub time_constant_s: f64,
+    /// gᵢ over 1 − Σ g: its share of the long-time stress.
+    pub overstress: f64,
+    /// Standard error of `overstress`; null where the data do not determine it.
+    pub overstress_standard_error: Option<f64>,
+}
+
+impl PronyFit {
+    /// The series, over the instantaneous law.
+    pub fn prony(&self) -> Prony {
+        let branch = |b: &BranchFit| Branch { share: b.share, time_constant_s: b.time_constant_s };
+        Prony { branches: self.branches.iter().map(branch).collect() }
+    }
 }
 
 /// The law with its moduli taken from the list, its other constants as they are.
@@ -114,15 +144,20 @@ pub fn fit_prony(history: &[TimePoint], form: Form, branches: usize) -> Result<P
     let (instantaneous, prony) = unpack(&found.x);
     let prony = prony.validated()?;
     let squares: f64 = found.residuals.iter().map(|r| r * r).sum();
+    let long_time = prony.long_time();
+    let branch = |(b, error): (&Branch, &f64)| BranchFit {
+        share: b.share,
+        time_constant_s: b.time_constant_s,
+        overstress: b.share / long_time,
+        overstress_standard_error: Some(*error).filter(|e| e.is_finite()),
+    };
     Ok(PronyFit {
-        long_time: instantaneous.scaled(prony.long_time()),
+        form,
+        long_time: instantaneous.scaled(long_time),
         instantaneous,
-        overstress_errors: (n..n + branches)
-            .map(|i| Some(found.standard_errors[i]).filter(|e| e.is_finite()))
-            .collect(),
-        prony,
+        branches: prony.branches.iter().zip(&found.standard_errors[n..]).map(branch).collect(),
         rms_mpa: (squares / points as f64).sqrt(),
-        elastic_rms_mpa: start.rms_mpa,
+        elastic_rms_mpa: start.quality.rms_mpa,
         duration_s,
     })
 }

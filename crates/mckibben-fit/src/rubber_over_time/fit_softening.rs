@@ -5,27 +5,50 @@
 //! that depend on the rate are taken for softening.
 
 use super::bar::check;
-use super::{Bar, OverTimeFitError, TimePoint};
+use super::{Bar, OverTimeFitError, TimePoint, columns};
 use crate::least_squares::{Loss, Unknown, estimate};
 use crate::rubber::{FitSettings, Form, Mode, TensionPoint, fit_tension};
 use mckibben::rubber::over_time::{OgdenRoxburgh, Prony};
 use mckibben::rubber::{Law, RubberLaw};
+use serde::Serialize;
 
-/// A law with its softening.
-#[derive(Debug, Clone, PartialEq)]
+/// A law that softens after its first loading, from a uniaxial test in the order of time.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "SofteningAnswer"))]
 pub struct SofteningFit {
-    /// The law of the first loading.
-    pub law: Law,
-    /// Its softening.
-    pub softening: OgdenRoxburgh,
-    /// Standard errors of r, m (MPa) and β, the law taken as known; `None` where the data do not determine them.
+    /// The law.
+    #[serde(rename = "law")]
+    #[cfg_attr(feature = "schema", schemars(with = "String"))]
+    pub form: Form,
+    /// Its constants on the first loading, moduli in MPa.
+    #[serde(serialize_with = "columns")]
+    #[cfg_attr(feature = "schema", schemars(with = "std::collections::BTreeMap<String, f64>"))]
+    pub first_loading: Law,
+    /// r: 1/r is the largest loss of stress.
+    pub r: f64,
+    /// m, MPa: spread of the loss over the energy.
+    pub m_mpa: f64,
+    /// β: the same as a share of the largest energy.
+    pub beta: f64,
+    /// Standard errors of r, m and β, the law taken as known; null where the data do not determine them.
     pub standard_errors: [Option<f64>; 3],
-    /// Points of the first loading, and below it.
-    pub points: (usize, usize),
-    /// Root mean square of the differences of nominal stress on the first loading and below it, in MPa.
-    pub rms_mpa: (f64, f64),
-    /// The largest energy of the test, in MPa.
-    pub w_max_mpa: f64,
+    /// Points of the first loading.
+    pub first_loading_points: usize,
+    /// Points below the largest energy so far.
+    pub later_points: usize,
+    /// Root mean square of the differences of nominal stress on the first loading, MPa.
+    pub first_loading_rms_mpa: f64,
+    /// The same of the later points.
+    pub later_rms_mpa: f64,
+    /// The largest energy of the test, MPa.
+    pub largest_energy_mpa: f64,
+}
+
+impl SofteningFit {
+    /// The softening, over the law of the first loading.
+    pub fn softening(&self) -> OgdenRoxburgh {
+        OgdenRoxburgh { r: self.r, m_mpa: self.m_mpa, beta: self.beta }
+    }
 }
 
 /// Fits a law and its softening to a history in the order of time.
@@ -94,13 +117,19 @@ pub fn fit_softening(history: &[TimePoint], form: Form) -> Result<SofteningFit, 
         (None, Some(error)) => return Err(OverTimeFitError::NotConverged { what: "softening", error }),
         (None, None) => return Err(OverTimeFitError::TooFew { points: later, duration_s: 0.0, branches: 0 }),
     };
-    let softening = OgdenRoxburgh { r: found.x[0], m_mpa: found.x[1], beta: found.x[2] }.validated()?;
+    let OgdenRoxburgh { r, m_mpa, beta } =
+        OgdenRoxburgh { r: found.x[0], m_mpa: found.x[1], beta: found.x[2] }.validated()?;
     Ok(SofteningFit {
-        softening,
+        form,
+        first_loading: law,
+        r,
+        m_mpa,
+        beta,
         standard_errors: [0, 1, 2].map(|i| Some(found.standard_errors[i]).filter(|e| e.is_finite())),
-        points: (first.len(), later),
-        rms_mpa: (fit.laws[0].rms_mpa, (squares / later as f64).sqrt()),
-        w_max_mpa,
-        law,
+        first_loading_points: first.len(),
+        later_points: later,
+        first_loading_rms_mpa: fit.laws[0].quality.rms_mpa,
+        later_rms_mpa: (squares / later as f64).sqrt(),
+        largest_energy_mpa: w_max_mpa,
     })
 }

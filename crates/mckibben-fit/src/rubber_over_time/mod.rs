@@ -8,12 +8,14 @@ mod fit_prony;
 mod fit_softening;
 
 pub use bar::{Bar, TimePoint, read_history};
-pub use fit_prony::{PronyFit, fit_prony};
+pub use fit_prony::{BranchFit, PronyFit, fit_prony};
 pub use fit_softening::{SofteningFit, fit_softening};
 
 use crate::least_squares::EstimateError;
 use crate::rubber::TensionFitError;
+use mckibben::rubber::Law;
 use mckibben::rubber::over_time::OverTimeError;
+use serde::{Serialize, Serializer};
 use thiserror::Error;
 
 /// Why no constants of rubber over time were found.
@@ -71,6 +73,11 @@ pub enum OverTimeFitError {
         /// Why.
         error: EstimateError,
     },
+}
+
+/// The constants of a law by their names.
+fn columns<S: Serializer>(law: &Law, serializer: S) -> Result<S::Ok, S::Error> {
+    law.columns().serialize(serializer)
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ fn law_of(
     let result = RubberFitResult {
         case: 0,
         fit: 0,
-        stable: taken.is_stable(),
+        stable: taken.quality.stable,
         parameters: taken.parameters,
         prony: vec![],
         groups: vec![],
@@ -91,7 +91,7 @@ pub(super) fn history(
         for (parameter, constant) in result.parameters.iter_mut().zip(constants) {
             (parameter.value, parameter.standard_error) = (constant.value, None);
         }
-        (law, prony) = (found.instantaneous, found.prony);
+        (law, prony) = (found.instantaneous.clone(), found.prony());
         result.prony = prony.branches.iter().map(|b| (b.share, b.time_constant_s)).collect();
     }
     let computed = Bar::new(&law, None, &prony).over(points)?;

@@ -12,7 +12,7 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
     out.push_str(&format!(
         "model {}, {} points of {}\n{}\n\n",
         answer.model,
-        found.points.len(),
+        answer.points.len(),
         answer.data,
         answer.muscle.line(u)
     ));
@@ -39,7 +39,7 @@ pub fn of(answer: &IdentifyAnswer, u: &Units) -> String {
         force(found.rms_before_n),
         force(found.max_n)
     ));
-    let largest = found.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
+    let largest = answer.points.iter().map(|p| p.point.at.force_n).fold(0.0, f64::max);
     if largest > 0.0 {
         out.push_str(&format!("; the largest force is {}", u.force.show(largest)));
     }

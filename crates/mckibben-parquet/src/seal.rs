@@ -8,46 +8,48 @@
 //! one form as bytes (and it would be copied along with the metadata by programs that changed the rows); a second file gets lost,
 //! or is left beside another table.
 
+use crate::write::Sink;
 use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 /// What every Parquet file begins and ends with.
-pub(super) const MAGIC: &[u8] = b"PAR1";
+pub(crate) const MAGIC: &[u8] = b"PAR1";
 /// Length of the seal.
-pub(super) const SEAL: usize = 32;
+pub(crate) const SEAL: usize = 32;
 const BEFORE: usize = MAGIC.len();
 
-/// Writes through and hashes; the bytes of the seal are left out.
-#[derive(Debug)]
-pub(super) struct Sealing<W> {
-    inner: W,
-    hash: Sha256,
+/// Writes through; of a file that is sealed it hashes what comes, and leaves out the bytes of the seal.
+pub(crate) struct Output<'a> {
+    inner: &'a mut dyn Sink,
+    hash: Option<Sha256>,
     at: usize,
 }
 
-impl<W: Write> Sealing<W> {
-    pub(super) fn new(inner: W) -> Self {
-        Self { inner, hash: Sha256::new(), at: 0 }
+impl<'a> Output<'a> {
+    pub(crate) fn new(inner: &'a mut dyn Sink, sealed: bool) -> Self {
+        Self { inner, hash: sealed.then(Sha256::new), at: 0 }
     }
-}
 
-impl<W: Write + Seek> Sealing<W> {
     /// Puts the seal in its place.
-    pub(super) fn seal(mut self) -> std::io::Result<W> {
+    pub(crate) fn finish(self) -> std::io::Result<()> {
         self.inner.flush()?;
-        self.inner.seek(SeekFrom::Start(BEFORE as u64))?;
-        self.inner.write_all(&self.hash.finalize())?;
-        self.inner.flush()?;
-        Ok(self.inner)
+        if let Some(hash) = self.hash {
+            self.inner.seek(SeekFrom::Start(BEFORE as u64))?;
+            self.inner.write_all(&hash.finalize())?;
+            self.inner.flush()?;
+        }
+        Ok(())
     }
 }
 
-impl<W: Write> Write for Sealing<W> {
+impl Write for Output<'_> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         let n = self.inner.write(bytes)?;
-        update(&mut self.hash, self.at, &bytes[..n]);
+        if let Some(hash) = &mut self.hash {
+            update(hash, self.at, &bytes[..n]);
+        }
         self.at += n;
         Ok(n)
     }
@@ -66,7 +68,7 @@ fn update(hash: &mut Sha256, at: usize, bytes: &[u8]) {
 
 /// Why a file is not as it was written.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Broken {
+pub enum Broken {
     /// It does not begin as Parquet does.
     NotParquet,
     /// It does not end as Parquet does.
@@ -76,7 +78,8 @@ pub(super) enum Broken {
 }
 
 impl Broken {
-    pub(super) fn words(&self) -> &'static str {
+    /// The same in words.
+    pub fn words(&self) -> &'static str {
         match self {
             Self::NotParquet => "it does not begin as a Parquet file does",
             Self::Cut => "it is cut off: it does not end as a Parquet file does",
@@ -88,7 +91,7 @@ impl Broken {
 }
 
 /// Whether a file begins and ends as Parquet does; the rest of it is not read.
-pub(super) fn check_ends(file: &mut File, length: u64) -> std::io::Result<Result<(), Broken>> {
+pub(crate) fn check_ends(file: &mut File, length: u64) -> std::io::Result<Result<(), Broken>> {
     let (mut head, mut tail) = ([0; BEFORE], [0; BEFORE]);
     file.seek(SeekFrom::Start(0))?;
     let n = file.read(&mut head)?;
@@ -105,7 +108,7 @@ pub(super) fn check_ends(file: &mut File, length: u64) -> std::io::Result<Result
 }
 
 /// Whether a file that ends as it should holds what was sealed.
-pub(super) fn check(file: &mut File) -> std::io::Result<Result<(), Broken>> {
+pub(crate) fn check(file: &mut File) -> std::io::Result<Result<(), Broken>> {
     let (mut hash, mut seal, mut at) = (Sha256::new(), [0; SEAL], 0);
     let mut buffer = vec![0; 1 << 16];
     file.seek(SeekFrom::Start(BEFORE as u64))?;
@@ -124,7 +127,10 @@ pub(super) fn check(file: &mut File) -> std::io::Result<Result<(), Broken>> {
 }
 
 /// The seal of a file that was checked.
-pub(crate) fn seal_of(path: &Path) -> std::io::Result<[u8; SEAL]> {
+///
+/// # Errors
+/// Those of the system.
+pub fn seal_of(path: &Path) -> std::io::Result<[u8; SEAL]> {
     let mut file = File::open(path)?;
     let mut seal = [0; SEAL];
     file.seek(SeekFrom::Start(BEFORE as u64))?;

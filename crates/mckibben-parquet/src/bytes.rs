@@ -4,9 +4,9 @@
 //! number is compared with the bytes that are there before the decoder meets it; what it panics of all the same is an error
 //! ([`guarded`]).
 
-use super::encode::{CODEC, GROUP};
-use super::thrift::{is_flat, page_sizes};
-use bytes::Bytes;
+use crate::thrift::{is_flat, page_sizes};
+use crate::write::{CODEC, GROUP};
+use ::bytes::Bytes;
 use parquet::basic::{Compression, Encoding};
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::errors::{ParquetError, Result};
@@ -33,12 +33,12 @@ const ROWS_PER_BYTE: u64 = 4;
 
 /// A file on the disk, or in memory.
 #[derive(Debug)]
-pub(super) enum Source {
+pub(crate) enum Source {
     File { file: File, length: u64 },
     Memory(Bytes),
 }
 
-pub(super) fn wrong<T>(why: impl Into<String>) -> Result<T> {
+pub(crate) fn wrong<T>(why: impl Into<String>) -> Result<T> {
     Err(ParquetError::General(why.into()))
 }
 
@@ -83,7 +83,7 @@ impl ChunkReader for Source {
 
 impl Source {
     /// The bytes of the metadata, or the last of them where they are longer than any that are read.
-    pub(super) fn footer(&self) -> Result<Bytes> {
+    pub(crate) fn footer(&self) -> Result<Bytes> {
         let length = self.len();
         let tail = self.get_bytes(length.saturating_sub(TAIL), TAIL.min(length) as usize)?;
         let size = tail.first_chunk().map_or(u64::MAX - TAIL, |size| u64::from(u32::from_le_bytes(*size)));
@@ -95,7 +95,7 @@ impl Source {
     }
 
     /// The metadata, which agree with themselves and with the length of the file.
-    pub(super) fn metadata(&self, bytes: &[u8]) -> Result<ParquetMetaData> {
+    pub(crate) fn metadata(&self, bytes: &[u8]) -> Result<ParquetMetaData> {
         let (length, size) = (self.len(), bytes.len() as u64);
         if size == METADATA || !is_flat(bytes) {
             return wrong("its metadata are not those of a list of columns");
@@ -119,8 +119,8 @@ impl Source {
         Ok(metadata)
     }
 
-    /// Whether a page stands where a campaign has its seal.
-    pub(super) fn begins_with_a_page(&self) -> bool {
+    /// Whether a page stands where a sealed file has its seal.
+    pub(crate) fn begins_with_a_page(&self) -> bool {
         self.get_bytes(4, 32).is_ok_and(|bytes| bytes.starts_with(&[0x15]) && page_sizes(&bytes).is_some())
     }
 
@@ -136,13 +136,13 @@ impl Source {
 }
 
 /// A codec that is not built in, of some column of a file.
-pub(super) fn foreign_codec(metadata: &ParquetMetaData) -> Option<Compression> {
+pub(crate) fn foreign_codec(metadata: &ParquetMetaData) -> Option<Compression> {
     let codecs = metadata.row_groups().iter().flat_map(|g| g.columns()).map(|c| c.compression());
     codecs.into_iter().find(|codec| ![Compression::UNCOMPRESSED, CODEC].contains(codec))
 }
 
 /// The number of rows of a group.
-pub(super) fn rows_of(group: &RowGroupMetaData) -> Result<usize> {
+pub(crate) fn rows_of(group: &RowGroupMetaData) -> Result<usize> {
     match usize::try_from(group.num_rows()) {
         Ok(rows) if rows <= GROUP => Ok(rows),
         _ => wrong(format!("a group of {} rows; none has more than {GROUP}", group.num_rows())),
@@ -150,9 +150,9 @@ pub(super) fn rows_of(group: &RowGroupMetaData) -> Result<usize> {
 }
 
 /// Pages of a column that hold no more values than rows are left.
-pub(super) struct Pages<P> {
-    pub(super) inner: P,
-    pub(super) rows: usize,
+pub(crate) struct Pages<P> {
+    pub(crate) inner: P,
+    pub(crate) rows: usize,
 }
 
 impl<P: PageReader> Pages<P> {
@@ -210,7 +210,7 @@ thread_local! {
 }
 
 /// Runs the decoder; a panic of it is an error, and silent.
-pub(super) fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
+pub(crate) fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     static HOOK: Once = Once::new();
     HOOK.call_once(|| {
         let usual = std::panic::take_hook();

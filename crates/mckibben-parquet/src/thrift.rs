@@ -96,7 +96,7 @@ impl Compact<'_> {
 }
 
 /// Uncompressed and compressed size in the header of a page, of which the first bytes are enough.
-pub(super) fn page_sizes(header: &[u8]) -> Option<(u64, u64)> {
+pub(crate) fn page_sizes(header: &[u8]) -> Option<(u64, u64)> {
     let (mut uncompressed, mut compressed) = (None, None);
     // It may end after the sizes.
     let _ = Compact(header).fields(DEPTH, &mut |t, id, kind| {
@@ -112,7 +112,7 @@ pub(super) fn page_sizes(header: &[u8]) -> Option<(u64, u64)> {
 
 /// Whether the schema in a file's metadata is a list of columns: a decoder descends into groups of columns as deep as they
 /// go, and makes room for as many as a group says that it has.
-pub(super) fn is_flat(metadata: &[u8]) -> bool {
+pub(crate) fn is_flat(metadata: &[u8]) -> bool {
     let mut flat = false;
     let read = Compact(metadata).fields(DEPTH, &mut |t, id, kind| {
         if (id, kind) != (2, LIST) {
