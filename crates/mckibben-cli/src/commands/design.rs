@@ -159,7 +159,7 @@ pub struct DesignArgs {
         help_heading = "Search space"
     )]
     pub length: Option<String>,
-    /// Spread of the winner's pull for ± tolerances of pressure, modulus, stiffness and the measures of the muscle (by their flags):
+    /// Spread of the pull of the best muscle for ± tolerances of pressure, modulus, stiffness and dimensions (named as their flags):
     /// wall=0.1mm,angle=1deg,modulus=10%
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
     pub tolerance: Option<String>,
