@@ -357,7 +357,7 @@ fn answers(
 /// k in N/mm from which the search begins where the strands do not stretch.
 const STIFF: f64 = 1e5;
 
-type Fitted = (Muscle, Vec<(FitConstant, f64)>);
+type FittedMuscle = (Muscle, Vec<(FitConstant, f64)>);
 
 /// The muscle with the constants that bring a model closest to the points, of those that the model knows.
 fn fitted(
@@ -366,7 +366,7 @@ fn fitted(
     direction: Direction,
     constants: &[FitConstant],
     points: &[MeasuredPoint],
-) -> Result<Fitted, Problem> {
+) -> Result<FittedMuscle, Problem> {
     let build = |m: &Muscle| model.build(m);
     // All points count, zeros among them.
     let points: Vec<DataPoint> =

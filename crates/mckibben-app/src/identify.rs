@@ -18,8 +18,8 @@ use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
 use mckibben_fit::identify::{
-    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Target,
-    identify_default, identify_with, try_laws,
+    Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, PointFit, Request,
+    Target, identify_default, identify_with, try_laws,
 };
 use mckibben_fit::least_squares::{EstimateError, Loss};
 use mckibben_fit::measured::{
@@ -107,7 +107,7 @@ pub struct IdentifyAnswer {
     /// The points, with the values of the model.
     #[serde(serialize_with = "points")]
     #[schemars(with = "Vec<IdentifiedPoint>")]
-    pub points: Vec<Fitted>,
+    pub points: Vec<PointFit>,
     /// Fit of each rubber law, the best first; empty if it was not requested.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<LawRow>,
@@ -196,12 +196,12 @@ pub struct IdentifiedPoint {
     pub data: usize,
 }
 
-fn points<S: Serializer>(points: &[Fitted], serializer: S) -> Result<S::Ok, S::Error> {
+fn points<S: Serializer>(points: &[PointFit], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(points.iter().map(IdentifiedPoint::from))
 }
 
-impl From<&Fitted> for IdentifiedPoint {
-    fn from(f: &Fitted) -> Self {
+impl From<&PointFit> for IdentifiedPoint {
+    fn from(f: &PointFit) -> Self {
         let DataPoint { at, measured, section, line, set, .. } = f.point;
         let of = |quantity, read: f64| (measured == quantity).then_some(read + f.residual);
         Self {

@@ -10,7 +10,7 @@ use mckibben::budget::Resource;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben_fit::identify::Identified;
-use mckibben_fit::validation::case::{Case, CaseError, CaseFiles, Facts, Measurement, measurements};
+use mckibben_fit::validation::case::{CaseError, CaseFiles, Facts, Measurement, MuscleCase, measurements};
 use mckibben_fit::validation::report::{FitResult, Group, ReportError, report};
 use mckibben_fit::validation::rubber::RubberCase;
 use mckibben_report::Figure;
@@ -181,7 +181,7 @@ pub struct MeasuredBin {
 pub fn measured(request: &MeasuredRequest, progress: &dyn Progress) -> Result<MeasuredAnswer, Problem> {
     let own: Vec<Measurement> = request.cases.iter().map(read).collect::<Result<_, _>>()?;
     let all = if own.is_empty() { measurements().map_err(Problem::from)? } else { &own };
-    let cases: Vec<&Case> = all.iter().filter_map(Measurement::muscle).collect();
+    let cases: Vec<&MuscleCase> = all.iter().filter_map(Measurement::muscle).collect();
     let stretched: Vec<&RubberCase> = all.iter().filter_map(Measurement::rubber).collect();
     if request.figure.is_some() && cases.is_empty() {
         let message = "the figure shows measured muscles, and these cases are rubbers only: leave it out";
@@ -216,7 +216,7 @@ fn read(folder: &MeasuredFolder) -> Result<Measurement, Problem> {
     Measurement::read(&CaseFiles { name, case, muscle, points }).map_err(|error| (&error).into())
 }
 
-fn facts(number: usize, case: &Case, found: &[FitResult]) -> MeasuredCase {
+fn facts(number: usize, case: &MuscleCase, found: &[FitResult]) -> MeasuredCase {
     let fits = found.iter().filter(|r| r.case == number).map(|r| MeasuredFit {
         fit: case.fits[r.fit].name.clone(),
         fitted_to: r.fitted_to.clone(),
@@ -225,7 +225,7 @@ fn facts(number: usize, case: &Case, found: &[FitResult]) -> MeasuredCase {
     MeasuredCase { facts: (&case.facts).into(), points: case.points.len(), fits: fits.collect() }
 }
 
-fn result(cases: &[&Case], r: &FitResult, group: &Group) -> MeasuredResult {
+fn result(cases: &[&MuscleCase], r: &FitResult, group: &Group) -> MeasuredResult {
     let case = cases[r.case];
     let (means, branches) = (group.means, group.branches);
     let bins = group.by_contraction.iter().map(|(bin, left)| MeasuredBin {

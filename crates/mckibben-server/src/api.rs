@@ -124,7 +124,7 @@ pub async fn start(
 ) -> Result<Response, Refusal> {
     let asked = asked(&state, command, &headers, body).await?;
     let place = state.jobs.enter()?;
-    // What can be refused at once is, and not told as a job that failed.
+    // A wrong request is refused at once; it does not become a failed job.
     let check = move |progress: &dyn Progress| -> Result<Question, Refusal> {
         let question = asked.read(&progress.budget())?;
         question.command.check(&question.request)?;

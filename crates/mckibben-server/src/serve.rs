@@ -34,7 +34,7 @@ use tokio_io_timeout::TimeoutStream;
 use tower_http::compression::predicate::{DefaultPredicate, NotForContentType, Predicate};
 use tower_http::compression::{CompressionLayer, CompressionLevel};
 
-/// After the wish to end, connections have this long to be told.
+/// After the wish to end, connections have this time to be notified.
 pub const GRACE: Duration = Duration::from_millis(1200);
 /// The wish is looked for this often.
 const TICK: Duration = Duration::from_millis(50);
@@ -152,7 +152,7 @@ pub async fn serve(
     }
     drop(listener);
     stopper.send_replace(true);
-    // Who has not been told by then is left.
+    // Connections that were not notified by then are closed.
     let _ = timeout(GRACE, async { while connections.join_next().await.is_some() {} }).await;
     Ok(())
 }

@@ -24,7 +24,7 @@ pub struct Gate {
 
 /// A place in the queue.
 #[derive(Debug)]
-pub struct Place {
+pub struct QueueSlot {
     turns: Arc<Semaphore>,
     held: Vec<OwnedSemaphorePermit>,
 }
@@ -37,14 +37,14 @@ impl Gate {
     }
 
     /// A place, where there is one.
-    pub fn enter(&self) -> Result<Place, Refusal> {
+    pub fn enter(&self) -> Result<QueueSlot, Refusal> {
         let place = Arc::clone(&self.places).try_acquire_owned();
         let place = place.map_err(|_| Refusal::busy("too many requests are waiting"))?;
-        Ok(Place { turns: Arc::clone(&self.turns), held: vec![place] })
+        Ok(QueueSlot { turns: Arc::clone(&self.turns), held: vec![place] })
     }
 }
 
-impl Place {
+impl QueueSlot {
     /// Waits for the turn; who drops the place leaves the queue.
     pub async fn turn(&mut self) -> Result<(), Refusal> {
         let turn = Arc::clone(&self.turns).acquire_owned().await.map_err(|_| Refusal::ending())?;
@@ -124,7 +124,7 @@ impl Asked {
 
 /// Work on a thread of its own in its turn; ended when this future is dropped or the server ends.
 pub async fn worked<T: Send + 'static>(
-    mut place: Place,
+    mut place: QueueSlot,
     mut stopping: watch::Receiver<bool>,
     limits: Limits,
     report: impl Fn(usize, usize) + Send + Sync + 'static,

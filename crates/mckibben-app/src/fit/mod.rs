@@ -14,7 +14,7 @@ use mckibben::formula::{Document, Form, Made, UniversalFormula};
 use mckibben::model::ModelKind;
 use mckibben::progress::Progress;
 use mckibben_campaign::fit::tables::{Table, tables};
-use mckibben_campaign::fit::{FitError, Fitted, Method, Request, Rules, SlackRule, ThinRule, make};
+use mckibben_campaign::fit::{FitError, FittedFormula, Method, Request, Rules, SlackRule, ThinRule, make};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -88,7 +88,7 @@ pub struct FitAnswer {
     pub failed: usize,
     /// What the methods for muscles of one make found on their way.
     #[serde(skip)]
-    pub fitted: Option<Fitted>,
+    pub fitted: Option<FittedFormula>,
 }
 
 /// A figure among several.

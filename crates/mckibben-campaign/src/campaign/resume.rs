@@ -1,7 +1,7 @@
 //! What is there already, and whether it belongs to a plan.
 
 use super::CampaignError;
-use super::merge::Place;
+use super::merge::PartSource;
 use super::run::{Counts, Outcome, Recomputed};
 use super::store::{Folder, Opened, Provenance, Which};
 use mckibben::threads::Threads;
@@ -50,7 +50,7 @@ fn foreign(error: CampaignError) -> CampaignError {
 }
 
 /// The parts that are there and whole, and those that are damaged, with what is wrong with them.
-pub(super) type There = (BTreeMap<u64, Place>, Vec<Recomputed>);
+pub(super) type There = (BTreeMap<u64, PartSource>, Vec<Recomputed>);
 
 /// Looks through the parts in a folder, all of them with their bytes. With `overwrite` those that are not of this plan are
 /// taken for damaged.
@@ -76,7 +76,7 @@ pub(super) fn there(
     let (mut whole, mut damaged) = (BTreeMap::new(), vec![]);
     for ((number, path), checked) in parts.into_iter().zip(checked) {
         match checked? {
-            None if mine(&number) => drop(whole.insert(number, Place::File(path))),
+            None if mine(&number) => drop(whole.insert(number, PartSource::File(path))),
             None => {}
             Some(_) if mine(&number) && overwrite && number >= provenance.parts() => folder.discard(&path)?,
             Some(cause) if mine(&number) => damaged.push(Recomputed { file: path, cause }),

@@ -2,7 +2,7 @@
 
 use super::CampaignError;
 use super::store::{Field, Folder, Opened, Provenance, Which};
-use crate::Row;
+use crate::PointRow;
 use crate::columns::Role;
 use mckibben::status::Status;
 use serde::Serialize;
@@ -82,7 +82,7 @@ impl Summary {
         }
     }
 
-    fn add(&mut self, mut row: Row, fields: &[Field]) {
+    fn add(&mut self, mut row: PointRow, fields: &[Field]) {
         self.points += 1;
         self.iterations += u64::from(row.iterations);
         if row.status.is_ok() {

@@ -28,7 +28,7 @@ pub const EXAMPLES: &str = "Examples:
 /// Help of `--law`.
 fn laws() -> String {
     let mut words: Vec<String> = Form::words();
-    // Numbers of terms are told as a range.
+    // Numbers of terms are shown as a range.
     let terms: Vec<String> = words.extract_if(.., |w| w.ends_with(|c: char| c.is_ascii_digit())).collect();
     let range = match (terms.first(), terms.last()) {
         (Some(first), Some(last)) => format!(" (or {first} to {last})"),

@@ -215,7 +215,7 @@ const FLAGS: &[Case] = &[
     ("half a range", "curve isobaric -p 0..", 2, "quantity", "the value is empty"),
     ("an empty list", "curve isobaric -p ,", 2, "quantity", "the value is empty"),
     ("a hole in a list", "curve isobaric -e 0,,0.1", 2, "quantity", "the value is empty"),
-    ("a reversed range", "curve isobaric -p 0.2..0.1", 2, "range", "runs backwards"),
+    ("a reversed range", "curve isobaric -p 0.2..0.1", 2, "range", "is reversed"),
     ("no step", "curve isobaric -p 0..0.2:0", 2, "range", "must be above zero"),
     ("a step back", "curve isobaric -p 0..0.2:-0.1", 2, "range", "must be above zero"),
     ("a step without range", "curve isobaric -p 0.2:0.1", 2, "range", "low..high:step"),

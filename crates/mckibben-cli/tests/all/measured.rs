@@ -50,8 +50,8 @@ fn what_is_no_case_is_told() {
     }
     let text = std::fs::read_to_string(case.join("case.toml")).unwrap();
     std::fs::write(case.join("case.toml"), text.replace("unknown =", "unknwon =")).unwrap();
-    let told = said(&format!("validate --measured {}", dir.path().display()));
-    assert!(told.contains("mine/case.toml: `unknwon` is not known"), "{told}");
+    let message = said(&format!("validate --measured {}", dir.path().display()));
+    assert!(message.contains("mine/case.toml: `unknwon` is not known"), "{message}");
 }
 
 /// The validation report of a rubber agrees with `rubber fit` of the same points, mode by mode, and over time branch by branch.

@@ -2,7 +2,7 @@
 //!
 //! Bricks are C3D8 (C3D20 and C3D27 do not exist or do not converge there), strands are SPRINGA, whose force k (l − L) is that of a
 //! truss with engineering strain and k = E A/L. Laws are those of *HYPERELASTIC: W = U(Ī1, Ī2) + (J − 1)²/D1 with
-//! D1 = 2/K; Ogden's are written there as 2 μi/αi². What is told of the mesh stands in comments `** key = value`.
+//! D1 = 2/K; Ogden's are written there as 2 μi/αi². Data of the mesh are in comments `** key = value`.
 
 use crate::FemError;
 use crate::three_dimensional::{Brick, ThreeDimensional};

@@ -3,7 +3,7 @@
 use super::error::IdentifyError;
 use super::parameter::Target;
 use super::problem::Build;
-use super::result::{Fitted, Identification};
+use super::result::{Identification, PointFit};
 use super::run::distinct;
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
@@ -310,9 +310,9 @@ fn misfit(found: &Identification) -> Option<String> {
 }
 
 /// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the correlation ρ of their residuals, −1 to 1.
-pub(super) fn neighbours(points: &[Fitted]) -> (usize, f64) {
-    let mut order: Vec<&Fitted> = points.iter().collect();
-    let key = |f: &Fitted| {
+pub(super) fn neighbours(points: &[PointFit]) -> (usize, f64) {
+    let mut order: Vec<&PointFit> = points.iter().collect();
+    let key = |f: &PointFit| {
         let s = &f.point.section;
         let branch = f64::from(f.point.at.branch as u8);
         let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
@@ -334,7 +334,7 @@ pub(super) fn neighbours(points: &[Fitted]) -> (usize, f64) {
 
 /// Residuals of neighbours that resemble each other: the model misses in a pattern, and the standard errors, which take
 /// residuals for noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
-fn pattern(points: &[Fitted]) -> Option<String> {
+fn pattern(points: &[PointFit]) -> Option<String> {
     let (pairs, rho) = neighbours(points);
     // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
     if pairs < 10 || rho < 3.0 / (pairs as f64).sqrt() {

@@ -293,9 +293,9 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
     let mut lost = vec![false; m];
     if let Some(v) = &svd.v_t {
         for (k, &sigma) in svd.singular_values.iter().enumerate() {
-            let told = sigma > 1e-10 * largest && sigma > 0.0;
+            let determined = sigma > 1e-10 * largest && sigma > 0.0;
             for a in 0..m {
-                if !told {
+                if !determined {
                     lost[a] |= v[(k, a)].abs() > 1e-3;
                     continue;
                 }
@@ -323,8 +323,8 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
         row[i] = 1.0;
     }
     let half_widths: Vec<f64> = standard_errors.iter().map(|s| t95(freedom) * s).collect();
-    let told = |i: usize| !at_bound[i] && half_widths[i] <= unknowns[i].scale;
-    let identifiable = (0..x.len()).map(told).collect();
+    let determined = |i: usize| !at_bound[i] && half_widths[i] <= unknowns[i].scale;
+    let identifiable = (0..x.len()).map(determined).collect();
     Ok(Estimate {
         x,
         standard_errors,

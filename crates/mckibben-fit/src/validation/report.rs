@@ -1,6 +1,6 @@
 //! The validation report of a measured muscle: the errors of each fit at the points it was fitted to and at the points it predicts.
 
-use super::case::{Case, Fitted};
+use super::case::{FittedSubset, MuscleCase};
 use super::residual::{Left, Residual, compared, fitted, residuals};
 use super::split::{Training, same, trainings};
 use crate::identify::{Build, Identified, IdentifyError};
@@ -88,7 +88,7 @@ const BIN: f64 = 0.05;
 /// # Errors
 /// [`ReportError`].
 pub fn report<B: Build>(
-    cases: &[&Case],
+    cases: &[&MuscleCase],
     build: &B,
     progress: &dyn Progress,
 ) -> Result<Vec<FitResult>, ReportError> {
@@ -122,7 +122,7 @@ impl Progress for CancelOnly<'_> {
 }
 
 fn run<B: Build>(
-    (case, means): (&Case, &[DataPoint]),
+    (case, means): (&MuscleCase, &[DataPoint]),
     (number, fit_number): (usize, usize),
     training: &Training,
     build: &B,
@@ -157,7 +157,7 @@ fn run<B: Build>(
     if let Some(by) = training.by {
         let values = by.values(&others, &fit.muscle);
         // One value each, or all that lie outside of a range.
-        let ranged = matches!(fit.split.map(|s| s.fitted), Some(Fitted::Range(..)));
+        let ranged = matches!(fit.split.map(|s| s.fitted), Some(FittedSubset::Range(..)));
         if ranged && !values.is_empty() {
             groups.push(group(by.label(&values), true, &|p| !training.holds(p, &fit.muscle)));
         } else {

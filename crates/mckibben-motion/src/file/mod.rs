@@ -378,7 +378,7 @@ mod tests {
             (format!("{HEAD}[command]\nuntil = '1 s'\n"), "what is commanded"),
             (
                 format!("{HEAD}[command]\npressure = [['1 s', '1 bar'], ['0 s', '2 bar']]\nuntil = '1 s'\n"),
-                "must grow",
+                "must increase",
             ),
             (format!("{HEAD}[command]\npressure = [['1 s']]\nuntil = '1 s'\n"), "pairs"),
             (format!("{HEAD}[command]\npressure = 'NaN bar'\nuntil = '1 s'\n"), "command"),

@@ -136,9 +136,9 @@ fn wrong_files_are_named_with_their_key() {
     let (paper, global) =
         (formula(Body::Paper(Box::new(*Coefficients::published()))).to_json(), global().to_json());
     let cases = [
-        ("truncated", global[..global.len() / 2].to_owned(), "is no JSON"),
-        ("NaN", global.replace("1.1", "NaN"), "is no JSON"),
-        ("infinite", global.replace("1.1", "1e999"), "is no JSON"),
+        ("truncated", global[..global.len() / 2].to_owned(), "is not valid JSON"),
+        ("NaN", global.replace("1.1", "NaN"), "is not valid JSON"),
+        ("infinite", global.replace("1.1", "1e999"), "is not valid JSON"),
         (
             "null",
             global.replace("1.1", "null"),
@@ -225,7 +225,7 @@ fn numbers_that_no_muscle_has_are_refused() {
     // The terms are as they were written, and what stands at the check point is not what they give.
     let force = text.rfind("\"force_n\": ").unwrap() + 11;
     let error = Formula::parse(&format!("{}9{}", &text[..force], &text[force..])).unwrap_err().to_string();
-    assert!(error.contains("its check point says 9"), "{error}");
+    assert!(error.contains("its check point states 9"), "{error}");
     let error = edited(&text, "\"sha256\": \"", "\"sha256\": 1, \"old\": \"").unwrap_err().to_string();
     assert!(error.contains("`seal.sha256`: invalid type"), "{error}");
 }

@@ -134,7 +134,7 @@ fn no_inverse_that_exists_is_denied() {
         let direction = k.options.direction;
         let mut back =
             |p: f64, e: f64| force_on(model, w, p, e, direction).map_or(f64::INFINITY, |b| (b - f).abs());
-        let told = |what: &str, error: String| {
+        let failure = |what: &str, error: String| {
             format!(
                 "{what} {}: P {} ε {} F {f} {:?} {error}\n{:?}",
                 model.name(),
@@ -146,13 +146,15 @@ fn no_inverse_that_exists_is_denied() {
         };
         match p {
             Ok(p) if back(p, k.contraction) <= 1e-6 * k.scale_n => {}
-            Ok(p) => denied.push(told("pressure", format!("off by {} at {p}", back(p, k.contraction)))),
-            Err(error) => denied.push(told("pressure", error.to_string())),
+            Ok(p) => denied.push(failure("pressure", format!("off by {} at {p}", back(p, k.contraction)))),
+            Err(error) => denied.push(failure("pressure", error.to_string())),
         }
         match e {
             Ok(e) if back(k.pressure_mpa, e) <= 1e-6 * k.scale_n => {}
-            Ok(e) => denied.push(told("contraction", format!("off by {} at {e}", back(k.pressure_mpa, e)))),
-            Err(error) => denied.push(told("contraction", error.to_string())),
+            Ok(e) => {
+                denied.push(failure("contraction", format!("off by {} at {e}", back(k.pressure_mpa, e))))
+            }
+            Err(error) => denied.push(failure("contraction", error.to_string())),
         }
     }
     assert!(

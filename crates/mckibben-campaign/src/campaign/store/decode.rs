@@ -3,7 +3,7 @@
 use super::layout::Field;
 use super::provenance::{Provenance, Which};
 use super::table::Table;
-use crate::Row;
+use crate::PointRow;
 use crate::campaign::CampaignError;
 use mckibben_parquet::{Broken, OpenError, Reader, TableError};
 use std::path::{Path, PathBuf};
@@ -78,7 +78,7 @@ impl Opened {
     ///
     /// # Errors
     /// [`CampaignError::Damaged`].
-    pub(crate) fn row(&self, table: &Table, i: usize) -> Result<Row, CampaignError> {
+    pub(crate) fn row(&self, table: &Table, i: usize) -> Result<PointRow, CampaignError> {
         table.row(i).map_err(|e| CampaignError::damaged(&self.path, e))
     }
 }
