@@ -15,8 +15,8 @@ pub use named::{COVERING, USUAL_REACH, find, find_for, follows, is_known_from_on
 pub use window::{Standing, Window, WindowLaw};
 
 use super::{Law, Stability, biaxial_stability};
-use crate::muscle::Rubber;
 use crate::nearest::nearest;
+use crate::rubber::Rubber;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::OnceLock;
