@@ -1,7 +1,7 @@
 //! A muscle in requests: a file, names, and a field for each measure of [`mckibben::muscle::measures`].
 
-use crate::fields::{Stiffness, TextFile};
-use mckibben::muscle::measures::fields;
+use crate::fields::{InGroup, Stiffness, TextFile};
+use mckibben::muscle::measures::{Bounds, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{IgnoredAny, MapAccess, Visitor};
@@ -22,9 +22,13 @@ pub struct MuscleFields {
     pub measures: MeasureValues,
 }
 
+/// The group of fields to which those of a muscle belong.
+const GROUP: &str = "muscle";
+
 /// What of a muscle has a name, or completes one.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
+#[schemars(transform = InGroup(GROUP))]
 pub struct NamedFields {
     /// Muscle file (TOML); the other fields override what it says.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -164,7 +168,36 @@ impl<'de> Visitor<'de> for Fields {
 
 /// The schema of a measure's field.
 fn schema_of(measure: &Measure, more: &str) -> Value {
-    json!({ "description": measure.documentation(more), "type": ["number", "null"], "format": "double" })
+    let mut field = json!({
+        "description": measure.documentation(more), "type": ["number", "null"], "format": "double",
+        "x-group": GROUP, "x-key": measure.key,
+    });
+    if !measure.symbol.is_empty() {
+        field["x-symbol"] = measure.symbol.into();
+    }
+    if !measure.is_plain() {
+        field["x-quantity"] = json!(measure.dimension);
+        field["x-unit"] = measure.unit().into();
+    }
+    field
+}
+
+/// The same in a request, with the values that it may have and the one of a muscle that does not state it.
+fn requested(measure: &Measure) -> Value {
+    let mut field = schema_of(measure, "");
+    match measure.bounds {
+        Bounds::Positive => field["exclusiveMinimum"] = 0.0.into(),
+        Bounds::NotNegative => field["minimum"] = 0.0.into(),
+        Bounds::Between(low, high) => {
+            field["minimum"] = low.into();
+            field["maximum"] = high.into();
+        }
+        Bounds::OfPart => {}
+    }
+    if let Some(value) = Muscle::prototype().measure(measure).or(measure.default) {
+        field["default"] = value.into();
+    }
+    field
 }
 
 impl JsonSchema for MuscleFields {
@@ -179,8 +212,8 @@ impl JsonSchema for MuscleFields {
             _ => Map::new(),
         };
         let one = |name: &&str| {
-            let measure = Measure::of_field(name).map(|m| schema_of(m, ""));
-            Some(((*name).to_owned(), measure.or_else(|| named.remove(*name))?))
+            let field = Measure::of_field(name).map(requested).or_else(|| named.remove(*name))?;
+            Some(((*name).to_owned(), field))
         };
         let properties: Map<String, Value> = NAMES.iter().filter_map(one).collect();
         schema.insert("properties".into(), properties.into());
