@@ -93,11 +93,16 @@ def _parameter(command: str, name: str, schema: _schema.Schema, is_keyword: bool
 def _called(signature: Signature, name: str, about: str, owner: str, ask: Callable[[dict[str, Any]], Any]) -> Callable[..., Any]:
     """A function, or a method of an owner, of a signature, name and documentation; `ask` has its arguments by their names."""
 
+    known, first = signature.parameters.keys(), [p.name for p in signature.parameters.values() if p.kind is p.POSITIONAL_OR_KEYWORD]
+
     def called(*args: Any, **values: Any) -> Any:
-        try:
-            given = signature.bind(*args, **values).arguments
-        except TypeError as error:
-            raise TypeError(f"{name}() {error}") from None
+        given = {**dict(zip(first, args)), **values}
+        if len(given) != len(args) + len(values) or not given.keys() <= known or owner and not args:
+            # Slower, and it has the words for what is wrong.
+            try:
+                signature.bind(*args, **values)
+            except TypeError as error:
+                raise TypeError(f"{name}() {error}") from None
         return ask(given)
 
     called.__name__, called.__qualname__, called.__module__, called.__doc__ = name, owner + name, __name__, about
@@ -127,7 +132,8 @@ def _function(command: str, owner: str = "") -> Callable[..., Any]:
         *section("Returns", [entry(answer, _schema.doc(schema["answer"]) or "The answer.")]),
         *section("Raises", [entry("MckibbenError", "One of its classes says why there is no answer.")]),
     ]
-    defaults = {p.name: p.default for p in parameters if p.default is not None}
+    # What is left out is left to the program; these have a default here.
+    defaults = {name: default for (of, name), default in DEFAULTS.items() if of == command}
 
     def ask(given: dict[str, Any]) -> Any:
         values = {**defaults, **given}

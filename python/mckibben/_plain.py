@@ -13,7 +13,7 @@ from ._quantity import number, numbers
 
 def field(name: str, value: Any, schema: _schema.Schema) -> Any:
     """A field of a request, by its schema."""
-    kind, holds = _schema.quantity(schema), _schema.record_of(schema)
+    kind, holds = _schema.quantity(schema), None if isinstance(schema.get("type"), str) and "items" not in schema else _schema.record_of(schema)
     if holds == "TextFile" or name == "cases":
         read = measured if name == "cases" else table if name in TABLES else formula if name in FORMULAS else text
         return [read(v) for v in (value if isinstance(value, (list, tuple)) else [value])] if _schema.is_list(schema) else read(value)

@@ -143,7 +143,7 @@ def test_every_unit_is_one_of_pint() -> None:
         spelled = _quantity.unit_for_pint(name, kind)
         assert _quantity.number(name, unit.Quantity(1.0, spelled), kind) == 1.0, name
         with pytest.raises(mk.QuantityError):
-            _quantity.number(name, unit.Quantity(1.0, "kelvin"), kind)
+            _quantity.number(name, unit.Quantity(1.0, "candela"), kind)
     assert _quantity.number("slip_mm_per_n", 1 * unit.meter / unit.newton) == pytest.approx(1000)
 
 
