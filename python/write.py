@@ -21,9 +21,11 @@ from importlib.machinery import ExtensionFileLoader
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import Any
+from unittest.mock import MagicMock
 
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "python" / "mckibben"
+BRIDGES = ("jax", "torch")
 HEAD = "# Written by python/write.py from the schema.\n"
 TYPES = """
 from collections.abc import Mapping, Sequence
@@ -135,8 +137,8 @@ def reference() -> str:
     fields = inspect.getdoc(mckibben._muscle.Muscle.__init__) or ""
     out = ["# Python reference\n", "Made from the docstrings of the package. [The Python package](python.md) tells how they go together.\n"]
     parts = {"Objects": "_muscle _parts _model _formula _campaign _table", "Commands": "_commands", "Answers": "_columns _results _record", "Exceptions": "_problem _errors"}
-    bridges = [name for name in ("jax", "torch") if find_spec(name)]
-    for title, modules in [*parts.items(), *([("For JAX and PyTorch", " ".join(bridges))] if bridges else [])]:
+    bridges = [name for name in BRIDGES if name in sys.modules or find_spec(name)]
+    for title, modules in [*parts.items(), ("For JAX and PyTorch", " ".join(bridges))]:
         out.append(f"## {title}\n")
         for module in modules.split():
             for name, made in classes(import_module(f"mckibben.{module}")):
@@ -198,6 +200,9 @@ def main() -> None:
     if args.what == "stubs":
         stubs(args.place)
     else:
+        for name in (name for name in BRIDGES if not find_spec(name)):
+            # What it would be called with is described where it is not installed, too.
+            sys.modules.update({name: MagicMock(), f"{name}.numpy": MagicMock()})
         args.place.write_text(reference(), "utf-8")
 
 
