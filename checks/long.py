@@ -53,7 +53,7 @@ PARTS = {
         r"crates/mckibben-fem/src/(element|solver)/.*", r"crates/mckibben-fem/src/lanes.*", r"crates/mckibben/src/.*lanes.*",
     ], r"target_feature|lanes", ["bash checks/processors.sh"]),
     "wheel": ("the Python package from its wheel: types, stubs, tests, notebooks", [
-        r"pyproject\.toml", r"python/.*", r"crates/mckibben-python/.*", r"checks/wheel\.sh",
+        r"pyproject\.toml", r"python/.*", r"crates/mckibben-python/.*", r"checks/wheel\.sh", r"docs/contract\.txt",
     ], None, ["bash checks/wheel.sh"]),
     "engine": ("the page on its engine as WebAssembly", [
         r"web/(build|test)\.sh", r"web/page/js/engine/.*", r"crates/mckibben-wasm/.*", r"web/tests/engines\.mjs",
