@@ -81,7 +81,7 @@ impl MuscleFields {
         let strands = self.named.strand_diameter_mm.is_some() || self.named.strand_modulus_mpa.is_some();
         if strands && (self.named.braid.is_none() || self.named.stiffness.is_some()) {
             let message = "`strand_diameter_mm` and `strand_modulus_mpa` complete a named `braid`, in place of a `stiffness`";
-            return Err(Problem::new(ProblemKind::Usage, message, "other strands stand in a muscle file"));
+            return Err(Problem::new(ProblemKind::Usage, message, "state other strands in a muscle file"));
         }
         let mut braid = match self.named.braid.as_deref().map(sleeve).transpose()? {
             Some(sleeve) => {

@@ -85,7 +85,7 @@ fn computed(request: &PlanRequest, progress: &dyn Progress) -> Result<(PlanAnswe
     let plan = Plan::parse(&file.text).map_err(|e| e.of(Path::new(&file.name)))?;
     let points = plan.muscles().saturating_mul(plan.points_per_muscle() as u64);
     if points > MOST_POINTS {
-        let message = format!("{points} points are more than the {MOST_POINTS} that are held in memory");
+        let message = format!("{points} points exceed the limit of {MOST_POINTS} points in memory");
         return Err(Problem::new(
             ProblemKind::Budget,
             message,

@@ -177,11 +177,7 @@ impl Problem {
 
     /// A field that is there and would change nothing, with the reason, which names the other field.
     pub fn unused(field: &str, why: impl fmt::Display) -> Self {
-        Self::new(
-            ProblemKind::Usage,
-            format!("`{field}` would change nothing: {why}"),
-            "leave one of them out",
-        )
+        Self::new(ProblemKind::Usage, format!("`{field}` has no effect: {why}"), "leave one of them out")
     }
 
     /// Refuses fields that are there and would change nothing.
@@ -272,7 +268,7 @@ impl From<AnalysisError> for Problem {
             AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
                 hint = if nearest_force_n > force_n {
                     format!(
-                        "it still pulls where the range of {model} ends; fe and thick-wall have no such limit"
+                        "the muscle still pulls at the limit of the range of {model}; fe and thick-wall have no such limit"
                     )
                 } else {
                     "take more pressure, or a larger muscle".to_owned()

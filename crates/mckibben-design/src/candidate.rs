@@ -26,7 +26,7 @@ pub struct CandidatePoint {
 }
 
 impl CandidatePoint {
-    /// What was wanted.
+    /// The request.
     pub fn wanted(&self) -> OperatingPoint {
         OperatingPoint { force_n: self.response.force_n, contraction: self.response.contraction }
     }

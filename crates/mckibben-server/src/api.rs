@@ -27,7 +27,7 @@ impl<S: Send + Sync> FromRequestParts<S> for Name {
 
     async fn from_request_parts(parts: &mut Parts, state: &S) -> Result<Self, Refusal> {
         let name = Path::<String>::from_request_parts(parts, state).await;
-        name.map(|Path(name)| Self(name)).map_err(|_| Refusal::not_found("there is nothing at this address"))
+        name.map(|Path(name)| Self(name)).map_err(|_| Refusal::not_found("this address does not exist"))
     }
 }
 

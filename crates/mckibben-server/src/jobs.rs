@@ -231,7 +231,7 @@ impl Jobs {
 
     pub fn find(&self, id: &str) -> Result<Arc<Job>, Refusal> {
         self.kept().jobs.get(id).cloned().ok_or_else(|| {
-            let hint = "it may have been forgotten: answers are kept for a while";
+            let hint = "it may have expired: answers are kept for a limited time";
             Refusal::new(StatusCode::NOT_FOUND, "there is no such job", hint)
         })
     }

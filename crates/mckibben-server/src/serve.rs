@@ -104,7 +104,7 @@ fn routes(config: Config, stopping: watch::Receiver<bool>) -> Router {
         .route("/api/v1/jobs/{name}/events", get(api::events))
         .route("/api/v1/{command}", post(api::ask))
         .method_not_allowed_fallback(|| async {
-            let hint = "`GET /api/v1/openapi.json` says which there are";
+            let hint = "`GET /api/v1/openapi.json` lists them";
             Refusal::new(StatusCode::METHOD_NOT_ALLOWED, "there is no such method at this address", hint)
         })
         .fallback(page)

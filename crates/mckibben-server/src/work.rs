@@ -39,7 +39,7 @@ impl Gate {
     /// A place, where there is one.
     pub fn enter(&self) -> Result<Place, Refusal> {
         let place = Arc::clone(&self.places).try_acquire_owned();
-        let place = place.map_err(|_| Refusal::busy("too many requests wait already"))?;
+        let place = place.map_err(|_| Refusal::busy("too many requests are waiting"))?;
         Ok(Place { turns: Arc::clone(&self.turns), held: vec![place] })
     }
 }

@@ -7,7 +7,7 @@ use mckibben::model::Workspace;
 use mckibben_fit::identify::Build;
 use mckibben_fit::measured::{DataPoint, Section, mean_of_data};
 use mckibben_fit::validation::case::Case;
-use mckibben_fit::validation::dossier::FitResult;
+use mckibben_fit::validation::report::FitResult;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// Pressures of a panel at most; of more some are shown.

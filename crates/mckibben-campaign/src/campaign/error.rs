@@ -25,7 +25,7 @@ pub enum CampaignError {
         ours: String,
     },
     /// The store was made by another version of the program, whose numbers may differ.
-    #[error("{} was made by mckibben {theirs}, and this is {ours}", .path.display())]
+    #[error("{} was written by mckibben {theirs}, and this is version {ours}", .path.display())]
     OtherVersion {
         /// The store, or the file in it.
         path: PathBuf,
@@ -120,7 +120,7 @@ pub enum CampaignError {
         codec: String,
     },
     /// Something that is not of this campaign stands where a file of it would.
-    #[error("{} is not a file of a campaign ({why}), and would be lost", .path.display())]
+    #[error("{} is not a file of a campaign ({why}) and would be overwritten", .path.display())]
     Foreign {
         /// What stands there.
         path: PathBuf,
@@ -128,7 +128,7 @@ pub enum CampaignError {
         why: String,
     },
     /// A file that was not there when the campaign began.
-    #[error("{} has come since the campaign began, and would be lost", .path.display())]
+    #[error("{} was created after the campaign began and would be overwritten", .path.display())]
     Appeared {
         /// The file.
         path: PathBuf,
@@ -172,7 +172,7 @@ impl CampaignError {
             Self::Read { source: mckibben_files::ReadError::System(error), .. }
                 if error.kind() != std::io::ErrorKind::NotFound =>
             {
-                "the system did not let it be read; that does not mean that it is damaged"
+                "the operating system refused to read it; it is not necessarily damaged"
             }
             Self::Locked { .. } => "wait for it to end, or write to another place",
             Self::Damaged { .. } => {

@@ -25,7 +25,7 @@ pub struct RunOptions {
     pub threads: Option<usize>,
     /// What stands there and is not of this plan is replaced.
     pub overwrite: bool,
-    /// A plan of more than 10 GB or a day is begun.
+    /// Start even if the plan needs more than 10 GB or one day.
     pub yes: bool,
 }
 

@@ -33,7 +33,7 @@ pub struct Extent {
     pub largest: f64,
 }
 
-/// What a campaign holds.
+/// Contents of a campaign.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Summary {

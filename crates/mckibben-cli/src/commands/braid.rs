@@ -32,13 +32,13 @@ pub struct BraidShowArgs {
     /// Name
     #[arg(value_parser = SLEEVES, hide_possible_values = true)]
     pub name: String,
-    /// Only on a tube of this outer diameter
+    /// Show it only on a tube of this outer diameter
     #[arg(short = 'D', long, value_name = "DIAMETER", allow_hyphen_values = true)]
     pub outer_diameter: Option<String>,
-    /// Diameter of one strand, where the source does not state it
+    /// Diameter of one strand, if the source does not state it
     #[arg(long, value_name = "DIAMETER", allow_hyphen_values = true)]
     pub strand_diameter: Option<String>,
-    /// Young's modulus of a strand, where the source does not state it
+    /// Young's modulus of a strand, if the source does not state it
     #[arg(long, value_name = "MODULUS", allow_hyphen_values = true)]
     pub strand_modulus: Option<String>,
     #[command(flatten)]
@@ -68,7 +68,7 @@ fn list_text(answer: &BraidListAnswer) -> String {
     let row = |m: &MaterialSummary| vec![m.name.clone(), number(m.modulus_mpa * 1e-3, 4), m.title.clone()];
     let materials = table(&["strands of", "E [GPa]", ""], answer.materials.iter().map(row).collect());
     format!(
-        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. What is not stated has to be given for a stiffness. `mckibben braid show NAME` tells more.\n"
+        "{sleeves}\n{materials}\nD0: tubes on which a muscle of it contracts. A stiffness needs the data that are not stated. `mckibben braid show NAME` shows the details.\n"
     )
 }
 

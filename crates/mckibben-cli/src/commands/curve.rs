@@ -34,10 +34,10 @@ pub enum StudyWord {
 /// `curve`.
 #[derive(Debug, Args)]
 pub struct CurveArgs {
-    /// Which test
+    /// Kind of test
     #[arg(value_parser = word::<Test>(), required_unless_present = "study", conflicts_with = "study")]
     pub test: Option<Test>,
-    /// A study of the paper instead
+    /// Compute a study of the paper
     #[arg(long, value_enum, conflicts_with_all = ["pressure", "contraction", "force", "load"])]
     pub study: Option<StudyWord>,
     #[command(flatten)]
@@ -55,7 +55,7 @@ pub struct CurveArgs {
     pub force: Option<String>,
     #[command(flatten)]
     pub load: LoadFlag,
-    /// Both branches of the friction's hysteresis
+    /// Both branches of the friction hysteresis
     #[arg(long, conflicts_with = "study")]
     pub both: bool,
     #[command(flatten)]

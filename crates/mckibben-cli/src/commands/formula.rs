@@ -22,7 +22,7 @@ pub struct FormulaShowArgs {
     /// The formula (JSON), or the built-in `universal` or `universal-small`
     #[arg(value_name = "FILE.json")]
     pub file: PathBuf,
-    /// The equation with its numbers as LaTeX
+    /// Print the equation with its numbers as LaTeX
     #[arg(long)]
     pub latex: bool,
     #[command(flatten)]

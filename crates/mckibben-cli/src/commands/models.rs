@@ -14,7 +14,7 @@ pub const EXAMPLES: &str = "Examples:
 /// `models`.
 #[derive(Debug, Args)]
 pub struct ModelsArgs {
-    /// One model: where it comes from, and how its ± is known
+    /// One model: its source, and the basis of its ±
     #[arg(value_name = "NAME", value_parser = MODELS, hide_possible_values = true)]
     pub model: Option<String>,
     #[command(flatten)]

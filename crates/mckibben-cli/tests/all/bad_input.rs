@@ -38,7 +38,13 @@ const FLAGS: &[Case] = &[
         "or `inextensible`, or `paper`",
     ),
     // Pictures.
-    ("a picture as a page", "simulate -p 0.2 -e 0 --picture DIR/a.html", 2, "plot", "ends in .svg or .png"),
+    (
+        "a picture as a page",
+        "simulate -p 0.2 -e 0 --picture DIR/a.html",
+        2,
+        "plot",
+        "must end in .svg or .png",
+    ),
     (
         "a picture of something unknown",
         "simulate -p 0.2 -e 0 --picture DIR/a.svg --show colour",
@@ -217,7 +223,7 @@ const FLAGS: &[Case] = &[
     ("points without end", "curve isobaric -p 0..1:1e-300", 2, "range", "take a larger step"),
     ("many times many", "curve isobaric -p 0..0.25:1e-5 -e 0..0.2:1e-5", 2, "budget", "larger steps"),
     ("NaN in a range", "curve isobaric -p 0..NaN", 2, "quantity", "not a finite number"),
-    ("mixed units", "curve isobaric -p 1bar,2,3bar", 2, "range", "put one unit behind the last"),
+    ("mixed units", "curve isobaric -p 1bar,2,3bar", 2, "range", "put one unit after the last"),
     ("a wrong unit in a range", "curve isobaric -p 0..3:1mm", 2, "quantity", "a length"),
     ("percent in a curve", "curve isometric -e 0,5,10", 2, "quantity", "not a valid contraction ratio"),
     ("no test", "curve", 2, "usage", "<TEST>"),

@@ -171,7 +171,7 @@ fn a_formula_whose_numbers_make_no_sense_is_refused() {
         let line = line.replace('X', "wild.json");
         let result = run_in(dir.path(), &line.split(' ').collect::<Vec<_>>());
         assert!(
-            result.code == 2 && result.err.contains("its numbers make no sense"),
+            result.code == 2 && result.err.contains("its numbers are not plausible"),
             "{line}: {}",
             result.err
         );

@@ -118,7 +118,7 @@ fn data_that_cannot_be_right_are_refused_with_the_reason() {
         (table(|(p, e, f)| (p, 100.0 * e, f)), "", "contraction_percent"),
         (table(|(p, e, _)| (p, e, 0.0)), "", "(6 more read no force and were left out)"),
         (format!("{HEAD}1,0,242\n2,0,482\n"), "--free mu,braid.stiffness", "at least 3 are needed"),
-        (table(|r| r), "--free mo", "is nothing that can be identified"),
+        (table(|r| r), "--free mo", "cannot be identified"),
         (table(|r| r), "--free mu,mu", "named twice"),
         (table(|r| r), "--free mu --fix mu=3", "named twice"),
         (table(|r| r), "--free mu=1:2:3", "must lie between"),

@@ -140,7 +140,7 @@ fn what_cannot_be_is_said() {
     for (args, says) in [
         (["--port", &port], "hint: --port 0 takes any free port"),
         (["--port", "65536"], "65536 is not in 0..=65535"),
-        (["--address", "0.0.0.0"], "hint: say by which name or address others ask, as in --host-name"),
+        (["--address", "0.0.0.0"], "hint: give the name or address that clients use, such as --host-name"),
         (["--address", "192.0.2.1"], "--host-name"),
     ] {
         let run = ran(command(&root()).arg("serve").args(args).output().unwrap());

@@ -24,7 +24,7 @@ const CONTRACTION: f64 = 0.005;
 #[derive(Debug, Error)]
 pub enum DeckError {
     /// A law that decks do not know.
-    #[error("an input deck has no law \"{law}\"; it has {}", known())]
+    #[error("an input deck cannot describe the law \"{law}\"; it can describe {}", known())]
     Law {
         /// Its name.
         law: &'static str,
@@ -33,13 +33,13 @@ pub enum DeckError {
     #[error("an input deck needs strands that stretch: give the braid a stiffness")]
     Inextensible,
     /// Quadratic bricks.
-    #[error("an input deck is made of eight-node bricks")]
+    #[error("an input deck needs eight-node bricks")]
     Quadratic,
     /// A terminal that is a body.
-    #[error("an input deck has the rigid plane for a terminal: leave out `terminal`")]
+    #[error("an input deck has a rigid plane as the terminal: leave out `terminal`")]
     Plug,
     /// A tube that is stressed at rest.
-    #[error("an input deck begins from rubber without stress: leave out tube.prestretch")]
+    #[error("an input deck starts from unstressed rubber: leave out tube.prestretch")]
     Prestretch,
     /// No pressures, or pressures that fall or are not above zero.
     #[error("an input deck needs rising pressures above zero, the first of them {first_mpa} MPa here")]

@@ -49,9 +49,9 @@ pub struct Fitted {
     pub residual: f64,
     /// The same in N.
     pub residual_n: f64,
-    /// What it counted in the end.
+    /// Its final weight.
     pub weight: f64,
-    /// Whether it lies far off the others.
+    /// Whether it is an outlier.
     pub outlier: bool,
 }
 

@@ -13,7 +13,7 @@ const MUSCLE_STRETCH: f64 = 2.3;
 /// Shear moduli of rubbers, from soft gels to hard rubber, in MPa.
 const MODULI: (f64, f64) = (0.005, 20.0);
 
-/// What to mind.
+/// Warnings.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TensionWarning {
     /// Points behind a rupture were left out.
@@ -92,7 +92,7 @@ impl fmt::Display for TensionWarning {
             }
             Self::Loops { unloadings } => write!(
                 f,
-                "the specimen was unloaded {unloadings} times; the laws go through the middle of loading and unloading. The first loading is stiffer than later ones (Mullins): for a muscle that has been run in, keep one late loading to the stretch it sees"
+                "the specimen was unloaded {unloadings} times; the laws go through the middle of loading and unloading. The first loading is stiffer than later ones (Mullins): for a muscle that was run in, use one late loading alone, up to its largest stretch"
             ),
             Self::Modulus { modulus_mpa } => {
                 let unit = if *modulus_mpa > MODULI.1 {
@@ -108,10 +108,10 @@ impl fmt::Display for TensionWarning {
             }
             Self::Signs { points } => write!(
                 f,
-                "{points} points pull where the specimen is pressed together, or the other way round; the zero of force or length may be off"
+                "{points} points have tension where the specimen is compressed, or the reverse; check the zero of force and of length"
             ),
             Self::OneAxis => f.write_str(
-                "uniaxial tests alone: the wall of a muscle is stretched in two axes, where laws that agree in one differ; a planar or equibiaxial test decides",
+                "uniaxial tests alone: the wall of a muscle is stretched in two axes, where laws that agree in one axis differ; a planar or equibiaxial test distinguishes them",
             ),
             Self::Short { fitted_to_stretch, muscle_stretch } => write!(
                 f,
@@ -132,7 +132,7 @@ impl fmt::Display for TensionWarning {
                 write!(f, "{law}: the shear modulus at rest is {modulus_mpa:.3} MPa: no rubber")
             }
             Self::NotTold { law, names } => {
-                write!(f, "{law}: the data do not tell {}; other values fit as well", names.join(", "))
+                write!(f, "{law}: the data do not determine {}; other values fit equally well", names.join(", "))
             }
         }
     }

@@ -34,7 +34,7 @@ pub struct Facts {
     pub title: String,
     /// Who measured it.
     pub source: String,
-    /// On what terms the points may be used.
+    /// Terms of use of the points.
     pub terms: String,
     /// What is known of it.
     pub known: String,

@@ -235,7 +235,8 @@ pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileE
     // Errors of syntax with their places.
     let source = Source::parse(text)?;
     let wrong = |what: &str| source.error(dotted, Problem::Said(what.into()));
-    let mut document: toml_edit::DocumentMut = text.parse().map_err(|_| wrong("stands in no TOML"))?;
+    let mut document: toml_edit::DocumentMut =
+        text.parse().map_err(|_| wrong("cannot be written in TOML"))?;
     let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
     let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
     for part in parents.split('.').filter(|p| !p.is_empty()) {

@@ -84,14 +84,14 @@ impl fmt::Display for Reference {
             ),
             Self::RandomMuscles(Where::Ends { per_slenderness, stretching: true }) => write!(
                 f,
-                "{per_slenderness} D0/L0 of the blocked force holds {MUSCLES}, strand strain up to 6 %) {ELEMENTS}: the ends, which this model leaves out; it mostly promises too much"
+                "{per_slenderness} D0/L0 of the blocked force holds {MUSCLES}, strand strain up to 6 %) {ELEMENTS}: the ends, which this model leaves out; it mostly predicts too much pull"
             ),
             Self::RandomMuscles(Where::Ends { per_slenderness, stretching: false }) => write!(
                 f,
                 "{per_slenderness} D0/L0 of the blocked force holds {MUSCLES}) {ELEMENTS} with inextensible strands: the ends, which this model leaves out"
             ),
             Self::Equations => f.write_str(
-                "the equations that all other models are held against; of the mesh, its difference from a fine one at the point itself",
+                "the reference for all other models; mesh: the difference from a fine mesh at the same point",
             ),
             Self::ForceMap { muscle, points, rms_n, specimen } => {
                 let (the, differs) = match specimen {

@@ -263,7 +263,7 @@ fn beyond_the_braid_the_refusal_says_where_it_stops() {
     let error = pressure_at(&*model, w, 300.0, 0.4, options).unwrap_err();
     let AnalysisError::NoPressure { nearest_force_n, .. } = error else { panic!("{error}") };
     // 1 − 1/(√3 cos 28°) = 0.346
-    assert!(nearest_force_n == 0.0 && error.to_string().contains("stops at 34.6 %"), "{error}");
+    assert!(nearest_force_n == 0.0 && error.to_string().contains("contracts by 34.6 % at most"), "{error}");
 }
 
 /// A search ends with its budget.

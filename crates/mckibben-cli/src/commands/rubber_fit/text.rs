@@ -216,12 +216,14 @@ fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
     match answer.taken() {
         Some(law) => {
             let one = answer.laws.len() == 1;
-            let why =
-                if one { "stable in a muscle" } else { "the lowest AICc of those to be trusted in a muscle" };
+            let why = if one {
+                "stable in a muscle"
+            } else {
+                "the lowest AICc of the laws that are valid in a muscle"
+            };
             out.push_str(&format!("→ {}: {why}.\n", title(law)));
         }
-        None => out
-            .push_str("None of these laws is stable over the stretches of a muscle; --stable holds them.\n"),
+        None => out.push_str("None of these laws is stable over the stretches of a muscle; use --stable.\n"),
     }
     if let Some(path) = written {
         let path = place(path);

@@ -132,5 +132,5 @@ pub(super) fn write(out: &mut Text, bench: &Bench) {
     out.key("fit", &rows(&bench.fit_n), comment);
     out.key("parameters", &list(bench.parameters.iter().map(|p| text(p)).collect()), "");
     out.key("covariance", &rows(&bench.covariance), "in the units of the parameters");
-    out.key("of", &text(&bench.of), "digest of this muscle: with other values all of this does not hold");
+    out.key("of", &text(&bench.of), "checksum of this muscle: this table is not valid for other values");
 }
