@@ -11,17 +11,17 @@ use crate::warnings;
 use crate::words::number;
 use mckibben::answer::{Options, point};
 use mckibben::budget::{Budget, Resource};
-use mckibben::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
-use mckibben::identify::{
-    DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
-};
-use mckibben::least_squares::Loss;
-use mckibben::measured::{PointOptions, read_points};
 use mckibben::model::{ForceModel, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::muscle::measures::END_FACTOR;
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
+use mckibben_fit::compare::{Comparison, MeasuredPoint, compare as errors_of, mean_of_branches};
+use mckibben_fit::identify::{
+    DataPoint, IdentifyError, Parameter, Request, Target, identify, matters, own_value,
+};
+use mckibben_fit::least_squares::Loss;
+use mckibben_fit::measured::{PointOptions, read_points};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -23,7 +23,7 @@ use mckibben::units::{Values, short_numbers};
 use mckibben::warning::Warning;
 use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// A family of curves of one test. Isometric: ε fixed, F over P; isotonic: F fixed, ε over P; isobaric: P fixed, F over ε.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -77,16 +77,15 @@ pub struct CurveAnswer {
     /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
     pub burst_pressure_mpa: Option<f64>,
     /// The points, curve after curve; all curves have the same number of points.
-    pub points: Vec<PointRow>,
+    #[serde(rename = "points", serialize_with = "points")]
+    #[schemars(with = "Vec<PointRow>")]
+    pub curves: Vec<Curve>,
     /// The equilibria with the load, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub loaded: Option<LoadAnswer>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// The curves themselves.
-    #[serde(skip)]
-    pub curves: Vec<Curve>,
     /// Whether every two curves are the branches of one: shortening, then lengthening.
     #[serde(skip)]
     pub both: bool,
@@ -128,6 +127,10 @@ pub struct FailedPoint {
     pub cause: String,
 }
 
+fn points<S: Serializer>(curves: &[Curve], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(curves.iter().flat_map(|curve| &curve.points).map(PointRow::from))
+}
+
 impl From<&CurvePoint> for PointRow {
     fn from(point: &CurvePoint) -> Self {
         match &point.answer {
@@ -155,7 +158,6 @@ pub fn curve(request: &CurveRequest, progress: &dyn Progress) -> Result<CurveAns
     })?;
     let figure = request.figure.as_ref();
     answer.figure = figure.map(|unit| figure::curves(&answer, request.test, &list, request.both, unit));
-    answer.points = list.iter().flat_map(|c| c.points.iter().map(PointRow::from)).collect();
     answer.curves = list;
     Ok(answer)
 }
@@ -255,7 +257,6 @@ fn each(
         test: request.test,
         muscle: MuscleSummary::from(&question.muscle),
         fixed,
-        points: vec![],
         loaded,
         warnings: said,
         figure: None,

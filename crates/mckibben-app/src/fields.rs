@@ -1,8 +1,9 @@
 //! Fields that requests share.
 
-pub use crate::muscle_fields::{MeasureValues, MuscleFields, NamedFields};
+pub use crate::muscle_fields::{MuscleFields, NamedFields};
 pub use mckibben::muscle::Direction;
-pub use mckibben::table::{Columns, Understood, UnderstoodColumn};
+pub use mckibben::muscle::measures::MeasureValues;
+pub use mckibben_table::{Columns, Understood, UnderstoodColumn};
 use schemars::transform::Transform;
 use schemars::{JsonSchema, Schema};
 use serde::{Deserialize, Serialize};

@@ -12,22 +12,22 @@ use crate::warnings::largest_stretch;
 use crate::words::number;
 use mckibben::answer::Options;
 use mckibben::budget::Resource;
-use mckibben::identify::{
-    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Spread,
-    Target, identify_default, identify_with, try_laws,
-};
-use mckibben::least_squares::{EstimateError, Loss};
-use mckibben::measured::{
-    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
-};
 use mckibben::model::Workspace;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::warning::Warning;
+use mckibben_fit::identify::{
+    Fitted, Identification, Identified, IdentifyError, LawTrial, Parameter, ParameterError, Request, Target,
+    identify_default, identify_with, try_laws,
+};
+use mckibben_fit::least_squares::{EstimateError, Loss};
+use mckibben_fit::measured::{
+    DataPoint, MeasuredPoint, PointOptions, Quantity, Section, mean_of_data, read_points,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Serialize, Serializer};
 
 /// Points of a formula at most.
 const MOST_POINTS: usize = 100_000;
@@ -70,24 +70,11 @@ pub struct IdentifyRequest {
     /// Bounds of what is free: NAME=LOW:HIGH.
     pub bounds: Vec<String>,
     /// How residuals count.
-    pub loss: LossWord,
+    pub loss: Loss,
     /// Every law of the rubber is tried, with all of its constants free beside what else is.
     pub laws: bool,
     /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
-}
-
-/// How residuals count.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum LossWord {
-    /// By their squares.
-    #[default]
-    Squares,
-    /// Those far off less (Huber).
-    Huber,
-    /// The largest most (sixth powers).
-    Largest,
 }
 
 /// What is done with the branches of the hysteresis.
@@ -110,32 +97,17 @@ pub struct IdentifyAnswer {
     pub data: String,
     /// What was understood of each table.
     pub understood: Vec<UnderstoodTable>,
-    /// What was free, with its value and error.
-    pub parameters: Vec<Identified>,
-    /// Correlation of the parameters, row by row.
-    pub correlation: Vec<Vec<f64>>,
-    /// Root mean square of the residuals at the start, N.
-    pub rms_before_n: f64,
-    /// Root mean square of the residuals, N.
-    pub rms_n: f64,
-    /// Largest residual, N.
-    pub max_n: f64,
-    /// Standard deviation of one point: in N, or of stated errors.
-    pub deviation: f64,
-    /// Whether the points state their errors.
-    pub errors_stated: bool,
-    /// Points less parameters that lie on no bound.
-    pub degrees_of_freedom: usize,
-    /// Residuals by branch, by what was read, and by table.
-    pub spreads: Vec<Spread>,
-    /// Points that were left out because the muscle was slack.
-    pub slack_points: usize,
+    /// What was found.
+    #[serde(flatten)]
+    pub found: Identification,
     /// The muscle with the values found.
     pub muscle: MuscleSummary,
     /// The same as a muscle file, with what was identified in its head.
     pub muscle_file: String,
     /// The points, with what the model makes of them.
-    pub points: Vec<IdentifiedPoint>,
+    #[serde(serialize_with = "points")]
+    #[schemars(with = "Vec<IdentifiedPoint>")]
+    pub points: Vec<Fitted>,
     /// What the points say of each law of the rubber, the one that they prefer first; empty where it was not asked.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub laws: Vec<LawRow>,
@@ -144,9 +116,6 @@ pub struct IdentifyAnswer {
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// What was found, muscle and all.
-    #[serde(skip)]
-    pub found: Identification,
 }
 
 /// What the points say of a law of the rubber.
@@ -227,6 +196,10 @@ pub struct IdentifiedPoint {
     pub data: usize,
 }
 
+fn points<S: Serializer>(points: &[Fitted], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(points.iter().map(IdentifiedPoint::from))
+}
+
 impl From<&Fitted> for IdentifiedPoint {
     fn from(f: &Fitted) -> Self {
         let DataPoint { at, measured, section, line, set, .. } = f.point;
@@ -279,12 +252,12 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         free: &free,
         fixed: &fixed,
         points: &points,
-        loss: request.loss.into(),
+        loss: request.loss,
         two_sided: request.two_sided,
     };
     model.admit(&muscle, &progress.budget())?;
     let build = |m: &Muscle| model.build(m);
-    let found = if free.is_empty() {
+    let mut found = if free.is_empty() {
         identify_default(&asked, build, progress)?
     } else {
         identify_with(&asked, build, progress)?
@@ -314,21 +287,11 @@ pub fn identify(request: &IdentifyRequest, progress: &dyn Progress) -> Result<Id
         muscle_file: muscle_file(&origin, model.name(), &found, request.formula.is_none()),
         data: origin,
         understood,
-        parameters: found.parameters.clone(),
-        correlation: found.correlation.clone(),
-        rms_before_n: found.rms_before_n,
-        rms_n: found.rms_n,
-        max_n: found.max_n,
-        deviation: found.deviation,
-        errors_stated: found.errors_stated,
-        degrees_of_freedom: found.freedom,
-        spreads: found.spreads.clone(),
-        slack_points: found.slack.len(),
         muscle: summary,
-        points: found.points.iter().map(IdentifiedPoint::from).collect(),
         laws,
         warnings: model.seal_warning().into_iter().chain(self::warnings(request, &found, beyond)).collect(),
         figure,
+        points: std::mem::take(&mut found.points),
         found,
     })
 }
@@ -483,16 +446,6 @@ fn in_one_line(parameters: &[Identified]) -> String {
         format!("{} {value}{bar}{unit}{doubt}", p.name)
     };
     parameters.iter().map(one).collect::<Vec<_>>().join(", ")
-}
-
-impl From<LossWord> for Loss {
-    fn from(word: LossWord) -> Self {
-        match word {
-            LossWord::Squares => Self::Squares,
-            LossWord::Huber => Self::Huber,
-            LossWord::Largest => Self::Largest,
-        }
-    }
 }
 
 impl From<ParameterError> for Problem {

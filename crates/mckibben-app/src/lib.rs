@@ -63,7 +63,6 @@ mod question;
 mod report;
 mod rubber;
 mod rubber_fit;
-mod rubber_over_time;
 mod shape;
 mod show;
 mod simulate;
@@ -90,7 +89,7 @@ pub use fit::*;
 pub use identify::*;
 pub use joint::*;
 pub use json_size::JsonSize;
-pub use load::{Equilibrium, LoadAnswer, LoadFields, LoadedAt};
+pub use load::{LoadAnswer, LoadFields, LoadedAt};
 pub use many::{
     AnswerColumns, ArrayError, BoundModel, Column, Many, Pairs, Unanswered, Wanted as WantedOfPoint,
     curve_columns, with_parameters,
@@ -110,7 +109,6 @@ pub use quantities::*;
 pub use report::*;
 pub use rubber::*;
 pub use rubber_fit::*;
-pub use rubber_over_time::*;
 pub use shape::*;
 pub use show::*;
 pub use simulate::*;

@@ -3,8 +3,8 @@
 use crate::measured::MeasuredFacts;
 use crate::problem::Problem;
 use mckibben::progress::Progress;
-use mckibben::rubber::fit::Parameter;
-use mckibben_fem::validation::rubber::{RubberCase, RubberFitResult, dossier};
+use mckibben_fit::rubber::Parameter;
+use mckibben_fit::validation::rubber::{RubberCase, RubberFitResult, dossier};
 use schemars::JsonSchema;
 use serde::Serialize;
 

@@ -1,13 +1,13 @@
 //! A muscle in requests: a file, names, and a field for each measure of [`mckibben::muscle::measures`].
 
 use crate::fields::{InGroup, Stiffness, TextFile};
-use mckibben::muscle::measures::{Bounds, fields};
+use mckibben::muscle::measures::{MeasureValues, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{IgnoredAny, MapAccess, Visitor};
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
@@ -22,13 +22,10 @@ pub struct MuscleFields {
     pub measures: MeasureValues,
 }
 
-/// The group of fields to which those of a muscle belong.
-const GROUP: &str = "muscle";
-
 /// What of a muscle has a name, or completes one.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
-#[schemars(transform = InGroup(GROUP))]
+#[schemars(transform = InGroup(mckibben::muscle::measures::GROUP))]
 pub struct NamedFields {
     /// Muscle file (TOML); the other fields override what it says.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -48,38 +45,6 @@ pub struct NamedFields {
     /// Stiffness k of one strand family: a number in N/mm, `inextensible` or `paper`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stiffness: Option<Stiffness>,
-}
-
-/// Values of measures, in the order of their table.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MeasureValues(Vec<(&'static Measure, f64)>);
-
-impl MeasureValues {
-    /// The value of a measure.
-    pub fn get(&self, measure: &Measure) -> Option<f64> {
-        self.0.iter().find(|v| v.0 == measure).map(|v| v.1)
-    }
-
-    /// Puts a value in.
-    pub fn set(&mut self, measure: &'static Measure, value: f64) {
-        self.0.retain(|v| v.0 != measure);
-        self.0.push((measure, value));
-        let place = |m: &Measure| fields().position(|(_, other)| other == m);
-        self.0.sort_by_key(|v| place(v.0));
-    }
-
-    /// All of them.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static Measure, f64)> {
-        self.0.iter().copied()
-    }
-}
-
-impl<const N: usize> From<[(&'static Measure, f64); N]> for MeasureValues {
-    fn from(values: [(&'static Measure, f64); N]) -> Self {
-        let mut out = Self::default();
-        values.into_iter().for_each(|(measure, value)| out.set(measure, value));
-        out
-    }
 }
 
 impl From<NamedFields> for MuscleFields {
@@ -166,40 +131,6 @@ impl<'de> Visitor<'de> for Fields {
     }
 }
 
-/// The schema of a measure's field.
-fn schema_of(measure: &Measure, more: &str) -> Value {
-    let mut field = json!({
-        "description": measure.documentation(more), "type": ["number", "null"], "format": "double",
-        "x-group": GROUP, "x-key": measure.key,
-    });
-    if !measure.symbol.is_empty() {
-        field["x-symbol"] = measure.symbol.into();
-    }
-    if !measure.is_plain() {
-        field["x-quantity"] = json!(measure.dimension);
-        field["x-unit"] = measure.unit().into();
-    }
-    field
-}
-
-/// The same in a request, with the values that it may have and the one of a muscle that does not state it.
-fn requested(measure: &Measure) -> Value {
-    let mut field = schema_of(measure, "");
-    match measure.bounds {
-        Bounds::Positive => field["exclusiveMinimum"] = 0.0.into(),
-        Bounds::NotNegative => field["minimum"] = 0.0.into(),
-        Bounds::Between(low, high) => {
-            field["minimum"] = low.into();
-            field["maximum"] = high.into();
-        }
-        Bounds::OfPart => {}
-    }
-    if let Some(value) = Muscle::prototype().measure(measure).or(measure.default) {
-        field["default"] = value.into();
-    }
-    field
-}
-
 impl JsonSchema for MuscleFields {
     fn schema_name() -> Cow<'static, str> {
         "MuscleFields".into()
@@ -212,7 +143,8 @@ impl JsonSchema for MuscleFields {
             _ => Map::new(),
         };
         let one = |name: &&str| {
-            let field = Measure::of_field(name).map(requested).or_else(|| named.remove(*name))?;
+            let field =
+                Measure::of_field(name).map(Measure::request_schema).or_else(|| named.remove(*name))?;
             Some(((*name).to_owned(), field))
         };
         let properties: Map<String, Value> = NAMES.iter().filter_map(one).collect();
@@ -259,7 +191,7 @@ impl JsonSchema for Stated {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let one =
-            |(field, measure): (&str, _)| (field.to_owned(), schema_of(measure, ", where it is stated"));
+            |(field, measure): (&str, &Measure)| (field.to_owned(), measure.schema(", where it is stated"));
         let properties: Map<String, Value> = Self::fields().map(one).collect();
         json_schema!({ "type": "object", "properties": properties })
     }
@@ -283,7 +215,7 @@ mod tests {
         assert_eq!(serde_json::from_str::<ForceRequest>(&text).unwrap().muscle, fields);
         let written: Map<String, Value> = serde_json::from_str(&text).unwrap();
         let order: Vec<usize> = written.keys().filter_map(|k| NAMES.iter().position(|n| n == k)).collect();
-        assert!(order.is_sorted() && order.len() == fields.measures.0.len() + 1, "{text}");
+        assert!(order.is_sorted() && order.len() == fields.measures.iter().count() + 1, "{text}");
         let wrong = serde_json::from_str::<ForceRequest>(r#"{"grip_mm": "x"}"#).unwrap_err().to_string();
         assert!(wrong.contains("invalid type: string \"x\", expected f64"), "{wrong}");
     }

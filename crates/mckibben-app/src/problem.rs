@@ -2,16 +2,16 @@
 
 use mckibben::analysis::AnalysisError;
 use mckibben::budget::{Exceeded, Resource};
-use mckibben::design::{SpecError, SpreadError};
 use mckibben::formula::FormulaError;
 use mckibben::model::ModelError;
 use mckibben::muscle::MuscleError;
 use mckibben::muscle::file::FileError;
 use mckibben::study::StudyError;
-use mckibben::table::TableError;
 use mckibben::units::short_numbers;
 use mckibben_campaign::campaign::CampaignError;
+use mckibben_design::{SpecError, SpreadError, ToleranceError};
 use mckibben_fem::FemError;
+use mckibben_table::TableError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -319,6 +319,12 @@ impl From<SpecError> for Problem {
 impl From<SpreadError> for Problem {
     fn from(error: SpreadError) -> Self {
         Self::new(ProblemKind::Tolerance, error.to_string(), "take smaller tolerances")
+    }
+}
+
+impl From<ToleranceError> for Problem {
+    fn from(error: ToleranceError) -> Self {
+        Self::new(ProblemKind::Quantity, error.to_string(), "").in_field("tolerance")
     }
 }
 

@@ -5,16 +5,17 @@ use crate::figure;
 use crate::muscle::muscle_of;
 use crate::point::finite;
 use crate::problem::{Problem, ProblemKind};
-use crate::rubber_over_time::{PronyAnswer, SofteningAnswer, relaxation, softening};
 use mckibben::budget::Resource;
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Muscle, Rubber};
 use mckibben::progress::Progress;
-use mckibben::rubber::fit::{
-    FitSettings, FittedLaw, Form, HeldOutError, Measure, Mode, ModeError, Parameter, ReadOptions, TensionFit,
-    TensionFitError, fit_tension_with, read_tests,
+use mckibben_fit::rubber::{
+    FitSettings, FittedLaw, Form, LawQuality, Measure, Mode, Parameter, ReadOptions, TensionFitError,
+    fit_tension_with, read_tests,
 };
-use mckibben::rubber::{RubberLaw, Stability};
+use mckibben_fit::rubber_over_time::{
+    OverTimeFitError, PronyFit, SofteningFit, fit_prony, fit_softening, read_history,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -91,75 +92,20 @@ pub struct RubberFitAnswer {
     /// Constants of that law.
     pub parameters: Vec<Parameter>,
     /// The laws.
-    pub laws: Vec<LawAnswer>,
+    pub laws: Vec<FittedLaw>,
     /// Laws without a fit, and why.
     pub failed: Vec<String>,
     /// What to mind.
     pub warnings: Vec<String>,
     /// Relaxation, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub relaxation: Option<PronyAnswer>,
+    pub relaxation: Option<PronyFit>,
     /// Softening, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub softening: Option<SofteningAnswer>,
+    pub softening: Option<SofteningFit>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub figure: Option<Figure>,
-    /// What was wanted.
-    #[serde(skip)]
-    pub settings: FitSettings,
-    /// What was found.
-    #[serde(skip)]
-    pub fit: TensionFit,
-    /// The muscle that gets the rubber.
-    #[serde(skip)]
-    base: Muscle,
-    /// The name of the rubber in it.
-    #[serde(skip)]
-    name: Option<String>,
-}
-
-/// A fitted law.
-#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
-pub struct LawAnswer {
-    /// The law, as in muscle files.
-    pub law: String,
-    /// The same with the number of its terms.
-    pub name: String,
-    /// Whether it was held among the laws that are stable in a muscle.
-    pub constrained: bool,
-    /// How well it does.
-    #[serde(flatten)]
-    pub quality: LawQuality,
-    /// Its constants.
-    pub parameters: Vec<Parameter>,
-    /// Its errors by mode.
-    pub modes: Vec<ModeError>,
-    /// Its errors in modes that were held out, and over their points in whose state a muscle's wall may be.
-    pub held_out: Vec<HeldOutError>,
-}
-
-/// How well a law follows the points, and where it is stable.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
-pub struct LawQuality {
-    /// Shear modulus μ at rest, MPa.
-    pub shear_modulus_mpa: f64,
-    /// R² of the nominal stresses.
-    pub r_squared: f64,
-    /// R² of the free fit, where this one was held.
-    pub free_r_squared: Option<f64>,
-    /// Root mean square of the differences of nominal stress, MPa.
-    pub rms_mpa: f64,
-    /// Root mean square of the differences over the measured stress.
-    pub relative_rms: f64,
-    /// Akaike's criterion for small samples.
-    pub aicc: f64,
-    /// Largest principal stretch of the points.
-    pub fitted_to_stretch: f64,
-    /// Whether it is stable in a muscle.
-    pub stable: bool,
-    /// Hoop stretch from which on it is not.
-    pub unstable_from_hoop_stretch: Option<f64>,
 }
 
 /// A constant with the law that it belongs to: a row of a table.
@@ -178,12 +124,22 @@ pub struct ConstantRow {
 }
 
 impl RubberFitAnswer {
+    /// Whether a law is the one to take.
+    pub fn is_recommended(&self, law: &FittedLaw) -> bool {
+        law.is_trusted() && self.recommended.as_ref() == Some(&law.form.name())
+    }
+
+    /// The law to take, where one is stable in a muscle.
+    pub fn taken(&self) -> Option<&FittedLaw> {
+        self.laws.iter().find(|law| self.is_recommended(law))
+    }
+
     /// The constants of all laws, one row each.
     pub fn constants(&self) -> Vec<ConstantRow> {
-        let rows = |(i, law): (usize, &LawAnswer)| {
-            let recommended = self.fit.recommended == Some(i);
+        let rows = |law: &FittedLaw| {
+            let recommended = self.is_recommended(law);
             let row = |p: &Parameter| ConstantRow {
-                law: law.name.clone(),
+                law: law.form.name(),
                 constrained: law.constrained,
                 recommended,
                 constant: p.name.clone(),
@@ -195,7 +151,7 @@ impl RubberFitAnswer {
             };
             law.parameters.iter().map(row).collect::<Vec<_>>()
         };
-        self.laws.iter().enumerate().flat_map(rows).collect()
+        self.laws.iter().flat_map(rows).collect()
     }
 
     /// A muscle file with the recommended law. With a softening it is the law of the first loading, with a relaxation alone the one at once,
@@ -203,25 +159,26 @@ impl RubberFitAnswer {
     ///
     /// # Errors
     /// [`Problem`] of kind `no_answer` where no law is stable in a muscle.
-    pub fn muscle_file(&self) -> Result<String, Problem> {
-        let taken = self.fit.recommended.and_then(|i| self.fit.laws.get(i)).ok_or_else(|| {
+    pub fn muscle_file(&self, request: &RubberFitRequest) -> Result<String, Problem> {
+        let taken = self.taken().ok_or_else(|| {
             let message =
                 "none of these laws is stable over the stretches of a muscle; no muscle file is written";
             Problem::new(ProblemKind::NoAnswer, message, "add `stable`, or take `laws` neo-hookean")
         })?;
-        let relaxation = self.relaxation.as_ref().map(|r| &r.found);
-        let softening = self.softening.as_ref().map(|s| &s.found);
-        let over_time = softening.map(|s| &s.0).or(relaxation.map(|r| &r.0));
-        let mut tube = self.base.tube().clone();
+        let (relaxation, softening) = (self.relaxation.as_ref(), self.softening.as_ref());
+        let over_time = softening.map(|s| &s.first_loading).or(relaxation.map(|r| &r.instantaneous));
+        let stem = || Path::new(&self.data).file_stem().map(|s| s.to_string_lossy().into_owned());
+        let base = request.base()?;
+        let mut tube = base.tube().clone();
         tube.rubber = Rubber {
-            name: self.name.clone(),
+            name: request.name.clone().or_else(stem),
             // 1 + strain has digits that nobody measured.
-            fitted_to_stretch: Some((self.fit.fitted_to_stretch * 1e4).round() / 1e4),
-            softening: softening.map(|s| s.1),
-            prony: relaxation.map(|r| r.1.clone()),
+            fitted_to_stretch: Some((self.fitted_to_stretch * 1e4).round() / 1e4),
+            softening: softening.map(SofteningFit::softening),
+            prony: relaxation.map(PronyFit::prony),
             ..Rubber::of(over_time.unwrap_or(&taken.law).clone())
         };
-        Ok(to_toml(&self.base.with_tube(tube)?))
+        Ok(to_toml(&base.with_tube(tube)?))
     }
 }
 
@@ -234,7 +191,7 @@ const APART: &str = "softening and relaxation were fitted apart, each as if ther
 /// [`Problem`].
 pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result<RubberFitAnswer, Problem> {
     let settings = request.settings()?;
-    let base = request.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)?;
+    request.base()?;
     let file = request.data.as_ref().ok_or_else(|| Problem::missing("data", "a table of tension tests"))?;
     let options = ReadOptions {
         mode: request.mode,
@@ -261,15 +218,24 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
             Err(Problem::new(ProblemKind::NoAnswer, message, "take `laws` with one law"))
         }
     };
-    let of_branches = |n| relaxation(file, &request.columns, form()?, n);
-    let relaxation = request.relaxation.map(of_branches).transpose()?;
-    let softens = || softening(file, &request.columns, form()?);
+    let history = || {
+        let points = read_history(file.text.as_bytes(), &request.columns);
+        points.map_err(|error| Problem::of_table(&file.name, &error))
+    };
+    let relaxes = |branches| -> Result<_, Problem> {
+        let form = form()?;
+        Ok(fit_prony(&history()?, form, branches)?)
+    };
+    let relaxation = request.relaxation.map(relaxes).transpose()?;
+    let softens = || -> Result<_, Problem> {
+        let form = form()?;
+        Ok(fit_softening(&history()?, form)?)
+    };
     let softening = request.softening.then(softens).transpose()?;
     let mut warnings: Vec<String> = fit.warnings.iter().map(ToString::to_string).collect();
     if relaxation.is_some() && softening.is_some() {
         warnings.push(APART.into());
     }
-    let stem = || Path::new(&file.name).file_stem().map(|s| s.to_string_lossy().into_owned());
     Ok(RubberFitAnswer {
         data: file.name.clone(),
         understood: vec![UnderstoodTable { data: file.name.clone(), table }],
@@ -281,44 +247,13 @@ pub fn rubber_fit(request: &RubberFitRequest, progress: &dyn Progress) -> Result
         balance: settings.balance,
         recommended: taken.map(|law| law.form.name()),
         parameters: taken.map_or_else(Vec::new, |law| law.parameters.clone()),
-        laws: fit.laws.iter().map(|law| LawAnswer::new(law, fit.fitted_to_stretch)).collect(),
         failed: fit.failed.iter().map(ToString::to_string).collect(),
         warnings,
         relaxation,
         softening,
         figure: request.figure.then(|| figure::tension(&fit, &file.name)),
-        name: request.name.clone().or_else(stem),
-        settings,
-        fit,
-        base,
+        laws: fit.laws,
     })
-}
-
-impl LawAnswer {
-    fn new(law: &FittedLaw, fitted_to_stretch: f64) -> Self {
-        Self {
-            law: law.form.law().into(),
-            name: law.form.name(),
-            constrained: law.constrained,
-            quality: LawQuality {
-                shear_modulus_mpa: law.law.shear_modulus_mpa(),
-                r_squared: law.r_squared,
-                free_r_squared: law.free_r_squared,
-                rms_mpa: law.rms_mpa,
-                relative_rms: law.relative_rms,
-                aicc: law.aicc,
-                fitted_to_stretch,
-                stable: law.is_stable(),
-                unstable_from_hoop_stretch: match law.stability {
-                    Stability::Stable => None,
-                    Stability::UnstableFrom { hoop_stretch } => Some(hoop_stretch),
-                },
-            },
-            parameters: law.parameters.clone(),
-            modes: law.modes.clone(),
-            held_out: law.held_out.clone(),
-        }
-    }
 }
 
 fn positive(field: &str, value: Option<f64>) -> Result<Option<f64>, Problem> {
@@ -332,6 +267,11 @@ fn positive(field: &str, value: Option<f64>) -> Result<Option<f64>, Problem> {
 }
 
 impl RubberFitRequest {
+    /// The muscle that gets the rubber.
+    fn base(&self) -> Result<Muscle, Problem> {
+        self.muscle.as_ref().map_or_else(|| Ok(Muscle::prototype()), muscle_of)
+    }
+
     fn settings(&self) -> Result<FitSettings, Problem> {
         let usual = FitSettings::default();
         Ok(FitSettings {
@@ -395,5 +335,17 @@ impl From<TensionFitError> for Problem {
             _ => (ProblemKind::Fit, ""),
         };
         Self::new(kind, error.to_string(), hint)
+    }
+}
+
+impl From<OverTimeFitError> for Problem {
+    fn from(error: OverTimeFitError) -> Self {
+        match error {
+            OverTimeFitError::Law(error) => error.into(),
+            OverTimeFitError::NotConverged { .. } => {
+                Self::new(ProblemKind::NotConverged, error.to_string(), "take `laws` with fewer constants")
+            }
+            _ => Self::new(ProblemKind::Fit, error.to_string(), ""),
+        }
     }
 }

@@ -33,6 +33,8 @@ pub enum Slot<'a> {
     Status(&'a mut Status),
     /// One column for each constant of the law; a number each.
     Constants(&'a mut Vec<(String, f64)>),
+    /// One column for each other measure that varies; a number each.
+    Measures(&'a mut Vec<(String, f64)>),
     /// One column for each sensitivity; a number or nothing each.
     Sensitivities(&'a mut Vec<(String, f64)>),
 }
@@ -63,9 +65,9 @@ const fn column(
 }
 
 /// All columns in their order.
-pub static COLUMNS: [Column; 22] = {
+pub static COLUMNS: [Column; 23] = {
     use Role::{Answer, Note, Question};
-    use Slot::{Constants, Count, Number, Optional, Sensitivities, Text, Whole};
+    use Slot::{Constants, Count, Measures, Number, Optional, Sensitivities, Text, Whole};
     [
         column(Note, "muscle", "", "number of the muscle in the plan, from 0", |r| Whole(&mut r.muscle)),
         column(Question, "outer_diameter_mm", "mm", "D0", |r| Number(&mut r.outer_diameter_mm)),
@@ -82,6 +84,13 @@ pub static COLUMNS: [Column; 22] = {
             "N/mm",
             "k of one strand family; nothing for inextensible strands",
             |r| Optional(&mut r.stiffness_of_braid_n_per_mm),
+        ),
+        column(
+            Question,
+            "seating_mm",
+            "mm, …",
+            "any other measure of the muscle that varies, a column each",
+            |r| Measures(&mut r.measures),
         ),
         column(Question, "pressure_mpa", "MPa", "P", |r| Number(&mut r.pressure_mpa)),
         column(Question, "contraction", "", "ε", |r| Number(&mut r.contraction)),
@@ -129,7 +138,7 @@ pub fn documentation() -> String {
     let mut out = String::from("| column | unit | |\n|---|---|---|\n");
     for c in &COLUMNS {
         let more = match (c.slot)(&mut Row::default()) {
-            Slot::Constants(_) | Slot::Sensitivities(_) => ", …",
+            Slot::Constants(_) | Slot::Measures(_) | Slot::Sensitivities(_) => ", …",
             _ => "",
         };
         // Writing to a text does not fail.

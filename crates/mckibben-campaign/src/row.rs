@@ -22,6 +22,8 @@ pub struct Row {
     pub constants: Vec<(String, f64)>,
     /// k of one strand family in N/mm; `None` for inextensible strands.
     pub stiffness_of_braid_n_per_mm: Option<f64>,
+    /// What varies beside these, with its column: (`seating_mm`, 1.5).
+    pub measures: Vec<(String, f64)>,
     /// P in MPa.
     pub pressure_mpa: f64,
     /// ε

@@ -45,7 +45,7 @@ pub(crate) fn net(
         let force = match member.answer(*p, lever.contraction) {
             Ok(answer) => answer.force_n,
             Err(ModelError::Exceeded(e)) => return Err(e.into()),
-            Err(_) if member.hanging(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
+            Err(_) if member.slack(*p).is_ok_and(|h| lever.contraction >= h.contraction) => 0.0,
             Err(error) => return Err(MotionError::model(error, 0.0, i, *p, lever.contraction)),
         };
         sum += force.max(0.0) * member.length_mm * lever.per_coordinate;

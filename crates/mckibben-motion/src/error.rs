@@ -150,6 +150,14 @@ pub enum MotionError {
         /// Why.
         why: &'static str,
     },
+    /// Numbers that are no state of the drive.
+    #[error("{given} numbers were given for a state of {needed}")]
+    Length {
+        /// How many were given.
+        given: usize,
+        /// How many the state has.
+        needed: usize,
+    },
     /// The budget of the request, or the caller's wish.
     #[error(transparent)]
     Exceeded(#[from] Exceeded),

@@ -189,7 +189,7 @@ impl<'a> Member<'a> {
     }
 
     /// The slack muscle at a pressure: Newton's method from where it was slack last, else a search.
-    pub fn hanging(&self, pressure_mpa: f64) -> Result<SlackState, ModelError> {
+    pub fn slack(&self, pressure_mpa: f64) -> Result<SlackState, ModelError> {
         if let Some(Stand::Moment(h)) = self.stand.get() {
             return Ok(h);
         }

@@ -8,13 +8,13 @@ use crate::muscle::MuscleSummary;
 use crate::units::Units;
 use crate::words::{braid_name, number, percent, rubber_name};
 use mckibben::analysis::{Burst, NoBurst};
-use mckibben::design::{
-    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, Outcome, Rejected, Relaxation, Spec,
-    Spread, Sure, Way,
-};
 use mckibben::muscle::file::to_toml;
 use mckibben::muscle::{Braid, BraidStiffness};
 use mckibben::warning::Warning;
+use mckibben_design::{
+    BraidChoice, Candidate, CandidatePoint, Closest, Demand, Limit, Outcome, Rejected, Relaxation, Spec,
+    Spread, Sure, Way,
+};
 use mckibben_report::Figure;
 use schemars::JsonSchema;
 use serde::Serialize;

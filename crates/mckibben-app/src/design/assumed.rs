@@ -2,8 +2,8 @@
 
 use super::request::DesignRequest;
 use crate::words::{number, percent};
-use mckibben::design::{BraidChoice, Build, Closest, Reason, Relaxation, Spec, fits};
 use mckibben::muscle::{BraidStiffness, Muscle};
+use mckibben_design::{BraidChoice, Build, Closest, Reason, Relaxation, Spec, fits};
 
 /// What was assumed, in sentences.
 pub(super) fn assumptions(request: &DesignRequest, spec: &Spec) -> Vec<String> {

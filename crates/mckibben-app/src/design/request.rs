@@ -8,13 +8,13 @@ use crate::muscle::{rubber, sleeve};
 use crate::point::{finite, given, ratio};
 use crate::problem::{Problem, ProblemKind};
 use crate::units::Units;
-use mckibben::design::{
-    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
-};
-pub use mckibben::design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
 use mckibben::muscle::measures::LENGTH;
 use mckibben::muscle::{Braid, Muscle, Tube};
 use mckibben::units::Values;
+use mckibben_design::{
+    BraidChoice, Demand, JointDemand, Limits, SAFETY, Spec, Tolerances, VALIDATED_STRAND_STRAIN, Way,
+};
+pub use mckibben_design::{Objective as ObjectiveWord, OperatingPoint as Wanted, TorqueWanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -79,7 +79,7 @@ pub struct DesignRequest {
     /// Lengths L0 between the terminals at rest, mm.
     pub length_mm: Option<Choice>,
     /// Tolerances of the workshop and the supply, for the spread of the winner's pull.
-    pub tolerance: Option<ToleranceFields>,
+    pub tolerance: Option<Tolerances>,
     /// The model.
     #[serde(flatten)]
     pub model: ModelFields,
@@ -119,28 +119,6 @@ pub enum Verify {
     Fe,
     /// Nothing.
     None,
-}
-
-/// Half-widths of what may vary, each ±.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default)]
-pub struct ToleranceFields {
-    /// Wall, mm.
-    pub wall_mm: f64,
-    /// Outer diameter, mm.
-    pub outer_diameter_mm: f64,
-    /// Pressure, MPa.
-    pub pressure_mpa: f64,
-    /// Braid angle, degrees.
-    pub angle_deg: f64,
-    /// Length, mm.
-    pub length_mm: f64,
-    /// All moduli of the rubber, as a share.
-    #[schemars(extend("x-quantity" = "ratio"))]
-    pub modulus: f64,
-    /// Stiffness k of a strand family, as a share.
-    #[schemars(extend("x-quantity" = "ratio"))]
-    pub stiffness: f64,
 }
 
 /// A specification with the models that search it.
@@ -380,33 +358,6 @@ impl DesignRequest {
         }
         let tube = Tube { length_mm: stroke / largest, ..base.tube().clone() };
         Ok((base.with_tube(tube)?, points))
-    }
-
-    pub(super) fn tolerances(&self) -> Result<Option<Tolerances>, Problem> {
-        let Some(t) = self.tolerance else { return Ok(None) };
-        let all = [
-            ("wall", t.wall_mm),
-            ("diameter", t.outer_diameter_mm),
-            ("pressure", t.pressure_mpa),
-            ("angle", t.angle_deg),
-            ("length", t.length_mm),
-            ("modulus", t.modulus),
-            ("stiffness", t.stiffness),
-        ];
-        if let Some((name, value)) = all.into_iter().find(|(_, v)| !(*v >= 0.0 && v.is_finite())) {
-            let message =
-                format!("the tolerance of the {name} is {value}; tolerances are ± half-widths above zero");
-            return Err(Problem::new(ProblemKind::Quantity, message, "").in_field("tolerance"));
-        }
-        Ok(Some(Tolerances {
-            wall_mm: t.wall_mm,
-            outer_diameter_mm: t.outer_diameter_mm,
-            pressure_mpa: t.pressure_mpa,
-            angle_deg: t.angle_deg,
-            length_mm: t.length_mm,
-            modulus: t.modulus,
-            stiffness: t.stiffness,
-        }))
     }
 }
 

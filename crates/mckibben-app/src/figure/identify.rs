@@ -5,10 +5,10 @@ use super::curves::pull;
 use crate::units::Units;
 use crate::words::percent;
 use mckibben::analysis::force_on;
-use mckibben::identify::{Fitted, Identification};
-use mckibben::measured::Section;
 use mckibben::model::{ForceModel, ModelError, Workspace};
 use mckibben::muscle::{Direction, Muscle};
+use mckibben_fit::identify::{Fitted, Identification};
+use mckibben_fit::measured::Section;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series, Style};
 
 /// Makes the model of a muscle.

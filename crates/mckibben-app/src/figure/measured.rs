@@ -3,11 +3,11 @@
 use super::caption;
 use super::curves::pull;
 use crate::units::Units;
-use mckibben::identify::Build;
-use mckibben::measured::{DataPoint, Section, mean_of_data};
 use mckibben::model::Workspace;
-use mckibben_fem::validation::case::Case;
-use mckibben_fem::validation::dossier::FitResult;
+use mckibben_fit::identify::Build;
+use mckibben_fit::measured::{DataPoint, Section, mean_of_data};
+use mckibben_fit::validation::case::Case;
+use mckibben_fit::validation::dossier::FitResult;
 use mckibben_report::{Axis, Figure, Palette, Panel, Series};
 
 /// Pressures of a panel at most; of more some are shown.

@@ -4,8 +4,8 @@ use super::file_name;
 use crate::fields::TextFile;
 use crate::problem::{Problem, ProblemKind};
 use mckibben::formula::Made;
-use mckibben::measured::{DataPoint, PointOptions, read_points};
 use mckibben_campaign::fit::data::FitPoint;
+use mckibben_fit::measured::{DataPoint, PointOptions, read_points};
 use std::path::Path;
 
 /// What a table holds.

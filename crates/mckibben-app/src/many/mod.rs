@@ -22,11 +22,11 @@ use crate::fields::{AskFields, ModelFields};
 use crate::model::{Model, Purpose};
 use crate::problem::{Problem, ProblemKind};
 use mckibben::answer::Options;
-use mckibben::identify::Target;
 use mckibben::model::{ForceModel, ModelKind, ModelRange, Workspace};
 use mckibben::muscle::Muscle;
 use mckibben::progress::Progress;
 use mckibben::threads::Threads;
+use mckibben_fit::identify::Target;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -11,10 +11,10 @@ use super::{BoundModel, Many, Wanted};
 use crate::point::finite;
 use crate::problem::Problem;
 use mckibben::analysis::{force_on, response_on};
-use mckibben::identify::{Candidate, Target, own_value};
 use mckibben::model::Workspace;
 use mckibben::muscle::{BraidStiffness, Muscle};
 use mckibben::rubber::RubberLaw;
+use mckibben_fit::identify::{Candidate, Target, own_value};
 
 /// Steps of differences: in ε; of P and θ relative. With fourth-order differences their error is below 1e-9 of the derivative.
 const STEP_CONTRACTION: f64 = 1e-4;

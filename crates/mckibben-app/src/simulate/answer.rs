@@ -10,7 +10,7 @@ use mckibben::status::Status;
 use mckibben::warning::Warning;
 use mckibben_report::{Figure, Scene};
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// A finite-element test with everything it knows.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
@@ -22,7 +22,9 @@ pub struct SimulateAnswer {
     /// The muscle.
     pub muscle: MuscleSummary,
     /// The points, curve after curve.
-    pub points: Vec<SimulatedRow>,
+    #[serde(rename = "points", serialize_with = "points")]
+    #[schemars(with = "Vec<SimulatedRow>")]
+    pub simulated: Vec<Simulated>,
     /// What the user should know of the mesh.
     pub notes: Vec<String>,
     /// What the user should know, of each kind the gravest.
@@ -39,9 +41,6 @@ pub struct SimulateAnswer {
     /// The picture, where it was asked for.
     #[serde(skip)]
     pub picture: Option<Scene>,
-    /// The points themselves.
-    #[serde(skip)]
-    pub simulated: Vec<Simulated>,
     /// Where no point has an answer: the reason.
     #[serde(skip)]
     pub problem: Option<Problem>,
@@ -162,6 +161,10 @@ pub struct SensitivityRow {
     pub unit: String,
     /// ∂F, N per unit.
     pub force_n_per_unit: f64,
+}
+
+fn points<S: Serializer>(simulated: &[Simulated], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(simulated.iter().map(SimulatedRow::from))
 }
 
 impl From<&Simulated> for SimulatedRow {

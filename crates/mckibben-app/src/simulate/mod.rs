@@ -218,7 +218,6 @@ pub fn simulate(
         model: name.into(),
         test: request.test,
         muscle: summary,
-        points: simulated.iter().map(SimulatedRow::from).collect(),
         notes: simulation.notes(workspace),
         warnings,
         burst_pressure_mpa: found.pressure_mpa(),

@@ -2,8 +2,9 @@
 
 use super::CampaignError;
 use super::resume::{belongs, of_this_plan};
-use super::store::{Folder, Opened, Provenance, Table, Which, is_file_name, part_name, seal_of, whole};
+use super::store::{Folder, Opened, Provenance, Table, Which, is_file_name, part_name, whole};
 use mckibben_files::{Unfinished, sync};
+use mckibben_parquet::seal_of;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;

@@ -38,7 +38,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
     let inputs = plan.inputs(number);
     let testing = plan.testing();
     let model = inputs
-        .muscle(plan.base())
+        .muscle()
         .map_err(|e| e.to_string())
         .and_then(|muscle| testing.elements.build(&muscle).map_err(|e| e.to_string()));
     let workspace = &mut Workspace::new();
@@ -71,20 +71,22 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
 
 /// 1 − 1/(√3 cosθ0)
 fn largest(inputs: &Inputs) -> f64 {
-    (1.0 - 1.0 / (3f64.sqrt() * inputs.angle_deg.to_radians().cos())).max(0.0)
+    (1.0 - 1.0 / (3f64.sqrt() * inputs.parts.braid.angle_deg.to_radians().cos())).max(0.0)
 }
 
 /// A row without an answer.
 fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> Row {
-    let law = &inputs.tube.rubber.law;
+    let tube = &inputs.parts.tube;
+    let law = &tube.rubber.law;
     Row {
         muscle,
-        outer_diameter_mm: inputs.tube.outer_diameter_mm,
-        wall_mm: inputs.tube.wall_mm,
-        length_mm: inputs.tube.length_mm,
-        angle_deg: inputs.angle_deg,
+        outer_diameter_mm: tube.outer_diameter_mm,
+        wall_mm: tube.wall_mm,
+        length_mm: tube.length_mm,
+        angle_deg: inputs.parts.braid.angle_deg,
         law: law.name().into(),
         constants: constants(law),
+        measures: inputs.measures.clone(),
         stiffness_of_braid_n_per_mm: inputs.family_stiffness_n_per_mm(),
         pressure_mpa,
         contraction,

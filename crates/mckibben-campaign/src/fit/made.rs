@@ -15,7 +15,8 @@ fn close(a: f64, b: f64) -> bool {
 /// Rubber and braid of a table's muscles; length and angle are those of its first row.
 ///
 /// # Errors
-/// [`FitError::MixedMake`] where they have more than one, [`FitError::Empty`] without rows.
+/// [`FitError::MixedMake`] where they have more than one, [`FitError::Varies`] where a measure varies that no formula has,
+/// [`FitError::Empty`] without rows.
 pub fn made_for(rows: &[Row]) -> Result<Made, FitError> {
     let first = rows.first().ok_or(FitError::Empty(""))?;
     let rubber = |r: &Row| MadeRubber {
@@ -27,6 +28,9 @@ pub fn made_for(rows: &[Row]) -> Result<Made, FitError> {
     let ours = rubber(first);
     if !rows.iter().all(|r| rubber(r).is_like(&ours, TOLERANCE)) {
         return Err(FitError::MixedMake("rubber"));
+    }
+    if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
+        return Err(FitError::Varies(column.clone()));
     }
     let paper = Made::of(&Muscle::prototype()).rubber;
     let name = paper.name.clone().filter(|_| paper.is_like(&ours, TOLERANCE));

@@ -14,11 +14,13 @@ use crate::quantities::{contraction as contraction_ratio, quantity, ratio, value
 use crate::shown;
 use crate::word::word;
 use clap::Args;
+use mckibben::muscle::Measure;
+use mckibben::muscle::measures::fields;
 use mckibben::units::{Dimension, Values};
 use mckibben_app::{
-    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, ToleranceFields,
-    TorqueWanted, Verify, Wanted,
+    Choice, DesignRequest, MeshFields, ModelFields, ObjectiveWord, ProblemKind, TorqueWanted, Verify, Wanted,
 };
+use mckibben_design::Tolerances;
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
@@ -157,7 +159,7 @@ pub struct DesignArgs {
         help_heading = "Search space"
     )]
     pub length: Option<String>,
-    /// Spread of the winner's pull for ± tolerances of wall, diameter, length, angle, pressure, modulus, stiffness:
+    /// Spread of the winner's pull for ± tolerances of pressure, modulus, stiffness and the measures of the muscle (by their flags):
     /// wall=0.1mm,angle=1deg,modulus=10%
     #[arg(long, value_name = "LIST", allow_hyphen_values = true, help_heading = "Search space")]
     pub tolerance: Option<String>,
@@ -304,32 +306,31 @@ fn torque(text: &str) -> Result<TorqueWanted, Failure> {
     Ok(TorqueWanted { torque_nm, angle_deg })
 }
 
-fn tolerances(text: &str) -> Result<ToleranceFields, Failure> {
-    let mut out = ToleranceFields::default();
+fn tolerances(text: &str) -> Result<Tolerances, Failure> {
+    let mut out = Tolerances::default();
     for part in text.split(',') {
         let wrong = || {
+            let names: Vec<String> = fields().filter_map(|(_, measure)| measure.flag()).collect();
             let message = format!(
-                "--tolerance: \"{part}\" is not a valid tolerance; expected wall, diameter, length, angle, pressure, modulus or stiffness with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%"
+                "--tolerance: \"{part}\" is not a valid tolerance; expected pressure, modulus, stiffness, {} with a half-width, such as wall=0.1mm, angle=1deg or modulus=10%",
+                names.join(", ")
             );
             Failure::input(ProblemKind::Quantity, message, "")
         };
         let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-        let (slot, dimension) = match name.trim() {
-            "wall" => (&mut out.wall_mm, Dimension::Length),
-            "diameter" => (&mut out.outer_diameter_mm, Dimension::Length),
-            "length" => (&mut out.length_mm, Dimension::Length),
-            "angle" => (&mut out.angle_deg, Dimension::Angle),
-            "pressure" => (&mut out.pressure_mpa, Dimension::Pressure),
-            "modulus" => (&mut out.modulus, Dimension::Ratio),
-            "stiffness" => (&mut out.stiffness, Dimension::Ratio),
-            _ => return Err(wrong()),
-        };
-        let value = quantity("--tolerance", Some(value), dimension)?.unwrap_or(0.0);
-        if value < 0.0 {
-            let message = format!("--tolerance: {} is below zero; tolerances are ± half-widths", part.trim());
-            return Err(Failure::input(ProblemKind::Quantity, message, ""));
+        let read = |dimension| quantity("--tolerance", Some(value), dimension).map(Option::unwrap_or_default);
+        match name.trim() {
+            "pressure" => out.pressure_mpa = read(Dimension::Pressure)?,
+            "modulus" => out.modulus = read(Dimension::Ratio)?,
+            "stiffness" => out.stiffness = read(Dimension::Ratio)?,
+            name => {
+                let named = |m: &Measure| {
+                    m.flag().is_some_and(|flag| flag == name || flag == format!("outer-{name}"))
+                };
+                let (_, measure) = fields().find(|(_, m)| named(m)).ok_or_else(wrong)?;
+                out.measures.set(measure, read(measure.dimension)?);
+            }
         }
-        *slot = value;
     }
     Ok(out)
 }

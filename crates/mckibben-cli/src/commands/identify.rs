@@ -16,7 +16,8 @@ use crate::word::word;
 use clap::Args;
 use mckibben::muscle::Measure;
 use mckibben::muscle::measures::{OUTER_DIAMETER, WALL};
-use mckibben_app::{Branches, IdentifyRequest, LossWord, MeshFields, ModelFields};
+use mckibben_app::{Branches, IdentifyRequest, MeshFields, ModelFields};
+use mckibben_fit::least_squares::Loss;
 use std::path::PathBuf;
 
 pub const EXAMPLES: &str = "Examples:
@@ -105,8 +106,8 @@ pub struct IdentifyArgs {
     #[arg(long, help_heading = "Parameters")]
     pub laws: bool,
     /// How residuals count
-    #[arg(long, value_parser = word::<LossWord>(), default_value = "squares", help_heading = "Parameters")]
-    pub loss: LossWord,
+    #[arg(long, value_parser = word::<Loss>(), default_value = "squares", help_heading = "Parameters")]
+    pub loss: Loss,
     /// The same as --loss huber
     #[arg(long, conflicts_with = "loss", help_heading = "Parameters")]
     pub robust: bool,
@@ -179,7 +180,7 @@ fn request(args: &IdentifyArgs) -> Result<IdentifyRequest, Failure> {
         fix: args.fix.clone(),
         bounds: args.bounds.clone(),
         laws: args.laws,
-        loss: if args.robust { LossWord::Huber } else { args.loss },
+        loss: if args.robust { Loss::Huber } else { args.loss },
         figure: args.plot.plot.as_ref().map(|_| shown::units()),
     })
 }

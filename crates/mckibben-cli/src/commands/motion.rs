@@ -167,7 +167,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     let text = || burst_first(&answer.warnings) + &as_text(&answer, &unit);
     show(&answer, format, "series", text, args.output.target())?;
-    Ok(answer.problem.map_or(0, |problem| Failure::from(problem).exit()))
+    Ok(answer.problem().map_or(0, |problem| Failure::from(problem).exit()))
 }
 
 fn as_text(answer: &MotionAnswer, u: &Units) -> String {
@@ -181,7 +181,7 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
     if let Some(c) = answer.sonic_conductance_l_per_s_bar {
         text += &format!("\nthe smallest valve has {} L/(s bar)\n", number(c, 4));
     }
-    for run in std::iter::once(&answer.motion).chain(&answer.others) {
+    for run in answer.runs() {
         text += &format!("\n{}", one(run, u));
     }
     text
@@ -189,18 +189,19 @@ fn as_text(answer: &MotionAnswer, u: &Units) -> String {
 
 fn one(run: &MotionRun, u: &Units) -> String {
     let s = |v: f64| format!("{} s", number(v, 4));
-    let joint = run.series.angle_deg.is_some();
+    let (value, run) = (&run.value, &run.motion);
+    let degrees = run.series.degrees();
+    let joint = degrees.is_some();
     let mut list: Vec<(&str, String)> = vec![];
-    list.extend(run.value.as_ref().map(|v| ("with", v.clone())));
+    list.extend(value.as_ref().map(|v| ("with", v.clone())));
     let last = |list: &[f64]| list.last().copied();
-    if let Some(angle) = run.series.angle_deg.as_deref().and_then(last) {
-        list.push(("ends at", format!("{} °", number(angle, 4))));
-    }
-    if let Some(muscle) = &run.series.muscle {
+    if let Some([angle, _]) = &degrees {
+        list.extend(last(angle).map(|angle| ("ends at", format!("{} °", number(angle, 4)))));
+    } else if let Some(muscle) = run.series.muscles.first() {
         let ends = last(&muscle.contraction).zip(last(&muscle.pressure_mpa));
         list.extend(ends.map(|(e, p)| ("ends at", format!("{}, {}", percent(e), u.pressure.show(p)))));
     }
-    if run.at_rest == Some(false) {
+    if run.at_rest() == Some(false) {
         let angle = run.equilibrium_angle_deg.map(|v| format!("{} °", number(v, 4)));
         let at = run.equilibrium_contraction.map(percent).or(angle);
         let at = at.map_or_else(String::new, |at| format!("; its equilibrium is {at}"));

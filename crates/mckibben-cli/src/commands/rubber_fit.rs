@@ -11,9 +11,9 @@ use crate::progress::Bar;
 use crate::quantities::{quantity, ratio};
 use crate::word::word_or;
 use clap::Args;
-use mckibben::rubber::fit::{Form, Mode};
 use mckibben::units::Dimension;
 use mckibben_app::{ConstantRow, ProblemKind, RubberFitRequest, rubber_fit};
+use mckibben_fit::rubber::{Form, Mode};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -111,9 +111,10 @@ pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     plot::check(args.plot.plot.as_deref())?;
     let target = Target { path: args.output.as_deref(), overwrite: args.replace.overwrite };
     check(target, &Content::Muscle)?;
-    let mut answer = rubber_fit(&request(args)?, &Bar::hidden())?;
+    let request = request(args)?;
+    let mut answer = rubber_fit(&request, &Bar::hidden())?;
     if target.path.is_some() {
-        save(target, Content::Muscle, answer.muscle_file()?.as_bytes())?;
+        save(target, Content::Muscle, answer.muscle_file(&request)?.as_bytes())?;
     }
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     if format == Format::Csv {
@@ -123,7 +124,7 @@ pub fn run(args: &RubberFitArgs, format: Format) -> Result<u8, Failure> {
     }
     let text = || {
         answer.warnings.iter().chain(&answer.failed).for_each(|w| warn(in_flags(w)));
-        text::of(&answer, args.output.as_deref())
+        text::of(&answer, &request, args.output.as_deref())
     };
     show(&answer, format, "", text, Target::STDOUT)?;
     Ok(0)

@@ -9,8 +9,8 @@ use crate::plot;
 use crate::progress::Bar;
 use crate::shown;
 use mckibben::curve::Test;
-use mckibben::study::{Study, StudyPanel};
-use mckibben_app::{StudyRequest, study};
+use mckibben::study::StudyPanel;
+use mckibben_app::{StudyAnswer, StudyRequest, study};
 
 /// Runs the study.
 pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
@@ -26,13 +26,13 @@ pub fn run(args: &CurveArgs, format: Format) -> Result<u8, Failure> {
     plot::save(answer.figure.take(), args.plot.plot.as_deref())?;
     let text = || {
         answer.warnings.iter().for_each(warn);
-        as_text(&answer.study, &unit)
+        as_text(&answer, &unit)
     };
     show(&answer, format, "points", text, args.output.target())?;
     Ok(0)
 }
 
-fn as_text(study: &Study, u: &Units) -> String {
+fn as_text(study: &StudyAnswer, u: &Units) -> String {
     let mut out = format!(
         "Thickness study, model {}: D0 {}, L0 {}\n",
         study.model,

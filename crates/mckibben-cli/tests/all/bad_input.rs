@@ -346,7 +346,7 @@ const FLAGS: &[Case] = &[
         "design -F 300 -e 10% -p 2.5bar --tolerance wall=-1",
         2,
         "quantity",
-        "half-widths",
+        "a tolerance is a half-width of zero or above",
     ),
     (
         "a tolerance beyond the wall",

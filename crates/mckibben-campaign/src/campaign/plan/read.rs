@@ -64,7 +64,7 @@ pub(super) fn plan(text: &str) -> Result<Plan, FileError> {
 fn some_muscle(plan: &Plan) -> Result<(), String> {
     let mut first = None;
     for number in 0..plan.muscles().min(1000) {
-        match plan.inputs(number).muscle(&plan.base) {
+        match plan.inputs(number).muscle() {
             Ok(_) => return Ok(()),
             Err(error) => first = first.or(Some(error)),
         }

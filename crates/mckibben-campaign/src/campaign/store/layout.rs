@@ -2,13 +2,16 @@
 
 use crate::Row;
 use crate::campaign::Plan;
-use crate::columns::{COLUMNS, Column, Slot};
+use crate::columns::{COLUMNS, Column, Role, Slot};
+use mckibben_parquet::{Kind, Packing};
 
 /// Which columns a table has: those of the plan, less those that a table of an older program lacks.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Layout {
     /// Constants of the law: `c10_mpa`.
     pub(crate) constants: Vec<String>,
+    /// Other measures that vary: `seating_mm`.
+    pub(crate) measures: Vec<String>,
     /// Keys of the sensitivities: `tube.material.c10`.
     pub(crate) sensitivities: Vec<String>,
     /// Columns that it does not have; they read as nothing.
@@ -30,6 +33,23 @@ impl Field {
         (self.column.slot)(row)
     }
 
+    /// What its values are.
+    pub(super) fn kind(&self) -> Kind {
+        match self.slot(&mut Row::default()) {
+            Slot::Whole(_) => Kind::Int64,
+            Slot::Count(_) => Kind::Int32,
+            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Kind::Double,
+            Slot::Optional(_) | Slot::Sensitivities(_) => Kind::Optional,
+            Slot::Text(_) | Slot::Status(_) => Kind::Text,
+        }
+    }
+
+    /// Its column in a file: what was asked repeats few values, and answers differ.
+    pub(super) fn parquet(&self) -> mckibben_parquet::Field {
+        let packing = if self.column.role == Role::Answer { Packing::Distinct } else { Packing::Repeated };
+        mckibben_parquet::Field { name: self.name.clone(), kind: self.kind(), packing }
+    }
+
     /// Its key in a group.
     pub(crate) fn key(&self) -> &str {
         self.key.as_deref().unwrap_or(&self.name)
@@ -45,7 +65,7 @@ impl Field {
         match self.slot(row) {
             Slot::Number(v) => Some(*v),
             Slot::Optional(v) => *v,
-            Slot::Constants(list) => self.of(list),
+            Slot::Constants(list) | Slot::Measures(list) => self.of(list),
             _ => None,
         }
     }
@@ -54,11 +74,11 @@ impl Field {
 impl Layout {
     /// The columns of a plan's table.
     pub(crate) fn of(plan: &Plan) -> Self {
-        Self::new(plan.constants(), plan.sensitivities())
+        Self { measures: plan.measures(), ..Self::new(plan.constants(), plan.sensitivities()) }
     }
 
     pub(crate) fn new(constants: Vec<String>, sensitivities: Vec<String>) -> Self {
-        Self { constants, sensitivities, lacking: vec![] }
+        Self { constants, sensitivities, ..Self::default() }
     }
 
     /// All columns.
@@ -67,6 +87,7 @@ impl Layout {
             let one = |name: String, key: Option<String>| Field { name, column, key };
             match (column.slot)(&mut Row::default()) {
                 Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
+                Slot::Measures(_) => self.measures.iter().map(|k| one(k.clone(), None)).collect(),
                 Slot::Sensitivities(_) => {
                     let name = |k: &String| format!("d_force_d_{}", k.replace('.', "_"));
                     self.sensitivities.iter().map(|k| one(name(k), Some(k.clone()))).collect()

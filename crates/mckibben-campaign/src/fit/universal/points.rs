@@ -45,9 +45,12 @@ fn muscle(row: &Row) -> Option<Muscle> {
 /// Muscles with the points where they pull; pressures without a blocked force are left out.
 ///
 /// # Errors
-/// [`FitError::Empty`] where nothing pulls.
+/// [`FitError::Empty`] where nothing pulls, [`FitError::Varies`] where a measure varies that the formula does not have.
 pub fn samples(rows: &[Row]) -> Result<Vec<Sample>, FitError> {
     let known = |r: &&Row| r.status.is_ok() && r.force_n.is_some_and(f64::is_finite);
+    if let Some((column, _)) = rows.iter().find_map(|r| r.measures.first()) {
+        return Err(FitError::Varies(column.clone()));
+    }
     let mut out = vec![];
     for group in rows.chunk_by(|a, b| a.muscle == b.muscle) {
         let Some((first, muscle)) = group.first().and_then(|r| Some((r, muscle(r)?))) else { continue };

@@ -2,11 +2,11 @@
 
 use crate::failure::in_flags;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
-use mckibben::design::{CandidatePoint, Limit, Relaxation, Spread};
 use mckibben_app::{
     CandidateAnswer, ClosestAnswer, DemandAnswer, DesignAnswer, RejectedAnswer, SearchedAnswer, SureAnswer,
     TorqueWanted, Wanted,
 };
+use mckibben_design::{CandidatePoint, Limit, Relaxation, Spread};
 use std::path::Path;
 
 /// The design for people.

@@ -12,7 +12,7 @@ use mckibben_app::{
     MeasuredRequest, MeasuredResult, MeasuredRubber, MeasuredRubberFit, MeasuredStress, ProblemKind,
     with_error_bar,
 };
-use mckibben_fem::validation::case::built_in;
+use mckibben_fit::validation::case::built_in;
 use std::path::Path;
 
 /// Runs the command.
@@ -192,7 +192,7 @@ fn block(case: &MeasuredCase, results: &[MeasuredResult]) -> String {
 }
 
 fn values(fit: &MeasuredFit) -> String {
-    let one = |p: &mckibben::identify::Identified| {
+    let one = |p: &mckibben_fit::identify::Identified| {
         let (value, bar) = with_error_bar(p);
         let bar = if bar == "–" { String::new() } else { format!(" ± {bar}") };
         let unit = if p.unit.is_empty() { String::new() } else { format!(" {}", p.unit) };
