@@ -39,7 +39,7 @@ pub struct MotionRequest {
     pub figure: Option<Units>,
 }
 
-/// A step of the pressure of one muscle. It stands on its stop, at its length at rest, until it is lifted.
+/// A step of the pressure of one muscle. It rests on its stop at its length at rest until it is lifted.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct StepFields {
