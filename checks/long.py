@@ -50,7 +50,7 @@ PARTS = {
         r"crates/mckibben-fem/src/(three_dimensional|element|output)/.*", r"benches/peers/.*", r"data/peers/.*",
     ], None, ["cargo xtask peers --check"]),
     "mutations": ("made-up and damaged input at length", [
-        r"crates/mckibben/src/(table|muscle/file)/.*", r"crates/mckibben-(server|files)/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*",
+        r"crates/mckibben/src/(table|muscle/file)/.*", r"crates/mckibben-(server|files)/src/.*", r"crates/mckibben-campaign/src/campaign/store/.*", r"crates/mckibben-parquet/src/.*",
     ], None, ["MCKIBBEN_ROUNDS=2000 cargo test --workspace --locked --test all mutat"]),
 }
 
