@@ -385,7 +385,7 @@ mod tests {
             ("command.until", "3 s"),
         ] {
             let by_file = with_value(&text, key, value).and_then(|text| parse_drive(&text, &tables));
-            assert_eq!(drive.with(key, value, &tables), by_file, "{key}");
+            assert_eq!(drive.with(key, value, &tables).unwrap(), by_file.unwrap(), "{key}");
         }
         for (key, value) in [("load.held", "10 %"), ("valve.closed", "1"), ("supply.pressure", "0 bar")] {
             assert!(drive.with(key, value, &tables).is_err(), "{key}");
