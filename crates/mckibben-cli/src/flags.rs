@@ -7,7 +7,7 @@ use crate::names::MODELS;
 use crate::output::Target;
 use crate::quantities::quantity;
 use crate::word::word;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::units::Units;
@@ -246,16 +246,4 @@ pub struct PlotFlag {
     /// Write a figure; the file ending selects the format: .svg, .png or .html
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
-}
-
-/// Form of the output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Format {
-    /// Aligned text with units
-    #[default]
-    Text,
-    /// One JSON object; keys carry their unit
-    Json,
-    /// One row per point; columns carry their unit
-    Csv,
 }

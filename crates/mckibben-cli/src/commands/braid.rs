@@ -1,7 +1,8 @@
 //! `braid list|show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::names::SLEEVES;
 use crate::output::show as print;
 use crate::output::text::{number, or_dash, pairs, percent, table};

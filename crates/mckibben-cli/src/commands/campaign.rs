@@ -2,11 +2,13 @@
 
 mod show;
 
+use crate::clean;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::files;
-use crate::flags::{Format, OutputFlags, OverwriteOrForceFlag};
+use crate::flags::{OutputFlags, OverwriteOrForceFlag};
+use crate::format::Format;
 use crate::output::text::{number, place};
-use crate::output::{Target, clean, emit, json, show as print, warn};
+use crate::output::{Target, emit, json, show as print, warn};
 use crate::progress::{self, Bar, INTERRUPTED, stopped};
 use clap::{Args, Subcommand};
 use mckibben::progress::Progress;

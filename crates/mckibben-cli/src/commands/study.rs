@@ -2,7 +2,7 @@
 
 use super::curve::CurveArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::text::{Units, columns, percents};
 use crate::output::{show, warn};
 use crate::plot;

@@ -3,7 +3,8 @@
 mod measured;
 
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::{Format, OutputFlags, PlotFlag};
+use crate::flags::{OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};

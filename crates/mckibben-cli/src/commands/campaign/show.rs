@@ -2,7 +2,7 @@
 
 use super::CampaignShowArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::show;
 use crate::output::text::{number, pairs, table};
 use mckibben_app::{CampaignShowRequest, campaign_show};
