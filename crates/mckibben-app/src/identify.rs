@@ -404,7 +404,7 @@ impl IdentifyRequest {
             match p.start.filter(|_| p.bounds.is_none()) {
                 Some(value) => fixed.push((p.target, value)),
                 None => {
-                    return wrong("fix", format!("\"{}\" holds nothing", text.trim()), "write NAME=VALUE");
+                    return wrong("fix", format!("\"{}\" has no value", text.trim()), "write NAME=VALUE");
                 }
             }
         }
@@ -470,7 +470,7 @@ impl From<IdentifyError> for Problem {
                 "forces are positive where the muscle pulls, contractions where it is shorter than at rest",
             ),
             IdentifyError::NoRubber { .. } => {
-                let hint = "look at the signs and units of the columns, at diameter, wall and angle of the muscle, and at where its contraction is zero";
+                let hint = "check the signs and units of the columns, the diameter, wall and angle of the muscle, and the zero of its contraction";
                 (ProblemKind::NotConverged, hint)
             }
             IdentifyError::TooFew { .. } | IdentifyError::ErrorsOfSome { .. } => (ProblemKind::Data, ""),

@@ -28,6 +28,8 @@
 mod annotate;
 mod border;
 mod braid;
+#[cfg(feature = "schema")]
+mod bundle;
 mod burst;
 #[cfg(feature = "files")]
 mod campaign;
@@ -72,9 +74,11 @@ pub mod words;
 
 pub use border::{guarded, panics_are_problems, within};
 pub use braid::*;
+#[cfg(feature = "schema")]
+pub use bundle::bundle;
 #[cfg(feature = "files")]
 pub use campaign::*;
-pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find, packed, parsed};
+pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, parsed};
 #[cfg(feature = "schema")]
 pub use commands::{RequestFields, schema, understood};
 pub use compare::*;

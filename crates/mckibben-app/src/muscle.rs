@@ -152,12 +152,12 @@ pub fn sleeve(name: &str) -> Result<Sleeve, Problem> {
 
 impl From<SleeveError> for Problem {
     fn from(error: SleeveError) -> Self {
-        // Keys of a muscle file there, fields of a request here.
-        let message = error
-            .to_string()
-            .replace("`strand_diameter`", "`strand_diameter_mm`")
-            .replace("`strand_modulus`", "`strand_modulus_mpa`");
-        Self::new(ProblemKind::Braid, message, "")
+        let field = |key| match key {
+            "strand_diameter" => "strand_diameter_mm",
+            "strand_modulus" => "strand_modulus_mpa",
+            other => other,
+        };
+        Self::new(ProblemKind::Braid, error.named(field).to_string(), "")
     }
 }
 

@@ -1,6 +1,6 @@
 //! A muscle in requests: a file, names, and a field for each measure of [`mckibben::muscle::measures`].
 
-use crate::fields::{Stiffness, TextFile};
+use crate::fields::{InGroup, Stiffness, TextFile};
 use mckibben::muscle::measures::{MeasureValues, fields};
 use mckibben::muscle::{Measure, Muscle};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
@@ -25,6 +25,7 @@ pub struct MuscleFields {
 /// What of a muscle has a name, or completes one.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
+#[schemars(transform = InGroup(mckibben::muscle::measures::GROUP))]
 pub struct NamedFields {
     /// Muscle file (TOML); the other fields override what it says.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -142,8 +143,9 @@ impl JsonSchema for MuscleFields {
             _ => Map::new(),
         };
         let one = |name: &&str| {
-            let measure = Measure::of_field(name).map(|m| m.schema(""));
-            Some(((*name).to_owned(), measure.or_else(|| named.remove(*name))?))
+            let field =
+                Measure::of_field(name).map(Measure::request_schema).or_else(|| named.remove(*name))?;
+            Some(((*name).to_owned(), field))
         };
         let properties: Map<String, Value> = NAMES.iter().filter_map(one).collect();
         schema.insert("properties".into(), properties.into());

@@ -217,7 +217,7 @@ impl From<Exceeded> for Problem {
         let hint = match resource {
             Resource::Points => "take larger steps, or",
             Resource::Elements | Resource::Bytes => "take a coarser mesh, or",
-            Resource::Factorisations | Resource::Seconds => "ask for less, or",
+            Resource::Factorisations | Resource::Seconds => "reduce the request, or",
         };
         Self::new(
             ProblemKind::Budget,

@@ -108,7 +108,7 @@ pub fn report(request: &ReportRequest, progress: &dyn Progress) -> Result<Report
     let document = Document {
         title: format!("McKibben muscle: {}", shown.summary.line(units)),
         lead: format!(
-            "At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless said otherwise; ± covers 95 % against a measured muscle.",
+            "At {} and a contraction of {}. All numbers by {}, axisymmetric finite elements, unless stated otherwise; ± covers 95 % against a measured muscle.",
             units.pressure.show(pressure_mpa),
             percent(contraction),
             point.point.model
@@ -271,7 +271,7 @@ fn build(shown: &MuscleShowAnswer, u: &Units) -> Vec<Part> {
 fn limits(shown: &MuscleShowAnswer, point: &PointAnswer) -> Vec<Part> {
     let mut list = vec![
         "The tube is bonded to rigid terminals; the strands move with its outer surface and turn freely at their crossings, with friction only where the muscle file states it.".to_owned(),
-        "The braid has no thickness and lies on the tube from the start; the rubber has no memory.".to_owned(),
+        "The braid has no thickness and lies on the tube from the start; the rubber has no relaxation and no softening.".to_owned(),
         format!("The ±: {}", point.about.uncertainty_basis),
     ];
     if shown.muscle.terminals().insertion_mm.is_none() {

@@ -21,7 +21,7 @@ use crate::commands::schema::SchemaArgs;
 use crate::commands::serve::ServeArgs;
 use crate::commands::simulate::SimulateArgs;
 use crate::commands::validate::ValidateArgs;
-use crate::flags::Format;
+use crate::format::Format;
 use clap::{Parser, Subcommand};
 use mckibben::budget::Resource;
 

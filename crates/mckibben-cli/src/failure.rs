@@ -1,7 +1,6 @@
 //! What a command ends with when it does not end well: kind, message, hint, exit code, in the words of the command line.
 
-use crate::output::clean;
-use crate::{shown, typed};
+use crate::{clean, shown, typed};
 use mckibben::muscle::Measure;
 use mckibben_app::{Ending, Problem, ProblemKind};
 use mckibben_files::ReadError;

@@ -7,7 +7,7 @@ use crate::names::MODELS;
 use crate::output::Target;
 use crate::quantities::quantity;
 use crate::word::word;
-use clap::{Args, ValueEnum};
+use clap::Args;
 use mckibben::load::Load;
 use mckibben::units::Dimension;
 use mckibben_app::units::Units;
@@ -172,7 +172,7 @@ pub fn mesh_fields(mesh: Option<&str>, keep: Keep, terminal: Option<&str>) -> Re
 fn terminal(text: &str) -> Result<Option<Terminal>, Failure> {
     let wrong = || {
         let message = format!(
-            "--terminal: \"{text}\" is not a terminal; expected none, rigid or aluminium, with the insertion and the radius of the nose behind if you like (aluminium:20mm:3mm)"
+            "--terminal: \"{text}\" is not a terminal; expected none, rigid or aluminium, with an optional insertion and radius of the nose (aluminium:20mm:3mm)"
         );
         Failure::input(ProblemKind::Terminal, message, "leave it out for a rigid plane")
     };
@@ -246,16 +246,4 @@ pub struct PlotFlag {
     /// Write a figure; the file ending selects the format: .svg, .png or .html
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
-}
-
-/// Form of the output.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
-pub enum Format {
-    /// Aligned text with units
-    #[default]
-    Text,
-    /// One JSON object; keys carry their unit
-    Json,
-    /// One row per point; columns carry their unit
-    Csv,
 }

@@ -89,12 +89,18 @@ pub struct Motion {
 impl Motion {
     /// Whether it rests at the end, where it can.
     pub fn at_rest(&self) -> Option<bool> {
-        self.end.map(|end| end.moves == Moves::Rests)
+        self.end.map(MotionEnd::rests)
+    }
+}
+
+impl MotionEnd {
+    fn rests(self) -> bool {
+        self.moves == Moves::Rests
     }
 }
 
 fn rests<S: Serializer>(end: &Option<MotionEnd>, serializer: S) -> Result<S::Ok, S::Error> {
-    end.map(|end| end.moves == Moves::Rests).serialize(serializer)
+    end.map(MotionEnd::rests).serialize(serializer)
 }
 
 fn reason<S: Serializer>(ended: &Option<MotionError>, serializer: S) -> Result<S::Ok, S::Error> {

@@ -5,8 +5,7 @@ use crate::room::Held;
 use axum::http::StatusCode;
 use mckibben::budget::{Budget, Exceeded, Limits, Resource};
 use mckibben::progress::Progress;
-use mckibben_app::{CommandEntry, JsonSize, Problem, ProblemKind, ask_value, parsed};
-use serde_json::Value;
+use mckibben_app::{CommandEntry, JsonSize, Problem, ProblemKind, Ready, parsed};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore, watch};
@@ -94,7 +93,7 @@ pub struct Asked {
 #[derive(Debug)]
 pub struct Question {
     pub command: &'static CommandEntry,
-    pub request: Value,
+    pub request: Ready,
     /// Given back when the answer is made.
     _held: Held,
 }
@@ -118,6 +117,7 @@ impl Asked {
                 format!("on the command line it is `mckibben {}`", self.command.name.replace('-', " "));
             return Err(Refusal::new(StatusCode::FORBIDDEN, "the server touches no files", hint));
         }
+        let request = self.command.read(request)?;
         Ok(Question { command: self.command, request, _held: self.held })
     }
 }
@@ -162,6 +162,6 @@ pub async fn worked<T: Send + 'static>(
 
 /// The answer to a question, as JSON or packed.
 pub fn answer(question: Question, packed: bool, progress: &dyn Progress) -> Result<Vec<u8>, Refusal> {
-    let answer = ask_value(question.command.name, question.request, progress)?;
+    let answer = question.request.answer(progress)?;
     Ok(if packed { mckibben_app::packed(answer) } else { answer.to_string().into_bytes() })
 }

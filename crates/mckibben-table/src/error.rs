@@ -38,7 +38,7 @@ pub enum TableError {
     },
     /// No column of that meaning.
     #[error(
-        "no column of {wanted} (the columns are: {found}); name it {names}, or say which one it is with `columns` {example}"
+        "no column of {wanted} (the columns are: {found}); name it {names}, or assign it with `columns` {example}"
     )]
     MissingColumn {
         /// What is needed.
@@ -87,7 +87,7 @@ pub enum TableError {
         units: String,
     },
     /// Two columns for one quantity.
-    #[error("the columns {found} could all be {name}: say which one with `columns` {name}=\"{example}\"")]
+    #[error("the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"")]
     Ambiguous {
         /// The quantity.
         name: &'static str,

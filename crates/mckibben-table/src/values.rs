@@ -95,7 +95,7 @@ impl Table {
             (said, stated, Some(dimension)) => match dimension.heading_unit(said) {
                 Some(unit) if stated.is_none_or(|s| s == unit) => unit.inside(value),
                 Some(_) => {
-                    let clash = format!(" here: its heading says {}", stated.map_or("", |u| u.name));
+                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
                     return Err(self.wrong_unit(row.line, column, said, clash));
                 }
                 None => return Err(not_a_number("")),

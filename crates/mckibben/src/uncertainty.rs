@@ -243,7 +243,7 @@ pub fn measured_n(muscle: &Muscle, blocked_n: f64, contraction: f64) -> f64 {
 /// neither is known.
 fn rubber_n(workspace: &mut Workspace, muscle: &Muscle, pressure_mpa: f64, contraction: f64) -> Option<f64> {
     let own = &muscle.tube().rubber;
-    let others = of_equal_standing(muscle);
+    let others = of_equal_standing(&muscle.tube().rubber, muscle.reach());
     let one_axis = is_known_from_one_axis(own).then(|| stiffer(own, ONE_AXIS));
     if others.is_empty() && one_axis.is_none() {
         return None;
@@ -295,7 +295,10 @@ mod tests {
             uncertainty(&ThickWall::new(m), w, (0.25, 0.2), 100.0, Direction::Mean).unwrap().rubber
         };
         let named = Muscle::prototype().with_tube(tube("treloar-natural-rubber")).unwrap();
-        assert_eq!(part(&named, w).is_some(), !of_equal_standing(&named).is_empty());
+        assert_eq!(
+            part(&named, w).is_some(),
+            !of_equal_standing(&named.tube().rubber, named.reach()).is_empty()
+        );
         assert_eq!(part(&Muscle::prototype(), w), None);
     }
 
@@ -308,7 +311,10 @@ mod tests {
             Muscle::prototype().with_tube(Tube { rubber, ..Muscle::prototype().tube().clone() }).unwrap()
         };
         let named = muscle(rubber.clone());
-        assert!(of_equal_standing(&named).is_empty() && is_known_from_one_axis(&named.tube().rubber));
+        assert!(
+            of_equal_standing(&named.tube().rubber, named.reach()).is_empty()
+                && is_known_from_one_axis(&named.tube().rubber)
+        );
         let changed = muscle(stiffer(&named.tube().rubber, ONE_AXIS));
         assert!(!is_known_from_one_axis(&changed.tube().rubber));
         let mut pull = |m: &Muscle| ThickWall::new(m).force_n(w, 0.25, 0.2).unwrap();

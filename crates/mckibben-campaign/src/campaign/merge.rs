@@ -61,7 +61,7 @@ pub(super) fn tables<'a>(
             let opened = place.open(number)?;
             belongs(&opened.provenance, provenance, &name)?;
             if opened.which != Which::Part(number) {
-                return Err(CampaignError::damaged(&name, "it holds another part than its name says"));
+                return Err(CampaignError::damaged(&name, "it contains a different part from its name"));
             }
             (0..opened.groups()).map(|g| opened.group(g)).collect::<Result<Vec<_>, _>>()
         };

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub(super) fn finished(provenance: &Provenance, out: &Path, parts: &Path) -> Result<Outcome, CampaignError> {
     let opened = of_this_plan(provenance, out)?;
     if opened.which != Which::Whole {
-        return Err(CampaignError::damaged(out, "it holds only a part of the campaign"));
+        return Err(CampaignError::damaged(out, "it contains only a part of the campaign"));
     }
     if parts.is_dir() {
         // A run was killed between writing the file and removing its parts.
@@ -65,7 +65,7 @@ pub(super) fn there(
     let cause = |(number, path): &(u64, PathBuf)| match of_this_plan(provenance, path) {
         Ok(opened) => {
             let right = opened.which == Which::Part(*number);
-            Ok((!right).then(|| "it holds another part than its name says".to_owned()))
+            Ok((!right).then(|| "it contains a different part from its name".to_owned()))
         }
         Err(CampaignError::Damaged { why, .. }) => Ok(Some(why)),
         Err(error @ CampaignError::Read { .. }) => Err(error),

@@ -147,7 +147,7 @@ pub fn summary(path: impl AsRef<Path>) -> Result<Summary, CampaignError> {
                     out.add_file(&opened, &part)?;
                     there += 1;
                 } else {
-                    damaged.push(format!("{}: it holds another part than its name says", part.display()));
+                    damaged.push(format!("{}: it contains a different part from its name", part.display()));
                 }
             }
             Err(CampaignError::Damaged { why, .. } | CampaignError::NoCampaign { why, .. }) => {

@@ -1,7 +1,8 @@
 //! `braid list|show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::names::SLEEVES;
 use crate::output::show as print;
 use crate::output::text::{number, or_dash, pairs, percent, table};
@@ -90,8 +91,11 @@ pub fn show(args: &BraidShowArgs, format: Format) -> Result<u8, Failure> {
 }
 
 fn strands(answer: &BraidShowAnswer) -> String {
-    let bound =
-        if answer.strands_stated { "" } else { " (as many as touch; k with so many is an upper bound)" };
+    let bound = if answer.strands_stated {
+        ""
+    } else {
+        " (strands that touch each other; their k is an upper bound)"
+    };
     or_dash(answer.strands, |n| format!("{n}{bound}"))
 }
 

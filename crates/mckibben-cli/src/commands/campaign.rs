@@ -2,11 +2,13 @@
 
 mod show;
 
+use crate::clean;
 use crate::failure::{Failure, NOT_CONVERGED};
 use crate::files;
-use crate::flags::{Format, OutputFlags, OverwriteOrForceFlag};
+use crate::flags::{OutputFlags, OverwriteOrForceFlag};
+use crate::format::Format;
 use crate::output::text::{number, place};
-use crate::output::{Target, clean, emit, json, show as print, warn};
+use crate::output::{Target, emit, json, show as print, warn};
 use crate::progress::{self, Bar, INTERRUPTED, stopped};
 use clap::{Args, Subcommand};
 use mckibben::progress::Progress;
@@ -205,12 +207,15 @@ fn as_text(outcome: &Outcome, time: Duration) -> String {
         let rate = number(p.points as f64 / seconds, 3);
         text.push_str(&format!("{} points in {} s ({rate} a second)", p.points, number(seconds, 3)));
         if p.failed > 0 {
-            text.push_str(&format!(", {} without an answer: `mckibben campaign show` says why", p.failed));
+            text.push_str(&format!(
+                ", {} without an answer: `mckibben campaign show` gives the reasons",
+                p.failed
+            ));
         }
         text.push('\n');
     }
     if !outcome.complete {
-        text.push_str("Interrupted: the same command goes on from here.\n");
+        text.push_str("Interrupted: the same command continues from here.\n");
     }
     text
 }

@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{AskFlags, ColumnsFlag, Format, MuscleFlags, OutputFlags, PlotFlag};
+use crate::flags::{AskFlags, ColumnsFlag, MuscleFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::{Units, columns, percent, percents, place, understood};
 use crate::output::{show, warn};

@@ -1,7 +1,8 @@
 //! `curve isometric|isotonic|isobaric`, and `curve --study`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::output::loaded::loaded as text_of_load;
 use crate::output::text::{Units, columns, number, percent, percents};
 use crate::output::{burst_first, is_json, show, streamed, warn};

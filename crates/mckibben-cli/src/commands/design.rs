@@ -2,12 +2,14 @@
 
 mod text;
 
+use crate::clean;
 use crate::failure::{Failure, NO_ANSWER};
 use crate::files;
-use crate::flags::{Format, LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::flags::{LoadFlag, OverwriteFlag, PlotFlag, StrandFlags, UnitsFlag};
+use crate::format::Format;
 use crate::names::{MODELS, RUBBERS, SLEEVES};
 use crate::output::text::{Units, place};
-use crate::output::{Content, Target, burst_first, check, clean, colour, emit, save, show};
+use crate::output::{Content, Target, burst_first, check, colour, emit, save, show};
 use crate::plot;
 use crate::progress::Bar;
 use crate::quantities::{contraction as contraction_ratio, quantity, ratio, values};

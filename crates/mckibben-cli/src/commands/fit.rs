@@ -6,7 +6,8 @@ mod text;
 pub use text::{error_rows, errors_table, made_text, range_text, universal as universal_text};
 
 use crate::failure::Failure;
-use crate::flags::{Format, OverwriteOrForceFlag, stiffness};
+use crate::flags::{OverwriteOrForceFlag, stiffness};
+use crate::format::Format;
 use crate::output::{Content, Target, check, json, save, show};
 use crate::progress::Bar;
 use crate::quantities::points;

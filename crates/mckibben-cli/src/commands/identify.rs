@@ -4,7 +4,8 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::flags::{ColumnsFlag, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::place;
 use crate::output::{Content, Target, check, save, show};

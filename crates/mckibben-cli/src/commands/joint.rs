@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
+use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::output::text::{Units, number, table};
 use crate::output::{burst_first, show};
 use crate::plot;

@@ -1,7 +1,8 @@
 //! `models`: the force models, and the story of one.
 
 use crate::failure::Failure;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::show;
 use clap::Args;

@@ -3,7 +3,8 @@
 use super::joint;
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
+use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{burst_first, show};
 use crate::plot;
@@ -143,7 +144,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
             Failure::input(
                 ProblemKind::Usage,
-                format!("--sweep: \"{text}\" has no = with values behind it"),
+                format!("--sweep: \"{text}\" has no = followed by values"),
                 hint,
             )
         })?;

@@ -1,7 +1,8 @@
 //! `muscle show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, ModelFlags, MuscleFlags, OutputFlags};
+use crate::flags::{ModelFlags, MuscleFlags, OutputFlags};
+use crate::format::Format;
 use crate::output::text::{Units, braid_name, law_text, number, or_dash, pairs, percent, rubber_name};
 use crate::output::{FLAT, burst_first, show as print};
 use crate::quantities::quantity;

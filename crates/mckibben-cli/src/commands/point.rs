@@ -1,7 +1,8 @@
 //! `force`, `pressure`, `contraction`: one point.
 
 use crate::failure::Failure;
-use crate::flags::{Format, LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
+use crate::flags::{LoadFlag, ModelFlags, MuscleFlags, OutputFlags};
+use crate::format::Format;
 use crate::output::loaded::loaded;
 use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{burst_first, show};

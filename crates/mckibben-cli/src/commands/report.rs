@@ -1,7 +1,8 @@
 //! `report`: all that is known of a muscle, as one file.
 
 use crate::failure::Failure;
-use crate::flags::{Format, MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::flags::{MuscleFlags, OverwriteFlag, UnitsFlag};
+use crate::format::Format;
 use crate::output::{Content, Target, check, emit, ending, json, save, warn};
 use crate::progress::Bar;
 use crate::quantities::{contraction, quantity};

@@ -1,7 +1,8 @@
 //! `rubber list|show`.
 
 use crate::failure::Failure;
-use crate::flags::{Format, OutputFlags};
+use crate::flags::OutputFlags;
+use crate::format::Format;
 use crate::names::RUBBERS;
 use crate::output::text::{law_text, number, or_dash, pairs, percent, table};
 use crate::output::{show as print, warn};

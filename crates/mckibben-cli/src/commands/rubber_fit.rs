@@ -4,7 +4,8 @@ mod text;
 
 use crate::failure::{Failure, in_flags};
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, OverwriteOrForceFlag, PlotFlag};
+use crate::flags::{ColumnsFlag, OverwriteOrForceFlag, PlotFlag};
+use crate::format::Format;
 use crate::output::{Content, Target, check, save, show, warn};
 use crate::plot;
 use crate::progress::Bar;

@@ -1,7 +1,7 @@
 //! `serve`: the workbench in a browser.
 
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::{emit, warn};
 use crate::progress;
 use clap::Args;

@@ -1,7 +1,8 @@
 //! `simulate`: one finite-element test with everything it knows.
 
 use crate::failure::Failure;
-use crate::flags::{Format, MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
+use crate::flags::{MuscleFlags, OutputFlags, PlotFlag, mesh_fields};
+use crate::format::Format;
 use crate::output::text::{Units, aligned, columns, number, percent, percents, place};
 use crate::output::{Content, Target, burst_first, check, ending, save, show};
 use crate::plot;

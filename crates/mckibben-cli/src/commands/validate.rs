@@ -3,7 +3,8 @@
 mod measured;
 
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::{Format, OutputFlags, PlotFlag};
+use crate::flags::{OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
@@ -60,7 +61,7 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
         return measured::run(args, folder.as_deref(), format);
     }
     if args.plot.plot.is_some() {
-        let message = "--plot draws the measured muscles: it goes with --measured";
+        let message = "--plot draws the measured muscles: it requires --measured";
         return Err(Failure::input(
             ProblemKind::Usage,
             message,

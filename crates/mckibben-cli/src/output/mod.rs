@@ -1,6 +1,5 @@
 //! Results as text, JSON and CSV, and where they go.
 
-pub mod clean;
 mod columns;
 mod csv;
 mod guard;
@@ -15,8 +14,9 @@ pub use guard::{Content, check, ending, of_input};
 pub use stream::streamed;
 pub use write::{Target, burst_first, colour, complain, emit, save, warn, warn_behind};
 
+use crate::clean;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::quantities::unit_hint;
 use mckibben_app::ProblemKind;
 use schemars::JsonSchema;

@@ -1,7 +1,7 @@
 //! Where results go: standard output, or a file that appears whole or not at all.
 
-use super::clean;
 use super::guard::{Content, check};
+use crate::clean;
 use crate::failure::Failure;
 use crate::shown;
 use anstyle::{AnsiColor, Style};

@@ -76,7 +76,7 @@ fn a_hole_of_twenty_gigabytes_is_refused_at_once() {
     file.write_all_at(b"PAR1", 0).unwrap();
     file.write_all_at(b"\xff\xff\xff\x7fPAR1", (20 << 30) - 8).unwrap();
     let result = bounded(dir.path(), "campaign show hole.parquet");
-    assert!(result.code == 2 && result.err.contains("holds no campaign"), "{}", result.err);
+    assert!(result.code == 2 && result.err.contains("is not a campaign"), "{}", result.err);
 }
 
 #[cfg(target_os = "linux")]

@@ -122,7 +122,7 @@ fn data_that_cannot_be_right_are_refused_with_the_reason() {
         (table(|r| r), "--free mu,mu", "named twice"),
         (table(|r| r), "--free mu --fix mu=3", "named twice"),
         (table(|r| r), "--free mu=1:2:3", "must lie between"),
-        (table(|r| r), "--fix mu", "holds nothing"),
+        (table(|r| r), "--fix mu", "has no value"),
         (table(|r| r), "--bounds mu=0.1:1", "is not free"),
         (table(|r| r), "--stiffness inextensible --free braid.stiffness", "write braid.stiffness=START"),
         (table(|r| r), "--weights 1,2", "2 numbers for 1 sets"),

@@ -258,15 +258,13 @@ fn unidentifiable(found: &Identification) -> Vec<String> {
                 p.name
             )
         } else {
+            let limit = format!("{} {}", show(p.limit), p.unit);
             format!(
-                "{} is not identifiable from these data: ± {} is more than {} {}; fix it",
+                "{} is not identifiable from these data: ± {} is more than {}; fix it",
                 p.name,
                 show(p.half_width),
-                show(p.limit),
-                p.unit
+                limit.trim()
             )
-            .replace("  ", " ")
-            .replace(" ;", ";")
         })
     };
     found.parameters.iter().filter_map(one).collect()

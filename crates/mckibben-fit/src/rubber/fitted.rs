@@ -119,7 +119,7 @@ impl FittedLaw {
     pub fn held(&self) -> &'static str {
         match self.form.kind().held_positive {
             Some(words) => words,
-            None if self.law.locks_at().is_some() => "with a limit behind the muscle's stretches",
+            None if self.law.locks_at().is_some() => "with a limit beyond the muscle's stretches",
             None => "among its stable laws",
         }
     }

@@ -96,7 +96,7 @@ impl fmt::Display for TensionWarning {
             ),
             Self::Modulus { modulus_mpa } => {
                 let unit = if *modulus_mpa > MODULI.1 {
-                    "are the stresses in kPa or psi, or the strains in percent under a heading that says otherwise?"
+                    "are the stresses in kPa or psi, or the strains in percent under a heading for ratios?"
                 } else {
                     "are the stresses in GPa or the strains not in percent, or is it a foam or gel?"
                 };
@@ -126,7 +126,7 @@ impl fmt::Display for TensionWarning {
             ),
             Self::NegativeC01 { c01_mpa } => write!(
                 f,
-                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from uniaxial tests and misleads in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
+                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from uniaxial tests and is wrong in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
             ),
             Self::NoStiffness { law, modulus_mpa } => {
                 write!(f, "{law}: the shear modulus at rest is {modulus_mpa:.3} MPa: no rubber")
@@ -178,8 +178,11 @@ pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) ->
 
 pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<TensionWarning> {
     let mut out = vec![];
-    let law =
-        if fitted.constrained { format!("{}, held stable", fitted.form.name()) } else { fitted.form.name() };
+    let law = if fitted.constrained {
+        format!("{}, constrained to be stable", fitted.form.name())
+    } else {
+        fitted.form.name()
+    };
     if fitted.law.clone().validated().is_err() {
         let modulus_mpa = fitted.law.shear_modulus_mpa();
         out.push(TensionWarning::NoStiffness { law: law.clone(), modulus_mpa });

@@ -103,7 +103,7 @@ fn one(text: &str, table: &dyn Fn(&str) -> Option<LoadTable>) -> Result<Load, Lo
             match behind.map(str::trim) {
                 None => Ok(Load::Mass { mass_kg, level: false }),
                 Some("level") => Ok(Load::Mass { mass_kg, level: true }),
-                Some(_) => Err(wrong("a mass that hangs, such as mass:20kg, or mass:20kg@level")),
+                Some(_) => Err(wrong("a hanging mass, such as mass:20kg, or mass:20kg@level")),
             }
         }
         ("spring", behind) => {

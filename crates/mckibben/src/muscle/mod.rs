@@ -15,9 +15,12 @@ mod lay;
 pub mod measures;
 mod reach;
 mod rubber;
+mod sleeve;
 mod terminals;
 mod tube;
 
+pub use crate::rubber::{Bulk, Conditioned, Rubber};
+pub use crate::sleeve::NEUTRAL_ANGLE_DEG;
 pub use bench::Bench;
 pub use braid::{Braid, BraidStiffness, MeasuredStrand, SLEEVE_ANGLE_TOLERANCE_DEG, Strands};
 pub use crimp::Crimp;
@@ -29,15 +32,11 @@ pub use friction::Friction;
 pub use lay::StrandLay;
 pub use measures::{Measure, Parts};
 pub use reach::largest_stretch;
-pub use rubber::{Bulk, Conditioned, Rubber};
 pub use terminals::{EndFactor, Terminals};
 pub use tube::Tube;
 
 use crate::rubber::library;
 use std::sync::Arc;
-
-/// The braid angle at which a muscle neither contracts nor extends: cos²θ = 1/3, in degrees.
-pub const NEUTRAL_ANGLE_DEG: f64 = 54.735_610_317_245_35;
 
 /// A muscle whose parts have been checked against each other.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,6 +4,7 @@
 //! and what its energy is: laws written in the invariants I1, I2 by [`InvariantLaw`], others by [`RubberLaw`]. Everything
 //! else follows. All energies are in MPa (= N·mm/mm³) and vanish at rest.
 
+mod compound;
 mod constant;
 mod form;
 mod invariants;
@@ -14,6 +15,7 @@ pub mod over_time;
 mod stability;
 mod written;
 
+pub use compound::{Bulk, Conditioned, Rubber};
 pub use constant::{
     Constant, ConstantValue, HyperelasticCard, LawConstants, LawKind, NEEDS_ALL, TermCounts, foreign,
     one_of_all,

@@ -102,7 +102,7 @@ fn sampling(section: &Section<'_>) -> Result<Sampling, FileError> {
         let suggestion = words.into_iter().find(|w| method.get(..3).is_some_and(|m| w.starts_with(m)));
         return Err(section.error("method", Problem::Word { suggestion, expected: METHODS }));
     }
-    let needs = "it says how many muscles are drawn";
+    let needs = "it is the number of random muscles";
     let samples = samples.ok_or_else(|| section.missing("samples", Some("method"), needs))?;
     if samples == 0 {
         return Err(section.error("samples", Problem::Said("must be above zero".into())));

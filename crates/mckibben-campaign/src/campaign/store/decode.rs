@@ -53,7 +53,7 @@ impl Opened {
         })?;
         let (rows, there) = (provenance.rows_of(which), reader.rows());
         if u64::try_from(there) != Ok(rows) {
-            return Err(CampaignError::damaged(path, format!("it holds {there} rows instead of {rows}")));
+            return Err(CampaignError::damaged(path, format!("it has {there} rows instead of {rows}")));
         }
         let fields = provenance.layout.fields().into();
         Ok(Self { provenance, which, path: path.into(), fields, reader })

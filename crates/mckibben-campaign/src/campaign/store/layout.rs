@@ -3,7 +3,7 @@
 use crate::PointRow;
 use crate::campaign::Plan;
 use crate::columns::{COLUMNS, Column, Role, Slot};
-use mckibben_parquet::{Kind, Packing};
+use mckibben_parquet::{Column as Values, Packing};
 
 /// Which columns a table has: those of the plan, less those that a table of an older program lacks.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -33,14 +33,14 @@ impl Field {
         (self.column.slot)(row)
     }
 
-    /// What its values are.
-    pub(super) fn kind(&self) -> Kind {
+    /// An empty column of its kind.
+    pub(super) fn kind(&self) -> Values {
         match self.slot(&mut PointRow::default()) {
-            Slot::Whole(_) => Kind::Int64,
-            Slot::Count(_) => Kind::Int32,
-            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Kind::Double,
-            Slot::Optional(_) | Slot::Sensitivities(_) => Kind::Optional,
-            Slot::Text(_) | Slot::Status(_) => Kind::Text,
+            Slot::Whole(_) => Values::Int64(vec![]),
+            Slot::Count(_) => Values::Int32(vec![]),
+            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Values::Double(vec![]),
+            Slot::Optional(_) | Slot::Sensitivities(_) => Values::Optional(vec![]),
+            Slot::Text(_) | Slot::Status(_) => Values::Text(vec![]),
         }
     }
 

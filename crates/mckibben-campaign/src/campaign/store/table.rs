@@ -58,7 +58,7 @@ pub(crate) struct Table {
 impl Table {
     pub(crate) fn new(layout: &Layout) -> Self {
         let fields: Arc<[Field]> = layout.fields().into();
-        Self { columns: fields.iter().map(|f| Column::new(f.kind())).collect(), fields, rows: 0 }
+        Self { columns: fields.iter().map(Field::kind).collect(), fields, rows: 0 }
     }
 
     pub(super) fn of(fields: &Arc<[Field]>, columns: Vec<Column>, rows: usize) -> Self {
@@ -67,7 +67,7 @@ impl Table {
 
     /// The same without rows.
     pub(super) fn emptied(&self) -> Self {
-        let columns = self.fields.iter().map(|f| Column::new(f.kind())).collect();
+        let columns = self.fields.iter().map(Field::kind).collect();
         Self::of(&self.fields, columns, 0)
     }
 

@@ -2,7 +2,7 @@
 
 use super::text::errors_row;
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::text::{number, table};
 use crate::output::{Target, show};
 use crate::progress::Bar;

@@ -2,7 +2,7 @@
 
 use super::ValidateArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::show;
 use crate::output::text::{number, or_dash, pairs, table};
 use crate::progress::Bar;

@@ -83,7 +83,7 @@ pub(super) fn read(section: &Section<'_>) -> Result<Option<Bench>, FileError> {
     }
     let parameters = section.texts("parameters", "a list of names")?.ok_or_else(|| missing("parameters"))?;
     if parameters.len() > MOST || parameters.iter().any(|p| p.len() > LONGEST) {
-        return Err(said("parameters", "holds more or longer names than a muscle has"));
+        return Err(said("parameters", "has more or longer names than a muscle"));
     }
     let covariance = rows("covariance")?;
     let n = parameters.len();

@@ -9,7 +9,7 @@ mod table;
 mod values;
 
 pub use table::*;
-pub use values::MeasureValues;
+pub use values::{GROUP, MeasureValues};
 
 use super::{Braid, Friction, Muscle, MuscleError, Terminals, Tube};
 use crate::units::Dimension;

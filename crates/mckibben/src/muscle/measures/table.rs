@@ -216,9 +216,9 @@ pub static GRIP: Measure = Measure {
     field: Some("grip_mm"),
     bounds: Bounds::NotNegative,
     default: Some(0.0),
-    about: "Length at each end, within L0, in which tube and braid are held",
-    comment: "of the length, held at each end",
-    label: "held at each end",
+    about: "Length at each end, within L0, in which tube and braid are clamped",
+    comment: "clamped at each end, within the length",
+    label: "clamped at each end",
     digested: true,
     identify: Some(Identify {
         also: &["grip"],
@@ -369,7 +369,7 @@ pub static THICKNESS: Measure = Measure {
     default: Some(0.0),
     symbol: "t",
     about: "Thickness t of the braid, both layers of strands",
-    comment: "both layers: the strands' midline lies half of it off the tube",
+    comment: "both layers: the midline of the strands is half of it above the tube",
     identify: Some(Identify {
         start: |m| Some(0.02 * m.outer_diameter_mm()),
         bounds: |m| (1e-6 * m.outer_diameter_mm(), 0.3 * m.outer_diameter_mm()),

@@ -1,5 +1,7 @@
 //! Values of measures as fields of requests.
 
+#[cfg(feature = "schema")]
+use super::{Bounds, Muscle};
 use super::{Measure, fields};
 use serde::de::{IgnoredAny, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -76,11 +78,43 @@ impl<'de> Visitor<'de> for Fields {
     }
 }
 
+/// The group of fields to which those of a muscle belong.
+pub const GROUP: &str = "muscle";
+
 #[cfg(feature = "schema")]
 impl Measure {
     /// The schema of its field; `more` is added to the sentence about it.
     pub fn schema(&self, more: &str) -> serde_json::Value {
-        serde_json::json!({ "description": self.documentation(more), "type": ["number", "null"], "format": "double" })
+        let mut field = serde_json::json!({
+            "description": self.documentation(more), "type": ["number", "null"], "format": "double",
+            "x-group": GROUP, "x-key": self.key,
+        });
+        if !self.symbol.is_empty() {
+            field["x-symbol"] = self.symbol.into();
+        }
+        if !self.is_plain() {
+            field["x-quantity"] = serde_json::json!(self.dimension);
+            field["x-unit"] = self.unit().into();
+        }
+        field
+    }
+
+    /// The same in a request, with the values that it may have and the one of a muscle that does not state it.
+    pub fn request_schema(&self) -> serde_json::Value {
+        let mut field = self.schema("");
+        match self.bounds {
+            Bounds::Positive => field["exclusiveMinimum"] = 0.0.into(),
+            Bounds::NotNegative => field["minimum"] = 0.0.into(),
+            Bounds::Between(low, high) => {
+                field["minimum"] = low.into();
+                field["maximum"] = high.into();
+            }
+            Bounds::OfPart => {}
+        }
+        if let Some(value) = Muscle::prototype().measure(self).or(self.default) {
+            field["default"] = value.into();
+        }
+        field
     }
 }
 

@@ -15,8 +15,8 @@ pub use named::{COVERING, USUAL_REACH, find, find_for, follows, is_known_from_on
 pub use window::{Standing, Window, WindowLaw};
 
 use super::{Law, Stability, biaxial_stability};
-use crate::muscle::Rubber;
 use crate::nearest::nearest;
+use crate::rubber::Rubber;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::OnceLock;
@@ -169,7 +169,7 @@ impl fmt::Display for RubberWarning {
             ),
             RubberWarning::NegativeC01 { c01_mpa } => write!(
                 f,
-                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and misleads in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
+                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and is wrong in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
             ),
         }
     }
