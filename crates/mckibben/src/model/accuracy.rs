@@ -181,7 +181,7 @@ mod tests {
             ),
             (
                 Reference::RandomMuscles(Where::Ends { per_slenderness: 0.65, stretching: false }),
-                "0.65 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model leaves out",
+                "0.65 D0/L0 of the blocked force covers 95 % of 5491 points on 1000 random muscles (L0/D0 5–20) against axisymmetric finite elements with inextensible strands: the ends, which this model neglects",
             ),
         ] {
             assert_eq!(reference.to_string(), sentence);
