@@ -222,7 +222,7 @@ impl OutputFlags {
     }
 }
 
-/// Whether what stands there may be lost. `--force` is the pull in newtons where a command takes one, so this is its name
+/// Whether an existing file may be overwritten. `--force` is the pull in newtons where a command takes one, so this is its name
 /// everywhere.
 #[derive(Debug, Clone, Default, Args)]
 pub struct OverwriteFlag {

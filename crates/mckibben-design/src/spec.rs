@@ -147,7 +147,7 @@ pub enum SpecError {
         /// Contraction ratio.
         contraction: f64,
     },
-    /// A torque or angle that makes no sense.
+    /// An invalid torque or angle.
     #[error(
         "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
     )]

@@ -127,7 +127,7 @@ impl Unfinished {
         self.temporary.as_file_mut()
     }
 
-    /// Brings it to the disk and gives it its name. What stands there is replaced only with `clobber`.
+    /// Brings it to the disk and gives it its name. An existing file is overwritten only with `clobber`.
     ///
     /// # Errors
     /// `AlreadyExists` without `clobber` where there is such a file now; whatever the system says. What was there before is

@@ -122,7 +122,7 @@ pub enum CampaignError {
     /// Something that is not of this campaign stands where a file of it would.
     #[error("{} is not a file of a campaign ({why}) and would be overwritten", .path.display())]
     Foreign {
-        /// What stands there.
+        /// The value in the file.
         path: PathBuf,
         /// What it is.
         why: String,

@@ -72,7 +72,7 @@ pub(super) fn tables<'a>(
     })
 }
 
-/// Writes all parts as one file, which appears whole or not at all; with `clobber` in the place of what stands there.
+/// Writes all parts as one file, which appears whole or not at all; with `clobber` instead of an existing file.
 pub(super) fn write_whole(
     provenance: &Provenance,
     places: BTreeMap<u64, PartSource>,

@@ -15,7 +15,7 @@ use std::sync::Mutex;
 pub struct Target<'a> {
     /// The file; else standard output.
     pub path: Option<&'a Path>,
-    /// What stands there is replaced, whatever it is.
+    /// An existing file is overwritten.
     pub overwrite: bool,
 }
 

@@ -83,7 +83,7 @@ pub enum Stopped {
 }
 
 impl Stopped {
-    /// Whether trying on makes no sense: the work that was allowed is done.
+    /// Whether further attempts are useless: the allowed work is done.
     pub fn is_final(&self) -> bool {
         matches!(self, Self::Budget { .. } | Self::Exceeded(_))
     }

@@ -265,7 +265,7 @@ fn what_the_data_cannot_tell_is_flagged() {
 }
 
 #[test]
-fn the_default_leaves_a_stiffness_alone_that_is_not_told() {
+fn the_default_does_not_free_an_unidentifiable_stiffness() {
     let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
     let points = noisy(&bench(&rigid, 0.0), 4.0, 5);
     let m = soft();

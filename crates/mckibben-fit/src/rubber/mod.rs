@@ -110,7 +110,7 @@ pub enum TensionFitError {
         /// The neo-Hookean modulus that fits best.
         modulus_mpa: f64,
     },
-    /// A setting that makes no sense.
+    /// An invalid setting.
     #[error("{what} is {value}; it must be {expected}")]
     Setting {
         /// Which.

@@ -42,7 +42,7 @@ pub enum Problem {
     Unknown {
         /// Which key.
         key: String,
-        /// What stands there.
+        /// The value in the file.
         given: String,
         /// What may stand there.
         known: String,

@@ -28,7 +28,7 @@ pub enum LoadTextError {
         /// What should stand there.
         expected: &'static str,
     },
-    /// A value that makes no sense.
+    /// An invalid value.
     #[error("load {text}: {what} must be above zero")]
     Sign {
         /// The load as written.

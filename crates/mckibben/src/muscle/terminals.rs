@@ -39,7 +39,7 @@ impl EndFactor {
 pub struct Terminals {
     /// Length of tube and braid clamped on each plug, in mm, where it is stated.
     pub insertion_mm: Option<f64>,
-    /// What both ends together give way under a pull, in mm, as strands seat and slip in the clamps: the muscle between them is contracted
+    /// Total displacement of both ends under load, in mm, as strands seat and slip in the clamps: the muscle between them is contracted
     /// by that much more. It is taken as constant, whatever the pull.
     pub seating_mm: Option<f64>,
     /// Slip of both ends together per newton of clamp load, in mm/N ([`Ends`](super::Ends)).

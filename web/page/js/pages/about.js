@@ -1,4 +1,4 @@
-// What stands behind the numbers: verification, validation, sources, limits.
+// Verification, validation, sources, limits.
 import { engine } from "../ask.js";
 import { DOCUMENTATION } from "../kind.js";
 import { el } from "../dom.js";

@@ -104,7 +104,7 @@ pub enum Problem {
     /// A rubber that the library does not hold.
     #[error("{0}")]
     Rubber(#[source] LibraryError),
-    /// Something that must stand beside what stands there.
+    /// Something that is required together with the given key.
     #[error("{missing} is missing; {needs}")]
     Missing {
         /// Key that is missing.

@@ -184,7 +184,7 @@ impl<'s> Section<'s> {
         }
     }
 
-    /// Whether a text with `%` behind it stands there.
+    /// Whether the value is a text that ends in `%`.
     pub fn is_percent(&self, key: &str) -> bool {
         let written = self.table.and_then(|t| t.get(key)).and_then(Item::as_str);
         written.is_some_and(|text| text.trim_end().ends_with('%'))
