@@ -28,7 +28,7 @@ impl Bounds {
 
     /// The pull of a muscle that hangs where it would have to push.
     #[inline(always)]
-    pub(super) fn clamp_slack(&self, pull_n: f64, p: f64) -> f64 {
+    pub(super) fn hung(&self, pull_n: f64, p: f64) -> f64 {
         let pulls = (pull_n >= self.push_n) & (pull_n.abs() > self.rounding_mm2 * p);
         if pulls { pull_n } else { 0.0 }
     }
@@ -55,6 +55,6 @@ pub(super) fn pulls_within<M: ForceModel + ?Sized>(
     {
         return false;
     }
-    out.iter_mut().zip(pressures_mpa).for_each(|(pull, &p)| *pull = bounds.clamp_slack(*pull, p));
+    out.iter_mut().zip(pressures_mpa).for_each(|(pull, &p)| *pull = bounds.hung(*pull, p));
     true
 }

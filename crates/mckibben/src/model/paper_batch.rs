@@ -151,7 +151,7 @@ fn within<const FUSED: bool>(k: &Section, bounds: &Bounds, inputs: [&[f64]; 2], 
     for i in 0..n {
         let force = pull::<FUSED>(&k, p[i], e[i]);
         without += u64::from(!(bounds.hold(p[i], e[i]) & (force.abs() < f64::INFINITY)));
-        out[i] = bounds.clamp_slack(force, p[i]);
+        out[i] = bounds.hung(force, p[i]);
     }
     without
 }
