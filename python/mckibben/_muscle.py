@@ -86,7 +86,7 @@ class Muscle(MuscleFields, MuscleCommands):
         return muscle
 
     def report(self, path: str | PathLike[str] | None = None, *, pressure_mpa: Number | None = None, contraction: Number | None = None, units: str = "MPa", progress: Any = None) -> str:
-        """All that is known of the muscle as one HTML page that needs no network; written to ``path`` where one is given."""
+        """A report of the muscle as one HTML page for reading offline; written to ``path`` if one is given."""
         from . import _native, _plain
         from ._ask import listening
 

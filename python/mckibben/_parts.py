@@ -28,7 +28,7 @@ class _Part:
     _values: dict[str, Any]
 
     def to_toml(self) -> str:
-        """The table as it stands in a muscle file."""
+        """The table as in a muscle file."""
         return "\n".join([f"[{self._table}]", *(f"{name} = {_toml(value)}" for name, value in self._values.items()), ""])
 
     def __setattr__(self, name: str, value: object) -> None:

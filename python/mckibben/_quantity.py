@@ -21,7 +21,7 @@ def kind_of(name: str) -> Kind | None:
 
 
 def typed(name: str, text: str, kind: Kind | None) -> str:
-    """The kind of quantity of a field in which a text with a unit may stand."""
+    """The kind of quantity of a field that accepts a text with a unit."""
     kind = kind or kind_of(name)
     if kind is None or kind[0] is None:
         raise wrong(name, f'"{text}" is a text, and this is a plain number')

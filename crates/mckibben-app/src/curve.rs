@@ -39,23 +39,23 @@ pub struct CurveRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// Gauge pressures P in MPa; isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01 where they are left out.
+    /// Gauge pressures P in MPa; default isobaric 0.05 to 0.25 by 0.05, else 0 to 0.25 by 0.01.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub pressures_mpa: Option<Vec<f64>>,
-    /// Contraction ratios ε; where they are left out, from 0 to the free contraction at the highest pressure (or the end of the
+    /// Contraction ratios ε; default: from 0 to the free contraction at the highest pressure (or the end of the
     /// model's range): isobaric by 0.01, isometric by 0.05.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub contractions: Option<Vec<f64>>,
-    /// Pulls F in N of an isotonic test; 20, 80 and 150 where they are left out.
+    /// Pulls F in N of an isotonic test; default 20, 80 and 150.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub forces_n: Option<Vec<f64>>,
-    /// A load that the muscle meets in an isobaric test: its equilibria at each pressure, and its line in the figure.
+    /// A load in an isobaric test: its equilibria at each pressure, and its line in the figure.
     #[serde(flatten)]
     pub load: LoadFields,
-    /// Each curve shall be given on both branches of the friction's hysteresis.
+    /// Give each curve on both branches of the friction hysteresis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub both: bool,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub figure: Option<Units>,
 }
@@ -71,10 +71,10 @@ pub struct CurveAnswer {
     pub muscle: MuscleSummary,
     /// What is fixed along each curve: ε, F in N, or P in MPa; of two curves, where both branches were asked for.
     pub fixed: Vec<f64>,
-    /// What the user should know, of each kind the gravest.
+    /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
     /// The points, curve after curve; all curves have the same number of points.
     #[serde(rename = "points", serialize_with = "points")]
@@ -222,7 +222,7 @@ fn each(
         (None, _) => None,
         (Some(_), true) => loaded(&request.load, model, workspace, &fixed, question.options)?,
         (Some(_), false) => {
-            let message = "`load` goes with an isobaric test, where the pressure is the same along a curve";
+            let message = "`load` is for isobaric tests only, where the pressure is constant along a curve";
             return Err(Problem::new(ProblemKind::Usage, message, "").in_field("load"));
         }
     };
@@ -294,11 +294,11 @@ pub(crate) fn check_test(test: Test, contractions: bool, forces: bool) -> Result
     match test {
         Test::Isotonic => Problem::refuse_unused(
             &[("contractions", contractions)],
-            format!("`test` {name} takes pulls (`forces_n`) and answers with contractions"),
+            format!("`test` {name} needs pulls (`forces_n`) and computes contractions"),
         ),
         Test::Isometric | Test::Isobaric => Problem::refuse_unused(
             &[("forces_n", forces)],
-            format!("`test` {name} takes contractions (`contractions`) and answers with pulls"),
+            format!("`test` {name} needs contractions (`contractions`) and computes pulls"),
         ),
     }
 }

@@ -95,7 +95,7 @@ pub struct MeshFields {
     /// (2x12x39), with :quadratic or :circle behind.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mesh: Option<String>,
-    /// What `fe3d` keeps where bricks with strands at ±θ0 do not fill the length.
+    /// Dimension that `fe3d` keeps if bricks with strands at ±θ0 do not fill the length exactly.
     #[serde(rename = "match", skip_serializing_if = "is_default")]
     pub keep: Keep,
     /// Terminal of `fe3d` that is a body; without it a rigid plane.
@@ -146,10 +146,10 @@ pub enum TerminalMaterial {
 #[serde(default)]
 #[schemars(transform = InGroup("model"))]
 pub struct AskFields {
-    /// Answer outside of the model's range, with a warning.
+    /// Compute outside the model's range too, with a warning.
     #[serde(skip_serializing_if = "is_default")]
     pub extrapolate: bool,
-    /// Negative force instead of slack where the muscle would have to push.
+    /// Give the negative force, not slack, where the muscle would have to push.
     #[serde(skip_serializing_if = "is_default")]
     pub two_sided: bool,
     /// Branch of the friction hysteresis; needs the braid's friction.

@@ -78,7 +78,7 @@ pub use braid::*;
 pub use bundle::bundle;
 #[cfg(feature = "files")]
 pub use campaign::*;
-pub use commands::{COMMANDS, CommandEntry, ask, ask_packed, ask_value, find, packed, parsed};
+pub use commands::{COMMANDS, CommandEntry, Ready, ask, ask_packed, ask_value, find, packed, parsed};
 #[cfg(feature = "schema")]
 pub use commands::{RequestFields, schema, understood};
 pub use compare::*;

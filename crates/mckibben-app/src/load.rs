@@ -49,7 +49,7 @@ impl From<LoadError> for Problem {
             LoadError::Analysis(error) => error.into(),
             error => {
                 let hint = match error {
-                    LoadError::NotLifted { .. } => "`two_sided` says how far it stretches the muscle",
+                    LoadError::NotLifted { .. } => "`two_sided` gives the stretch of the muscle",
                     _ => "",
                 };
                 Self::new(ProblemKind::NoAnswer, error.to_string(), hint)

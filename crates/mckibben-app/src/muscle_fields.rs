@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use std::fmt;
 use std::sync::LazyLock;
 
-/// A muscle: a muscle file, and values that take the place of what it says. What nobody says is that of the paper's
+/// A muscle: a muscle file, and values that replace those of the file. Default values are those of the paper's
 /// prototype: D0 30 mm, s 3 mm, L0 285 mm, θ0 28°, rubber and braid `paper`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct MuscleFields {

@@ -177,11 +177,7 @@ impl Problem {
 
     /// A field that is there and would change nothing, with the reason, which names the other field.
     pub fn unused(field: &str, why: impl fmt::Display) -> Self {
-        Self::new(
-            ProblemKind::Usage,
-            format!("`{field}` would change nothing: {why}"),
-            "leave one of them out",
-        )
+        Self::new(ProblemKind::Usage, format!("`{field}` has no effect: {why}"), "leave one of them out")
     }
 
     /// Refuses fields that are there and would change nothing.
@@ -221,7 +217,7 @@ impl From<Exceeded> for Problem {
         let hint = match resource {
             Resource::Points => "take larger steps, or",
             Resource::Elements | Resource::Bytes => "take a coarser mesh, or",
-            Resource::Factorisations | Resource::Seconds => "ask for less, or",
+            Resource::Factorisations | Resource::Seconds => "reduce the request, or",
         };
         Self::new(
             ProblemKind::Budget,
@@ -272,7 +268,7 @@ impl From<AnalysisError> for Problem {
             AnalysisError::NoContraction { model, force_n, nearest_force_n, nearest_contraction, .. } => {
                 hint = if nearest_force_n > force_n {
                     format!(
-                        "it still pulls where the range of {model} ends; fe and thick-wall have no such limit"
+                        "the muscle still pulls at the limit of the range of {model}; fe and thick-wall have no such limit"
                     )
                 } else {
                     "take more pressure, or a larger muscle".to_owned()

@@ -76,7 +76,7 @@ pub struct RubberShowAnswer {
     pub note: Option<String>,
     /// The word for `rubber` by which the fits are found that are taken.
     pub rubber: String,
-    /// What to mind about the fit that is taken in the prototype.
+    /// Warnings about the fit that the prototype uses.
     pub warnings: Vec<String>,
 }
 

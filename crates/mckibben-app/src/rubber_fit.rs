@@ -22,7 +22,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::Path;
 
-/// Tension tests, and what is wanted of the laws.
+/// Tension tests, and the laws to fit.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct RubberFitRequest {
@@ -31,9 +31,9 @@ pub struct RubberFitRequest {
     pub data: Option<TextFile>,
     /// Columns of `data` whose heading does not say what they are: quantity to "heading:unit".
     pub columns: Columns,
-    /// Laws by name, or `all`; all that the points carry where none is named.
+    /// Laws by name, or `all`; all that the points determine if none is named.
     pub laws: Vec<String>,
-    /// Terms of `ogden`; 1, 2 and 3 where it is left out.
+    /// Terms of `ogden`; default 1, 2 and 3.
     pub terms: Option<usize>,
     /// How the specimens were stretched, where the table has no column `mode`; with a column `stretch_2` that is `general`.
     pub mode: Mode,
@@ -41,30 +41,30 @@ pub struct RubberFitRequest {
     pub area_mm2: Option<f64>,
     /// Length of the specimen at rest, mm, for a column of extensions or lengths.
     pub gauge_length_mm: Option<f64>,
-    /// Modes that are fitted, all where none is named. The others are held out, and how well each law follows them is said.
+    /// Modes to fit; default: all. The others are held out, and the answer gives the errors of each law there.
     pub fit_modes: Vec<Mode>,
-    /// Leave out what is stretched further.
+    /// Leave out points beyond this stretch.
     pub up_to_stretch: Option<f64>,
-    /// Differences over the measured stress: small stretches count as much as large ones.
+    /// Minimise relative differences: small stretches count as much as large ones.
     pub relative: bool,
-    /// Every mode counts alike, however many points it has.
+    /// Give every mode the same weight, whatever its number of points.
     pub balance: bool,
-    /// Factors on the modes.
+    /// Weights of the modes.
     pub weights: BTreeMap<Mode, f64>,
-    /// Laws that stay stable in a muscle only.
+    /// Fit only laws that stay stable in a muscle.
     pub stable: bool,
-    /// Hoop stretch of the muscle up to which a law should be stable; 3 where it is left out.
+    /// Hoop stretch of the muscle up to which a law must be stable; default 3.
     pub hoop_stretch: Option<f64>,
     /// Branches of a Prony series that is fitted as well, 1 to 8, from a column of times: one specimen, uniaxial, from rest on.
     /// Of the one law of `laws`, else of the recommended one.
     pub relaxation: Option<usize>,
     /// Softening by Ogden and Roxburgh is fitted as well, from a column of times that begins with the first loading. Of the same law.
     pub softening: bool,
-    /// Name of the rubber in the muscle file; that of the table where it is left out.
+    /// Name of the rubber in the muscle file; default that of the table.
     pub name: Option<String>,
-    /// Muscle that gets the rubber; the prototype where it is left out.
+    /// Muscle that receives the rubber; default: the prototype.
     pub muscle: Option<TextFile>,
-    /// The answer shall carry a figure.
+    /// Add a figure to the answer.
     pub figure: bool,
 }
 
@@ -83,9 +83,9 @@ pub struct RubberFitAnswer {
     pub held_out: usize,
     /// Largest principal stretch of the points.
     pub fitted_to_stretch: f64,
-    /// What was made small.
+    /// The objective of the fit.
     pub measure: Measure,
-    /// Whether every mode counted alike.
+    /// Whether every mode had the same weight.
     pub balance: bool,
     /// The law to take, where one is stable in a muscle.
     pub recommended: Option<String>,
@@ -95,7 +95,7 @@ pub struct RubberFitAnswer {
     pub laws: Vec<FittedLaw>,
     /// Laws without a fit, and why.
     pub failed: Vec<String>,
-    /// What to mind.
+    /// Warnings.
     pub warnings: Vec<String>,
     /// Relaxation, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -182,8 +182,8 @@ impl RubberFitAnswer {
     }
 }
 
-const APART: &str = "softening and relaxation were fitted apart, each as if there were nothing but it: what relaxes in the test counts as softening, and the \
-     reverse; a muscle file holds the law of the first loading with both";
+const APART: &str = "softening and relaxation were fitted separately, each without the other: relaxation during the test counts as softening, and the \
+     reverse; the muscle file has the law of the first loading with both";
 
 /// The laws that follow the tests, with the errors of their constants, and where they are stable.
 ///
@@ -287,7 +287,7 @@ impl RubberFitRequest {
         })
     }
 
-    /// The laws that are asked for; none means all that the points carry.
+    /// The laws that are asked for; none means all that the points determine.
     fn forms(&self) -> Result<Vec<Form>, Problem> {
         let mut forms: Vec<Form> = vec![];
         if self.laws.is_empty() && self.terms.is_none() {
@@ -297,7 +297,7 @@ impl RubberFitRequest {
             word.trim() == "all" || Form::parse(word).iter().any(|form| form.terms().is_some())
         };
         let alone = self.terms.is_some() && !self.laws.is_empty() && !self.laws.iter().any(several);
-        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a number of terms")?;
+        Problem::refuse_unused(&[("terms", alone)], "none of these `laws` has a selectable number of terms")?;
         let all = ["all".to_owned()];
         for word in if self.laws.is_empty() { &all[..] } else { &self.laws } {
             let found = if word.trim() == "all" { Form::all() } else { Form::parse(word) };
@@ -315,7 +315,7 @@ impl RubberFitRequest {
             }
         }
         if forms.is_empty() {
-            let message = "none of these laws has so many terms";
+            let message = "none of these laws has this number of terms";
             let hint = "leave `terms` out, or take `laws` ogden";
             return Err(Problem::new(ProblemKind::Usage, message, hint).in_field("terms"));
         }

@@ -30,7 +30,7 @@ pub struct StudyRequest {
     /// How it is asked.
     #[serde(flatten)]
     pub asking: AskFields,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
@@ -47,7 +47,7 @@ pub struct StudyAnswer {
     #[serde(rename = "points", serialize_with = "points")]
     #[schemars(with = "Vec<StudyRow>")]
     pub panels: Vec<StudyPanel>,
-    /// What the user should know, in sentences: those of the points, once a wall.
+    /// Warnings, in sentences: those of the points, once per wall.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.

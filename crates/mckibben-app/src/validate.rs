@@ -54,7 +54,7 @@ pub fn validate(request: &ValidateRequest, progress: &dyn Progress) -> Result<Va
     Ok(ValidateAnswer { cases: rows })
 }
 
-/// Random muscles, one question each.
+/// Random muscles, one point each.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SweepRequest {
     /// How many.
@@ -68,24 +68,24 @@ fn one() -> u64 {
     1
 }
 
-/// Which share of the questions was answered. It holds nothing that depends on the machine.
+/// The share of points with an answer. It does not depend on the machine.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct SweepAnswer {
     /// How many muscles.
     pub muscles: usize,
     /// Seed of the random numbers.
     pub seed: u64,
-    /// Questions that must have an answer: the infinitely long muscle pulls and its strands stretch by less than 5 %.
+    /// Points that must have an answer: the infinitely long muscle pulls and its strands stretch by less than 5 %.
     pub required: usize,
     /// How many of them have one.
     pub required_answered: usize,
-    /// The other questions.
+    /// The other points.
     pub others: usize,
     /// How many of them have an answer.
     pub others_answered: usize,
-    /// Most factorisations that a question took.
+    /// Largest number of factorisations of a point.
     pub most_factorisations: usize,
-    /// Why required questions have no answer.
+    /// Reasons why required points have no answer.
     pub unanswered: Vec<String>,
     /// The sweep itself, with its times.
     #[serde(skip)]

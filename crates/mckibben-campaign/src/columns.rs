@@ -1,7 +1,7 @@
 //! The columns of a campaign's table, declared once: Parquet's schema and its encoding, `campaign show` and the table in
 //! `docs/commands.md` follow from [`COLUMNS`].
 
-use crate::Row;
+use crate::PointRow;
 use mckibben::status::Status;
 use std::fmt::Write as _;
 
@@ -51,7 +51,7 @@ pub struct Column {
     /// What it tells.
     pub role: Role,
     /// Where it stands in a row.
-    pub slot: fn(&mut Row) -> Slot<'_>,
+    pub slot: fn(&mut PointRow) -> Slot<'_>,
 }
 
 const fn column(
@@ -59,7 +59,7 @@ const fn column(
     name: &'static str,
     unit: &'static str,
     meaning: &'static str,
-    slot: fn(&mut Row) -> Slot<'_>,
+    slot: fn(&mut PointRow) -> Slot<'_>,
 ) -> Column {
     Column { name, unit, meaning, role, slot }
 }
@@ -137,7 +137,7 @@ pub static COLUMNS: [Column; 23] = {
 pub fn documentation() -> String {
     let mut out = String::from("| column | unit | |\n|---|---|---|\n");
     for c in &COLUMNS {
-        let more = match (c.slot)(&mut Row::default()) {
+        let more = match (c.slot)(&mut PointRow::default()) {
             Slot::Constants(_) | Slot::Measures(_) | Slot::Sensitivities(_) => ", …",
             _ => "",
         };

@@ -5,7 +5,7 @@ use mckibben::status::Status;
 /// A row of a campaign's table: a muscle, a question, and what came out. Failures are rows too. How each is called in
 /// tables, and its unit, says [`crate::columns`].
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Row {
+pub struct PointRow {
     /// Number of the muscle in the plan, from 0.
     pub muscle: u64,
     /// D0 in mm.

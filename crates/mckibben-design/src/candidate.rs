@@ -1,6 +1,6 @@
 //! One muscle held against a specification.
 
-use super::limit::{Limit, Probe, air_of, full_response, need};
+use super::limit::{Limit, Probe, Score, air_of, full_response, need};
 use super::spec::{Build, OperatingPoint, Spec};
 use mckibben::analysis::{Burst, burst, force_on, free_contraction, work_per_stroke_j};
 use mckibben::model::{ModelError, Response, ThickWall, Workspace};
@@ -26,7 +26,7 @@ pub struct CandidatePoint {
 }
 
 impl CandidatePoint {
-    /// What was wanted.
+    /// The request.
     pub fn wanted(&self) -> OperatingPoint {
         OperatingPoint { force_n: self.response.force_n, contraction: self.response.contraction }
     }
@@ -42,7 +42,7 @@ pub struct Candidate {
     pub model: String,
     /// What it is ranked by: smaller is better.
     #[serde(skip)]
-    pub(super) score: f64,
+    pub(super) score: Score,
     /// The limit that keeps it from being better: the one that is met by least, where less than 1 % of it is left.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub binds: Option<Limit>,

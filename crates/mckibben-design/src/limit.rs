@@ -65,13 +65,16 @@ impl Check {
     }
 }
 
+/// What muscles are ranked by, the smaller the better: the objective, then what decides between two that are equal in it.
+pub(super) type Score = [f64; 2];
+
 /// A muscle held against a specification.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Probe {
     /// The limits, of every muscle of a specification in one order.
     pub(super) checks: Vec<Check>,
-    /// What the muscles are ranked by: smaller is better. Means something where every limit is met.
-    pub(super) score: f64,
+    /// What the muscles are ranked by, where every limit is met.
+    pub(super) score: Score,
 }
 
 impl Probe {
@@ -151,13 +154,12 @@ pub(super) fn probe_with(
     checks.extend(strands(spec, &points, model, workspace, &thick_wall)?);
     let margin = points.iter().zip(&checks).map(|(q, c)| c.value / q.force_n - 1.0);
     let score = match spec.objective {
-        Objective::Diameter => muscle.outer_diameter_mm() + 1e-6 * highest / max,
-        Objective::Pressure => highest,
-        Objective::Air => air,
-        Objective::Margin => -margin.fold(f64::INFINITY, f64::min),
-        Objective::BulgedDiameter => bulge,
-        // Of two of one length the thinner.
-        Objective::Length => muscle.length_mm() + 1e-6 * muscle.outer_diameter_mm(),
+        Objective::Diameter => [muscle.outer_diameter_mm(), highest],
+        Objective::Pressure => [highest, 0.0],
+        Objective::Air => [air, 0.0],
+        Objective::Margin => [-margin.fold(f64::INFINITY, f64::min), 0.0],
+        Objective::BulgedDiameter => [bulge, 0.0],
+        Objective::Length => [muscle.length_mm(), muscle.outer_diameter_mm()],
     };
     Ok(Probe { checks, score })
 }

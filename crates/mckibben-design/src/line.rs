@@ -3,6 +3,7 @@
 //! Each limit by itself varies slowly along the line, so that a few samples find all of its roots; their intersection may be much
 //! narrower than the step from sample to sample. Between neighbouring roots nothing changes: one muscle in the middle tells.
 
+use super::limit::Score;
 use mckibben::analysis::{Place, find_root, golden};
 
 /// Ratio of neighbouring samples.
@@ -19,13 +20,16 @@ const STEPS_TO_LEAST: usize = 30;
 /// Halvings towards the edge of where there is an answer at all.
 const HALVINGS: usize = 14;
 
+/// Of a muscle that was not ranked.
+pub(super) const NO_SCORE: Score = [f64::INFINITY; 2];
+
 /// A muscle of the line.
 #[derive(Debug, Clone)]
 pub(super) struct Sample {
     pub(super) x: f64,
     /// By which share each limit is missed; empty where the muscle or the model gives no answer.
     pub(super) excess: Vec<f64>,
-    pub(super) score: f64,
+    pub(super) score: Score,
 }
 
 impl Sample {
@@ -45,15 +49,15 @@ impl Sample {
 
 /// How good a muscle is: the shares by which it misses its limits, then its score. The smaller the better.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
-pub(super) struct Merit(f64, f64);
+pub(super) struct Merit(f64, Score);
 
 impl Merit {
     /// Nothing is known.
-    pub(super) const NONE: Merit = Merit(f64::INFINITY, f64::INFINITY);
+    pub(super) const NONE: Merit = Merit(f64::INFINITY, NO_SCORE);
 
     /// Of a muscle that misses by `violation`, or fits.
-    pub(super) fn new(violation: f64, score: f64) -> Self {
-        if violation > 0.0 { Self(violation, f64::INFINITY) } else { Self(0.0, score) }
+    pub(super) fn new(violation: f64, score: Score) -> Self {
+        if violation > 0.0 { Self(violation, NO_SCORE) } else { Self(0.0, score) }
     }
 
     pub(super) fn fits(self) -> bool {
@@ -132,7 +136,7 @@ fn local_minimum(three: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Option
         if !(m > 0.0 && m < NEARLY && l > m && r >= m) {
             continue;
         }
-        let value = |s: &Sample| Merit(s.excess.get(j).copied().unwrap_or(f64::INFINITY), 0.0);
+        let value = |s: &Sample| Merit(s.excess.get(j).copied().unwrap_or(f64::INFINITY), [0.0; 2]);
         let least = golden(a.x, b.clone(), c.x, STEPS, value, at);
         if least.excess.get(j).is_some_and(|e| *e <= 0.0) {
             return Some(least);
@@ -192,7 +196,7 @@ fn least_violation(samples: &[Sample], at: &mut impl FnMut(f64) -> Sample) -> Op
         return Some(best);
     }
     let (left, right) = (samples[i.saturating_sub(1)].x, samples[(i + 1).min(samples.len() - 1)].x);
-    Some(golden(left, best, right, STEPS_TO_LEAST, |s| Merit(s.violation(), 0.0), at))
+    Some(golden(left, best, right, STEPS_TO_LEAST, |s| Merit(s.violation(), [0.0; 2]), at))
 }
 
 /// The best muscle of an interval that fits, by its score, after so many golden sections.
@@ -224,7 +228,11 @@ mod tests {
     use super::*;
 
     fn line(low: f64, high: f64, limits: &[fn(f64) -> f64]) -> Found {
-        along(low, high, false, |x| Sample { x, excess: limits.iter().map(|f| f(x)).collect(), score: x })
+        along(low, high, false, |x| Sample {
+            x,
+            excess: limits.iter().map(|f| f(x)).collect(),
+            score: [x, 0.0],
+        })
     }
 
     #[test]
@@ -256,7 +264,7 @@ mod tests {
         let found = along(5.0, 80.0, false, |x| Sample {
             x,
             excess: if x < 30.0 { vec![] } else { vec![-1.0] },
-            score: x,
+            score: [x, 0.0],
         });
         let [(low, high)] = found.fitting[..] else { panic!("{found:?}") };
         assert!((low - 30.0).abs() < 2e-3 && high == 80.0, "{low}");
@@ -264,7 +272,7 @@ mod tests {
 
     #[test]
     fn the_best_of_an_interval_is_its_minimum() {
-        let mut at = |x: f64| Sample { x, excess: vec![-1.0], score: (x - 6.3).powi(2) };
+        let mut at = |x: f64| Sample { x, excess: vec![-1.0], score: [(x - 6.3).powi(2), 0.0] };
         let best = best_of(1.0, 10.0, STEPS, &mut at).unwrap();
         assert!((best.x - 6.3).abs() < 0.02, "{best:?}");
     }

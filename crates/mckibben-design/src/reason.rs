@@ -65,7 +65,7 @@ impl Reason {
     pub fn describe(&self, show: impl Fn(Dimension, f64) -> String) -> String {
         match self {
             Reason::Force { point, available_n, pressure_mpa } => format!(
-                "{} at {} and {} %, {} wanted",
+                "{} at {} and {} %, {} required",
                 show(Dimension::Force, available_n.floor()),
                 show(Dimension::Pressure, *pressure_mpa),
                 round(100.0 * point.contraction),
@@ -74,16 +74,16 @@ impl Reason {
             Reason::Bulge { diameter_mm, limit_mm } => {
                 let bulged = (10.0 * diameter_mm).round() / 10.0;
                 let [bulged, limit] = [bulged, *limit_mm].map(|v| show(Dimension::Length, v));
-                format!("bulges to {bulged}, at most {limit} wanted")
+                format!("bulged diameter {bulged}, at most {limit} allowed")
             }
             Reason::Burst { margin, limit } => {
-                format!("strands break at {margin:.2} times the maximum pressure, {limit} wanted")
+                format!("strands break at {margin:.2} times the maximum pressure, {limit} required")
             }
             Reason::Stretch { stretch, limit } => {
-                format!("rubber stretched to {stretch:.2}, at most {limit} wanted")
+                format!("rubber stretched to {stretch:.2}, at most {limit} allowed")
             }
             Reason::StrandStrain { strain, limit } => format!(
-                "strands stretched by {:.1} %, at most {} % wanted",
+                "strands stretched by {:.1} %, at most {} % allowed",
                 100.0 * strain,
                 round(100.0 * limit)
             ),

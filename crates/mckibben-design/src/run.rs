@@ -132,7 +132,7 @@ fn settled(search: &Search<'_>, models: Models<'_>, result: &SearchResult) -> Ve
         let nearly: Vec<Pick> = result.misses.iter().filter(|m| m.0 < NEARLY).map(|m| m.1).collect();
         found.extend(threads::map(&nearly, one).into_iter().flatten());
     }
-    found.sort_by(|a, b| a.score.total_cmp(&b.score));
+    found.sort_by(|a, b| a.score[0].total_cmp(&b.score[0]).then(a.score[1].total_cmp(&b.score[1])));
     found.dedup_by(|a, b| a.muscle == b.muscle);
     found.truncate(spec.top);
     found

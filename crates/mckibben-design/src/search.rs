@@ -4,8 +4,8 @@
 //! sample. Where no sample fits, the share by which the limits are missed leads on, so that a narrow window is found as well. The
 //! innermost axis, the diameter, is searched by the roots of the single limits ([`line`](super::line)).
 
-use super::limit::{Check, Limit, burst_margin, probe, probe_with};
-use super::line::{self, Found, Merit, Sample};
+use super::limit::{Check, Limit, Score, burst_margin, probe, probe_with};
+use super::line::{self, Found, Merit, NO_SCORE, Sample};
 use super::reason::Reason;
 use super::run::Models;
 use super::spec::{BraidChoice, Build, Objective, Spec};
@@ -75,7 +75,7 @@ pub(super) struct Search<'a> {
 /// What some of the muscles gave: the best that fit, and those that missed by least.
 #[derive(Debug, Clone, Default)]
 pub(super) struct SearchResult {
-    pub(super) fits: Vec<(f64, Pick)>,
+    pub(super) fits: Vec<(Score, Pick)>,
     pub(super) misses: Vec<(f64, Pick)>,
     pub(super) invalid: Option<MuscleError>,
     pub(super) looked_at: usize,
@@ -90,8 +90,8 @@ impl SearchResult {
     fn merit(&self) -> (Merit, f64) {
         let miss = self.misses.first().map_or(f64::INFINITY, |m| m.0);
         match self.fits.first() {
-            Some(fit) => (Merit::new(0.0, (fit.0 * 1e4).round() * 1e-4), miss),
-            None => (Merit::new(miss, f64::INFINITY), 0.0),
+            Some(fit) => (Merit::new(0.0, [(fit.0[0] * 1e4).round() * 1e-4, 0.0]), miss),
+            None => (Merit::new(miss, NO_SCORE), 0.0),
         }
     }
 
@@ -99,12 +99,12 @@ impl SearchResult {
     pub(super) fn best(&self) -> Merit {
         match (self.fits.first(), self.misses.first()) {
             (Some(fit), _) => Merit::new(0.0, fit.0),
-            (None, Some(miss)) => Merit::new(miss.0, f64::INFINITY),
+            (None, Some(miss)) => Merit::new(miss.0, NO_SCORE),
             (None, None) => Merit::NONE,
         }
     }
 
-    fn keep(list: &mut Vec<(f64, Pick)>, value: f64, pick: Pick, most: usize) {
+    fn keep<V: PartialOrd>(list: &mut Vec<(V, Pick)>, value: V, pick: Pick, most: usize) {
         let at = list.partition_point(|f| f.0 <= value);
         if at < most {
             list.insert(at, (value, pick));
@@ -164,7 +164,7 @@ impl<'a> Search<'a> {
 
     /// Holds one muscle of the search against the specification, by the model that `build` makes of it.
     fn sample(&self, pick: Pick, build: &Build<'_>, result: &mut SearchResult, scored: bool) -> Sample {
-        let none = Sample { x: pick.d0, excess: vec![], score: f64::INFINITY };
+        let none = Sample { x: pick.d0, excess: vec![], score: NO_SCORE };
         if self.progress.cancelled() {
             return none;
         }

@@ -121,7 +121,7 @@ pub struct Spec {
     pub rubbers: Vec<Rubber>,
     /// Bounds on what comes out.
     pub limits: Limits,
-    /// What to rank by.
+    /// Quantity to rank by.
     pub objective: Objective,
     /// How many candidates and rejected muscles to report.
     pub top: usize,
@@ -147,7 +147,7 @@ pub enum SpecError {
         /// Contraction ratio.
         contraction: f64,
     },
-    /// A torque or angle that makes no sense.
+    /// An invalid torque or angle.
     #[error(
         "{torque_nm} N m at {angle_deg}° is invalid: the torque must be above zero and the angle within ±{largest_deg}°"
     )]
@@ -244,7 +244,7 @@ impl Spec {
         let bounds = [
             ("the outer diameter", Some(self.outer_diameter_mm.bounds().0)),
             ("the wall", Some(self.wall_mm.bounds().0)),
-            ("the largest bulged diameter", self.limits.bulged_diameter_mm),
+            ("largest bulged diameter", self.limits.bulged_diameter_mm),
             ("the least burst margin", self.limits.burst_margin),
             ("the largest stretch", self.limits.stretch),
             ("the largest strand strain", self.limits.strand_strain),

@@ -7,7 +7,7 @@ use mckibben::muscle::{Braid, BraidStiffness, Measure, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-/// Half-widths of what may vary, each ±.
+/// Tolerances: half-widths, each ±.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "ToleranceFields"))]

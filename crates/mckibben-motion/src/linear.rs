@@ -42,7 +42,7 @@ impl Linear {
         let start = system.initial_state()?;
         let (y, coordinate) = (start.to_vec(), start.coordinate);
         if system.modes.borrow().stop.is_some() {
-            return Err(MotionError::NotAtRest { why: "the load lies on a stop" });
+            return Err(MotionError::NotAtRest { why: "the load rests on a stop" });
         }
         if drive.mechanism.inertia().is_infinite() {
             return Err(MotionError::NotAtRest { why: "the mechanism is held" });

@@ -14,11 +14,11 @@ pub struct Motion {
     pub series: MotionSeries,
     /// 10–90 % of the first step that moved it, s.
     pub rise_time_s: Option<f64>,
-    /// Until it stays within 2 % of its way, s.
+    /// Time until it stays within 2 % of its stroke, s.
     pub settling_time_s: Option<f64>,
-    /// How far it went beyond its end, as a share of its way.
+    /// Overshoot beyond its end, as a share of its stroke.
     pub overshoot: Option<f64>,
-    /// Until the pressure is within 2 % of its first rise, s.
+    /// Time until the pressure is within 2 % of its first rise, s.
     pub fill_time_s: Option<f64>,
     /// Likewise of its first fall, s.
     pub vent_time_s: Option<f64>,
@@ -33,7 +33,7 @@ pub struct Motion {
     /// The same of a joint, °/s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_velocity_deg_per_s: Option<f64>,
-    /// Whether it rests at the end, within 2 % of its way; none where the command still changes there, or both ends are held.
+    /// Whether it rests at the end, within 2 % of its stroke; none if the command still changes there, or both ends are fixed.
     #[serde(rename = "at_rest", serialize_with = "rests")]
     #[cfg_attr(feature = "schema", schemars(with = "Option<bool>"))]
     pub end: Option<MotionEnd>,
@@ -43,7 +43,7 @@ pub struct Motion {
     /// Where a joint rests in the end under the commanded pressures, without friction, degrees.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub equilibrium_angle_deg: Option<f64>,
-    /// Why it ended before its end; the series goes as far as it was computed.
+    /// Reason why the run stopped early; the series covers the computed part.
     #[serde(rename = "ended_early", skip_serializing_if = "Option::is_none", serialize_with = "reason")]
     #[cfg_attr(feature = "schema", schemars(with = "Option<String>"))]
     pub ended: Option<MotionError>,
@@ -69,7 +69,7 @@ pub struct Motion {
     /// What happened: ends of stroke, slack, valve switching, reversals.
     #[cfg_attr(feature = "schema", schemars(with = "Vec<serde_json::Value>"))]
     pub events: Vec<Event>,
-    /// Questions to the models.
+    /// Number of evaluations of the models.
     pub model_answers: usize,
     /// Air mass that is missing, over what flowed: 0 but for rounding.
     #[serde(skip)]
@@ -89,12 +89,18 @@ pub struct Motion {
 impl Motion {
     /// Whether it rests at the end, where it can.
     pub fn at_rest(&self) -> Option<bool> {
-        self.end.map(|end| end.moves == Moves::Rests)
+        self.end.map(MotionEnd::rests)
+    }
+}
+
+impl MotionEnd {
+    fn rests(self) -> bool {
+        self.moves == Moves::Rests
     }
 }
 
 fn rests<S: Serializer>(end: &Option<MotionEnd>, serializer: S) -> Result<S::Ok, S::Error> {
-    end.map(|end| end.moves == Moves::Rests).serialize(serializer)
+    end.map(MotionEnd::rests).serialize(serializer)
 }
 
 fn reason<S: Serializer>(ended: &Option<MotionError>, serializer: S) -> Result<S::Ok, S::Error> {

@@ -4,7 +4,7 @@ use crate::air::{ATMOSPHERE_MPA, HEAT_RATIO, exergy_mj_per_g, normal_litres};
 use crate::error::MotionError;
 use crate::integrate::Stepper;
 use crate::mechanism::Coordinate;
-use crate::member::Stand;
+use crate::member::Substitute;
 use crate::metrics::{Passed, step_figures};
 use crate::motion::{Energies, Motion};
 use crate::rest::rest;
@@ -63,10 +63,10 @@ impl Integration<'_, '_> {
             }
             let Some(state) = self.within(method, due)? else { break };
             for (member, (a, b)) in system.members.iter().zip(ends.0.iter().zip(&ends.1)) {
-                member.stand.set(Some(Stand::between(a, b, (due - from) / (t - from), t - from)));
+                member.substitute.set(Some(Substitute::between(a, b, (due - from) / (t - from), t - from)));
             }
             let recorded = self.record(due, state);
-            system.members.iter().for_each(|m| m.stand.set(None));
+            system.members.iter().for_each(|m| m.substitute.set(None));
             recorded?;
         }
         Ok(())

@@ -5,7 +5,7 @@ use crate::control::PidOutput;
 use crate::drive::{Actuated, Drive, Target};
 use crate::error::MotionError;
 use crate::integrate::Equations;
-use crate::member::{Answer, Member, SlackState, Stand};
+use crate::member::{Answer, Member, SlackState, Substitute};
 use crate::state::{ControllerState, Layout, MuscleState, State};
 use mckibben::budget::Budget;
 use std::cell::{Cell, RefCell};
@@ -21,7 +21,7 @@ pub(crate) enum Switch {
 /// Which side of each kink holds.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Modes {
-    /// Standing on the lower (−1) or upper (1) stop.
+    /// On the lower (−1) or upper (1) stop.
     pub stop: Option<f64>,
     pub muscles: Vec<Mode>,
 }
@@ -308,7 +308,7 @@ impl Equations for System<'_> {
 
     /// Forces and volumes are linear about the point where the differences are taken: one answer of the models serves for all of them.
     fn differences(&self, y: Option<&[f64]>) {
-        self.members.iter().for_each(|member| member.stand.set(None));
+        self.members.iter().for_each(|member| member.substitute.set(None));
         let Some(Ok(state)) = y.map(|y| self.layout.state(y)) else { return };
         let modes = self.modes.borrow();
         let parts = self.members.iter().zip(&state.muscles).zip(&modes.muscles).enumerate();
@@ -316,7 +316,7 @@ impl Equations for System<'_> {
             let e = self.drive.mechanism.lever(i, state.coordinate).contraction;
             if let Ok(answer) = member.answer(own.gauge_mpa(), e) {
                 let h = SlackState { contraction: e, answer, contraction_p: 0.0 };
-                member.stand.set(Some(Stand::Near(own.gauge_mpa(), e, h)));
+                member.substitute.set(Some(Substitute::Near(own.gauge_mpa(), e, h)));
             }
         }
     }

@@ -6,33 +6,14 @@ use parquet::data_type::ByteArray;
 pub type Text = ByteArray;
 
 /// What a column is called, and what it holds.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct Field {
     /// Its name.
     pub name: String,
-    /// What its values are.
-    pub kind: Kind,
+    /// An empty column of its kind.
+    pub kind: Column,
     /// How they are packed.
     pub packing: Packing,
-}
-
-/// What the values of a column are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Whole numbers of 64 bits.
-    Int64,
-    /// Whole numbers of 32 bits.
-    Int32,
-    /// Numbers.
-    Double,
-    /// Numbers, or nothing.
-    Optional,
-    /// True, false, or nothing.
-    Flag,
-    /// Texts.
-    Text,
-    /// Texts, or nothing.
-    OptionalText,
 }
 
 /// How the values of a column are packed.
@@ -44,33 +25,26 @@ pub enum Packing {
     Distinct,
 }
 
-/// The values of a column.
+/// The values of a column; an empty one says what they are.
 #[derive(Debug, Clone)]
-#[expect(missing_docs, reason = "as in `Kind`")]
 pub enum Column {
+    /// Whole numbers of 64 bits.
     Int64(Vec<i64>),
+    /// Whole numbers of 32 bits.
     Int32(Vec<i32>),
+    /// Numbers.
     Double(Vec<f64>),
+    /// Numbers, or nothing.
     Optional(Vec<Option<f64>>),
+    /// True, false, or nothing.
     Flag(Vec<Option<bool>>),
+    /// Texts.
     Text(Vec<Text>),
+    /// Texts, or nothing.
     OptionalText(Vec<Option<Text>>),
 }
 
 impl Column {
-    /// An empty one.
-    pub fn new(kind: Kind) -> Self {
-        match kind {
-            Kind::Int64 => Self::Int64(vec![]),
-            Kind::Int32 => Self::Int32(vec![]),
-            Kind::Double => Self::Double(vec![]),
-            Kind::Optional => Self::Optional(vec![]),
-            Kind::Flag => Self::Flag(vec![]),
-            Kind::Text => Self::Text(vec![]),
-            Kind::OptionalText => Self::OptionalText(vec![]),
-        }
-    }
-
     /// Adds lines `from..to` of another column of the same kind.
     pub fn extend(&mut self, other: &Column, from: usize, to: usize) {
         match (self, other) {
@@ -84,24 +58,17 @@ impl Column {
             _ => {}
         }
     }
-}
 
-impl Kind {
     /// Its type in a schema of Parquet, before and behind its name.
-    pub(crate) fn schema(self) -> (&'static str, &'static str) {
+    pub(crate) fn schema(&self) -> (&'static str, &'static str) {
         match self {
-            Self::Int64 => ("REQUIRED INT64", ""),
-            Self::Int32 => ("REQUIRED INT32", ""),
-            Self::Double => ("REQUIRED DOUBLE", ""),
-            Self::Optional => ("OPTIONAL DOUBLE", ""),
-            Self::Flag => ("OPTIONAL BOOLEAN", ""),
-            Self::Text => ("REQUIRED BYTE_ARRAY", " (UTF8)"),
-            Self::OptionalText => ("OPTIONAL BYTE_ARRAY", " (STRING)"),
+            Self::Int64(_) => ("REQUIRED INT64", ""),
+            Self::Int32(_) => ("REQUIRED INT32", ""),
+            Self::Double(_) => ("REQUIRED DOUBLE", ""),
+            Self::Optional(_) => ("OPTIONAL DOUBLE", ""),
+            Self::Flag(_) => ("OPTIONAL BOOLEAN", ""),
+            Self::Text(_) => ("REQUIRED BYTE_ARRAY", " (UTF8)"),
+            Self::OptionalText(_) => ("OPTIONAL BYTE_ARRAY", " (STRING)"),
         }
-    }
-
-    /// Whether its values are floating-point numbers.
-    pub(crate) fn is_number(self) -> bool {
-        matches!(self, Self::Double | Self::Optional)
     }
 }

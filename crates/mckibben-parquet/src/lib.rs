@@ -5,8 +5,8 @@
 //! [`Reader`] reads sealed files, and believes no number in them before it was compared with the bytes that are there.
 //!
 //! ```
-//! use mckibben_parquet::{Column, Field, Kind, Packing, Sealed, Writer};
-//! let fields = [Field { name: "force_n".into(), kind: Kind::Optional, packing: Packing::Repeated }];
+//! use mckibben_parquet::{Column, Field, Packing, Sealed, Writer};
+//! let fields = [Field { name: "force_n".into(), kind: Column::Optional(vec![]), packing: Packing::Repeated }];
 //! let mut bytes = std::io::Cursor::new(vec![]);
 //! let mut writer = Writer::new(&mut bytes, "table", "mckibben", &fields, Sealed::No)?;
 //! writer.group(&[Column::Optional(vec![Some(1.5), None])])?;
@@ -22,7 +22,7 @@ mod seal;
 mod thrift;
 mod write;
 
-pub use column::{Column, Field, Kind, Packing, Text};
+pub use column::{Column, Field, Packing, Text};
 pub use read::{OpenError, Reader};
 pub use seal::{Broken, seal_of};
 pub use write::{GROUP, Sealed, Sink, Writer};

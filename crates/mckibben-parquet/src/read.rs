@@ -2,7 +2,7 @@
 
 use crate::TableError;
 use crate::bytes::{Pages, Source, foreign_codec, guarded, rows_of, wrong};
-use crate::column::{Column, Kind};
+use crate::column::Column;
 use crate::seal::{self, Broken};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use parquet::data_type::{ByteArray, DataType, DoubleType};
@@ -105,7 +105,7 @@ impl Reader {
     pub fn group<'n>(
         &self,
         index: usize,
-        columns: impl Iterator<Item = (&'n str, Kind)>,
+        columns: impl Iterator<Item = (&'n str, Column)>,
     ) -> std::result::Result<(Vec<Column>, usize), TableError> {
         Ok(guarded(|| {
             let group = self.metadata.row_group(index);
@@ -117,20 +117,20 @@ impl Reader {
                 let at = at.ok_or_else(|| ParquetError::General(format!("no column {name}")))?;
                 let pages = SerializedPageReader::new(self.source.clone(), group.column(at), rows, None)?;
                 let reader = get_column_reader(schema.column(at), Box::new(Pages { inner: pages, rows }));
-                out.push(column(kind, reader, rows)?);
+                out.push(column(&kind, reader, rows)?);
             }
             Ok((out, rows))
         })?)
     }
 }
 
-fn column(kind: Kind, reader: ColumnReader, rows: usize) -> Result<Column> {
+fn column(kind: &Column, reader: ColumnReader, rows: usize) -> Result<Column> {
     Ok(match (kind, reader) {
-        (Kind::Int64, ColumnReader::Int64ColumnReader(r)) => Column::Int64(values(r, rows)?),
-        (Kind::Int32, ColumnReader::Int32ColumnReader(r)) => Column::Int32(values(r, rows)?),
-        (Kind::Double, ColumnReader::DoubleColumnReader(r)) => Column::Double(values(r, rows)?),
-        (Kind::Text, ColumnReader::ByteArrayColumnReader(r)) => Column::Text(texts(values(r, rows)?)?),
-        (Kind::Optional, ColumnReader::DoubleColumnReader(r)) => Column::Optional(optional(r, rows)?),
+        (Column::Int64(_), ColumnReader::Int64ColumnReader(r)) => Column::Int64(values(r, rows)?),
+        (Column::Int32(_), ColumnReader::Int32ColumnReader(r)) => Column::Int32(values(r, rows)?),
+        (Column::Double(_), ColumnReader::DoubleColumnReader(r)) => Column::Double(values(r, rows)?),
+        (Column::Text(_), ColumnReader::ByteArrayColumnReader(r)) => Column::Text(texts(values(r, rows)?)?),
+        (Column::Optional(_), ColumnReader::DoubleColumnReader(r)) => Column::Optional(optional(r, rows)?),
         _ => return wrong("a column is of another kind"),
     })
 }

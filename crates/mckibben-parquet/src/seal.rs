@@ -84,7 +84,7 @@ impl Broken {
             Self::NotParquet => "it does not begin as a Parquet file does",
             Self::Cut => "it is cut off: it does not end as a Parquet file does",
             Self::Changed => {
-                "its checksum does not match what it holds: it was changed, or written again by another program"
+                "its checksum does not match its content: it was changed, or written again by another program"
             }
         }
     }

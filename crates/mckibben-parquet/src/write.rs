@@ -55,7 +55,7 @@ impl<'a> Writer<'a> {
         for field in fields.iter().filter(|f| f.packing == Packing::Distinct) {
             let path = ColumnPath::from(field.name.as_str());
             properties = properties.set_column_dictionary_enabled(path.clone(), false);
-            if field.kind.is_number() {
+            if matches!(field.kind, Column::Double(_) | Column::Optional(_)) {
                 properties = properties.set_column_encoding(path, Encoding::BYTE_STREAM_SPLIT);
             }
         }
@@ -138,7 +138,7 @@ fn levels<T>(values: &[Option<T>]) -> Vec<i16> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::column::{Kind, Text};
+    use crate::column::Text;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::Field as Cell;
     use std::io::Cursor;
@@ -147,9 +147,9 @@ mod tests {
     fn what_is_written_is_read_again_by_the_library_itself() {
         let field = |name: &str, kind| Field { name: name.into(), kind, packing: Packing::Repeated };
         let fields = [
-            field("force_n", Kind::Optional),
-            field("slack", Kind::Flag),
-            field("status", Kind::OptionalText),
+            field("force_n", Column::Optional(vec![])),
+            field("slack", Column::Flag(vec![])),
+            field("status", Column::OptionalText(vec![])),
         ];
         let mut bytes = Cursor::new(vec![]);
         let mut writer = Writer::new(&mut bytes, "table", "mckibben 0", &fields, Sealed::No).unwrap();

@@ -26,17 +26,17 @@ pub fn document() -> Value {
     let command =
         json!([{ "name": "command", "in": "path", "required": true, "schema": { "type": "string" } }]);
     paths.insert("/api/v1".into(), get("list", "The commands.", json!([])));
-    paths.insert("/api/v1/health".into(), get("health", "That the server is there.", json!([])));
+    paths.insert("/api/v1/health".into(), get("health", "Whether the server is running.", json!([])));
     paths.insert("/api/v1/openapi.json".into(), get("openapi", "This document.", json!([])));
     paths.insert(
         "/api/v1/schema/{command}".into(),
         get("schema", "The schema of a command: request, answer, error.", command),
     );
-    let mut job = get("job", "How a job is getting on.", id.clone());
+    let mut job = get("job", "The state of a job.", id.clone());
     job["get"]["responses"]["200"]["content"]["application/json"]["schema"] = reference("job.state");
     job["delete"] = json!({
-        "operationId": "forget", "summary": "Ends a job and forgets it.", "parameters": id,
-        "responses": with_problems(json!({ "204": { "description": "It is forgotten." } }), &FOUND),
+        "operationId": "forget", "summary": "Ends a job and deletes it.", "parameters": id,
+        "responses": with_problems(json!({ "204": { "description": "It is deleted." } }), &FOUND),
     });
     paths.insert("/api/v1/jobs/{id}".into(), job);
     let mut events = get("events", "`progress` now and then, at last `answer` or `problem`.", id);
@@ -79,7 +79,7 @@ fn add(name: &str, command: &mut Value, paths: &mut Map<String, Value>, schemas:
     let job = json!({
         "operationId": format!("job-{name}"), "summary": format!("A job: {}", summary.as_str().unwrap_or_default()), "requestBody": body,
         "responses": with_problems(json!({ "202": {
-            "description": "It is under way.",
+            "description": "It is running.",
             "headers": { "Location": { "schema": { "type": "string" } } },
             "content": { "application/json": { "schema": reference("job.links") } },
         }}), &ASKED),
@@ -112,7 +112,7 @@ fn own() -> Map<String, Value> {
         (
             "problem",
             json!({
-                "description": "A problem by RFC 9457, with what the application layer says.",
+                "description": "A problem by RFC 9457, with the fields of the application layer.",
                 "allOf": [reference("Problem")],
                 "properties": { "type": text, "title": text, "status": count, "detail": text },
                 "required": ["type", "title", "status", "detail"],

@@ -111,7 +111,7 @@ impl Choice {
         self.entry.meaning
     }
 
-    /// Whether the column is told by its number.
+    /// Whether the column is selected by its number.
     pub(crate) fn by_number(&self) -> Option<usize> {
         let (heading, _) = self.split();
         heading.trim().strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1)

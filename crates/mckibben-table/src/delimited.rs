@@ -26,13 +26,13 @@ impl Separator {
 
 /// A line with its fields, without the spaces around them.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Row {
+pub(crate) struct TableRow {
     /// Its number from 1.
     pub(crate) line: u64,
     fields: StringRecord,
 }
 
-impl Row {
+impl TableRow {
     /// A field; empty where the line is too short.
     pub(crate) fn field(&self, i: usize) -> &str {
         self.fields.get(i).unwrap_or("")
@@ -57,9 +57,9 @@ impl Row {
 #[derive(Debug)]
 pub(crate) struct Sheet {
     /// Lines that are neither blank nor comments.
-    pub(crate) rows: Vec<Row>,
+    pub(crate) rows: Vec<TableRow>,
     /// The comments before the first of them, without their mark: some programs write the heading as one.
-    pub(crate) comments: Vec<Row>,
+    pub(crate) comments: Vec<TableRow>,
     pub(crate) separator: Separator,
 }
 
@@ -77,17 +77,18 @@ impl Sheet {
             Separator::Spaces => {
                 let count = columns(text);
                 let rows = (1..).zip(text.lines()).skip(skip).filter(|(_, l)| !is_comment(l));
-                rows.map(|(line, l)| Row { line, fields: spaced(l, count).into_iter().collect() }).collect()
+                rows.map(|(line, l)| TableRow { line, fields: spaced(l, count).into_iter().collect() })
+                    .collect()
             }
             Separator::Mark(mark) => marked(text, mark, skip)?,
         };
-        let rows: Vec<Row> =
-            rows.into_iter().filter(|r: &Row| r.len() > 0 && !is_comment(r.field(0))).collect();
+        let rows: Vec<TableRow> =
+            rows.into_iter().filter(|r: &TableRow| r.len() > 0 && !is_comment(r.field(0))).collect();
         let first = rows.first().map_or(u64::MAX, |r| r.line);
         let before = (1..).zip(text.lines()).take_while(|(line, _)| *line < first);
         let comments = before.filter(|(_, l)| is_comment(l)).filter_map(|(line, l)| {
             let text = l.trim_start().trim_start_matches(['#', '/']);
-            Some(Row { line, fields: fields(text, separator)? })
+            Some(TableRow { line, fields: fields(text, separator)? })
         });
         Ok(Self { comments: comments.collect(), rows, separator })
     }
@@ -104,7 +105,7 @@ fn columns(text: &str) -> usize {
     last.map_or(0, |l| l.split_whitespace().count())
 }
 
-/// The fields of a line in which spaces separate. Headings of several words are told apart by wider gaps, or by the units in brackets
+/// The fields of a line in which spaces separate. Headings of several words are separated by wider gaps, or by the units in brackets
 /// behind them: they are as many as the columns of the data.
 fn spaced(line: &str, count: usize) -> Vec<&str> {
     let words: Vec<&str> = line.split_whitespace().collect();
@@ -171,9 +172,9 @@ fn fields(line: &str, separator: Separator) -> Option<StringRecord> {
     }
 }
 
-fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<Row>, TableError> {
+fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<TableRow>, TableError> {
     let mut out = vec![];
-    let mut place = Place { text, byte: 0, line: 1 };
+    let mut place = Cursor { text, byte: 0, line: 1 };
     let mut reader = reader(text, mark);
     let mut fields = StringRecord::new();
     loop {
@@ -188,19 +189,19 @@ fn marked(text: &str, mark: char, skip: usize) -> Result<Vec<Row>, TableError> {
         if lines > MOST_LINES || (lines > 1 && written.matches('"').count() % 2 == 1) {
             return Err(TableError::OpenQuote { line: place.line });
         }
-        out.push(Row { line: place.line, fields: fields.clone() });
+        out.push(TableRow { line: place.line, fields: fields.clone() });
     }
     Ok(out.into_iter().skip(skip).collect())
 }
 
 /// Where the reader is. It says where it began to look for a record, which may be before blank lines and comments.
-struct Place<'a> {
+struct Cursor<'a> {
     text: &'a str,
     byte: usize,
     line: u64,
 }
 
-impl Place<'_> {
+impl Cursor<'_> {
     fn go_to(&mut self, byte: usize) {
         while self.byte < byte {
             self.step();

@@ -17,7 +17,7 @@ pub enum TableError {
         limit: usize,
     },
     /// Another kind of file.
-    #[error("this is no text but {what}; save the table as CSV")]
+    #[error("this is not text but {what}; save the table as CSV")]
     NotText {
         /// What it is.
         what: &'static str,
@@ -29,7 +29,7 @@ pub enum TableError {
         line: u64,
     },
     /// A record that cannot be split.
-    #[error("behind line {line}: {why}")]
+    #[error("after line {line}: {why}")]
     Broken {
         /// The last line that was read.
         line: u64,
@@ -38,7 +38,7 @@ pub enum TableError {
     },
     /// No column of that meaning.
     #[error(
-        "no column of {wanted} (the columns are: {found}); name it {names}, or say which one it is with `columns` {example}"
+        "no column of {wanted} (the columns are: {found}); name it {names}, or assign it with `columns` {example}"
     )]
     MissingColumn {
         /// What is needed.
@@ -87,7 +87,7 @@ pub enum TableError {
         units: String,
     },
     /// Two columns for one quantity.
-    #[error("the columns {found} could all be {name}: say which one with `columns` {name}=\"{example}\"")]
+    #[error("the columns {found} could all be {name}: select one with `columns` {name}=\"{example}\"")]
     Ambiguous {
         /// The quantity.
         name: &'static str,
@@ -98,7 +98,7 @@ pub enum TableError {
     },
     /// Nobody says in which unit a column is.
     #[error(
-        "column {column} does not say its unit{stated}; write it behind the heading, as {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"
+        "column {column} does not state its unit{stated}; write it after the heading, as {column} [{unit}], or give `columns` {name}=\"{column}:{unit}\" (units: {units})"
     )]
     NoUnit {
         /// The heading.
@@ -130,7 +130,7 @@ pub enum TableError {
     },
     /// Absolute pressures.
     #[error(
-        "column {column} holds absolute pressures; a muscle's is the gauge pressure: subtract that of the air around it (about 0.101 MPa)"
+        "column {column} has absolute pressures; use gauge pressures: subtract the atmospheric pressure (about 0.101 MPa)"
     )]
     Absolute {
         /// The heading.
@@ -150,7 +150,7 @@ pub enum TableError {
     },
     /// Numbers above the heading.
     #[error(
-        "line {line} holds numbers, but the heading stands in line {heading}: put the heading first, or make the line a comment (#)"
+        "line {line} contains numbers, but the heading is in line {heading}: put the heading first, or make the line a comment (#)"
     )]
     AboveHeading {
         /// The line of numbers.
@@ -196,7 +196,7 @@ pub enum TableError {
     },
     /// A comma and a point that could be decimal or thousands.
     #[error(
-        "line {line}, column {column}: \"{text}\" can be read in two ways: is its mark a decimal one, or does it separate thousands? Write numbers without separators of thousands, with the same decimal mark in all lines"
+        "line {line}, column {column}: \"{text}\" can be read in two ways: is its mark a decimal mark, or does it separate thousands? Write numbers without separators of thousands, with the same decimal mark in all lines"
     )]
     Thousands {
         /// Line in the file.

@@ -2,7 +2,7 @@
 
 use super::Table;
 use super::columns::{Choice, Chosen, Columns, listed};
-use super::delimited::{Row, Separator, Sheet};
+use super::delimited::{Separator, Sheet, TableRow};
 use super::error::{TableError, short};
 use super::heading::{self, HeadingUnit};
 use super::number::{self, Decimal};
@@ -133,10 +133,11 @@ impl Table {
 }
 
 /// Numbers above the heading would be lost.
-fn above(rows: &[Row], heading: u64) -> Result<(), TableError> {
+fn above(rows: &[TableRow], heading: u64) -> Result<(), TableError> {
     let is_number = |f: &str| number::number(f, Decimal::Point) != Err(number::NoNumber::Text);
-    let data =
-        |r: &&Row| r.line < heading && r.len() > 1 && r.fields().filter(|f| !f.is_empty()).all(is_number);
+    let data = |r: &&TableRow| {
+        r.line < heading && r.len() > 1 && r.fields().filter(|f| !f.is_empty()).all(is_number)
+    };
     match rows.iter().find(data) {
         Some(row) => Err(TableError::AboveHeading { line: row.line, heading }),
         None => Ok(()),
@@ -153,8 +154,8 @@ struct Found {
 
 /// The first line from which all that is needed can be understood; a comment above the data where no line is one.
 fn find(
-    rows: &[Row],
-    comments: &[Row],
+    rows: &[TableRow],
+    comments: &[TableRow],
     vocabulary: &'static Vocabulary,
     choices: &[Choice],
 ) -> Result<Found, TableError> {
@@ -163,7 +164,7 @@ fn find(
     }
     let lines = rows.iter().take(MOST_LINES_ABOVE).enumerate().map(|(i, row)| (row, i + 1));
     let lines = lines.chain(comments.iter().rev().take(MOST_LINES_ABOVE).map(|row| (row, 0)));
-    let mut best: Option<(usize, Guess, &Row)> = None;
+    let mut best: Option<(usize, Guess, &TableRow)> = None;
     for (row, first) in lines {
         let headings: Vec<&str> = row.fields().collect();
         let guess = guess(&headings, vocabulary, choices)?;
@@ -198,7 +199,7 @@ fn find(
 
 /// A table without a heading, whose columns are chosen by number.
 fn by_numbers(
-    rows: &[Row],
+    rows: &[TableRow],
     vocabulary: &'static Vocabulary,
     choices: &[Choice],
 ) -> Result<Option<Found>, TableError> {

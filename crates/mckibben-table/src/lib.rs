@@ -30,7 +30,7 @@ pub use over_time::{OverTime, read_over_time};
 pub use text::{MAX_BYTES, read_text};
 pub use understood::{Understood, UnderstoodColumn};
 
-use delimited::{Row, Separator};
+use delimited::{Separator, TableRow};
 pub use find::Column;
 pub use heading::is_absolute;
 use number::Decimal;
@@ -40,7 +40,7 @@ pub use vocabulary::{HISTORIES, Meaning, POINTS, TESTS, Vocabulary};
 #[derive(Debug)]
 pub struct Table {
     /// Lines of data.
-    rows: Vec<Row>,
+    rows: Vec<TableRow>,
     /// Lines that their status leaves out.
     left_out: usize,
     columns: Vec<Column>,

@@ -95,7 +95,7 @@ impl Table {
             (said, stated, Some(dimension)) => match dimension.heading_unit(said) {
                 Some(unit) if stated.is_none_or(|s| s == unit) => unit.inside(value),
                 Some(_) => {
-                    let clash = format!(" here: its heading says {}", stated.map_or("", |u| u.name));
+                    let clash = format!(" here: its heading is {}", stated.map_or("", |u| u.name));
                     return Err(self.wrong_unit(row.line, column, said, clash));
                 }
                 None => return Err(not_a_number("")),
@@ -109,9 +109,9 @@ impl Table {
         }
         let expected = match column.meaning {
             Meaning::Pressure | Meaning::PressureError => {
-                "is more than a muscle bears; look at the unit of the column (250 kPa is 0.25 MPa)"
+                "is too high for a muscle; check the unit of the column (250 kPa is 0.25 MPa)"
             }
-            _ => "is far more than a muscle has; look at the number and at the unit of its column",
+            _ => "is far too large for a muscle; check the number and the unit of its column",
         };
         Err(self.impossible(at, column, expected))
     }

@@ -395,7 +395,7 @@ pub enum QuantityError {
         expected: Dimension,
     },
     /// A number so large or so small that its powers leave the range of a double.
-    #[error("\"{text}\" is beyond what is computed with ({BOUNDS}); expected {}", .expected.expectation())]
+    #[error("\"{text}\" is outside the allowed range ({BOUNDS}); expected {}", .expected.expectation())]
     Beyond {
         /// The text as written.
         text: String,

@@ -45,7 +45,7 @@ pub enum RangeError {
     #[error("{0}")]
     Quantity(#[from] QuantityError),
     /// The first end lies above the second.
-    #[error("the range \"{text}\" runs backwards: write the smaller end first")]
+    #[error("the range \"{text}\" is reversed: write the smaller value first")]
     Reversed {
         /// The text as written.
         text: String,
@@ -72,7 +72,7 @@ pub enum RangeError {
     },
     /// A list in which some but not all carry a unit.
     #[error(
-        "in \"{text}\" some values carry a unit and some do not: put one unit behind the last, or one behind each"
+        "in \"{text}\" some values carry a unit and some do not: put one unit after the last value, or one after each"
     )]
     MixedUnits {
         /// The text as written.

@@ -51,7 +51,7 @@ const FRICTION_LAW: f64 = 0.81;
 const ELEMENTS: &str = "fe";
 
 /// What is known of every ± besides the model's own part, in a sentence.
-pub const BASIS: &str = "measured: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which hold 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law of equal standing makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which holds 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a branch that is asked for; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares";
+pub const BASIS: &str = "model against tests: 3.5 to 4.5 % of the blocked force at the same pressure, growing with the contraction, and 0.35 times shear modulus times wall section, which cover 95 % of the points of each of four sets of measured muscles whose rubber was identified from their own pull; rubber: the largest difference that another law with an equally good fit makes, by thick-wall, and, for a named rubber that was measured along one axis alone, what 19 % of its stiffness make; friction: 12 % of the blocked force where the muscle does not state its friction, which covers 95 % of single branches; where it does, 1.81 times the half-width of its law, and 0.81 times on a selected branch; fit: in the place of all of these on the bench that the muscle was identified from; all parts add as squares";
 
 /// The parts of a ±, each a 95 % half-width in N.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -84,7 +84,7 @@ impl UncertaintyParts {
             ("formula", self.formula),
             ("mesh", self.mesh),
             ("rubber", self.rubber),
-            ("measured", self.measured),
+            ("model against tests", self.measured),
             ("friction", self.friction),
             ("fit", self.fit),
         ];

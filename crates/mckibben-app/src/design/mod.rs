@@ -74,9 +74,9 @@ pub fn design(request: &DesignRequest, progress: &dyn Progress) -> Result<Design
         Ok(sure) => answer.to_be_sure = sure.as_ref().map(Into::into),
         Err(Exceeded::Cancelled) => return Err(Problem::cancelled()),
         // What was searched is an answer without it.
-        Err(spent) => answer.warnings.push(Warning::from(format!(
-            "what to ask for to be sure of what is wanted was not computed: {spent}"
-        ))),
+        Err(spent) => answer
+            .warnings
+            .push(Warning::from(format!("the specification that covers the ± was not computed: {spent}"))),
     }
     Ok(DesignAnswer { load: request.load.load.clone(), assumptions, ..answer })
 }

@@ -13,7 +13,7 @@ const WITHOUT_POINTS: f64 = 2.0;
 pub(crate) fn tension(fit: &TensionFit, file: &str) -> Figure {
     let laws = drawn(fit);
     let about = format!(
-        "Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle; dotted: held stable"
+        "Nominal stress; points of {file}. Dashed: unstable over the stretches of a muscle; dotted: constrained to be stable"
     );
     let mut figure =
         Figure::new("Laws fitted to tension tests").caption(caption(about)).columns(3).size_mm(240.0, 110.0);
@@ -88,7 +88,7 @@ fn panel(mode: Mode, fit: &TensionFit, laws: &[&FittedLaw]) -> Panel {
             (true, true) => Style::Dotted,
             (true, false) => Style::Line,
         };
-        let held = if law.constrained { ", held stable" } else { "" };
+        let held = if law.constrained { ", constrained to be stable" } else { "" };
         let label = labelled(format!("{}{held}", law.form.name()));
         panel = panel.series(Series::new(label, line).colour(n).style(style));
     }

@@ -54,7 +54,7 @@ pub struct MotionAnswer {
     pub sonic_conductance_l_per_s_bar: Option<f64>,
     /// Burst pressure, MPa: the lowest of its muscles'; none where one of them does not state the strength of its strands.
     pub burst_pressure_mpa: Option<f64>,
-    /// What the user should know.
+    /// Warnings.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
     /// The figure, where it was asked for.
@@ -223,8 +223,9 @@ impl Moved {
             (None, Some(model)) if file.held.is_some() => Some(SingleMuscle::held(&**model)),
             (None, Some(model)) => {
                 let load = file.load.clone().ok_or_else(|| {
-                    let hint = "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle whose ends are held";
-                    Problem::new(ProblemKind::File, "the drive has no [load], and nothing that moves", hint)
+                    let hint =
+                        "such as mass = \"10 kg\" in [load], or held = \"0 %\" for a muscle with fixed ends";
+                    Problem::new(ProblemKind::File, "the drive has no [load], so that nothing moves", hint)
                 })?;
                 let (damping_n_s_per_m, stops_mm) = (file.damping_n_s_per_m, file.stops_mm);
                 Some(SingleMuscle { damping_n_s_per_m, stops_mm, ..SingleMuscle::new(&**model, load) })
@@ -289,7 +290,7 @@ impl From<MotionError> for Problem {
             _ => ProblemKind::File,
         };
         let hint = match error {
-            MotionError::NeverLifted { .. } => "the load `held` fills a muscle whose ends are held",
+            MotionError::NeverLifted { .. } => "use the load `held` for a muscle with fixed ends",
             _ => "",
         };
         Self::new(kind, error.to_string(), hint)

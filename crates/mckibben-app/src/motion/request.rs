@@ -11,13 +11,13 @@ use mckibben_motion::{Actuator, Command, DriveFile, Subject, Target, Valve, Valv
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A drive to be run: its file, and those that it names.
+/// A drive: its file, and the files that it names.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct MotionRequest {
     /// Drive file (TOML).
     pub drive: Option<TextFile>,
-    /// In place of a drive file: a muscle with a load, filled through a valve.
+    /// Instead of a drive file: a muscle with a load, filled through a valve.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step: Option<StepFields>,
     /// The muscle file that it names, of a drive with one muscle.
@@ -35,26 +35,26 @@ pub struct MotionRequest {
     pub sweep: Option<MotionSweep>,
     /// Find the smallest valve with this rise time (10–90 %), s.
     pub rise_time_s: Option<f64>,
-    /// The answer shall carry a figure, in these units: `bar`, or `psi,lbf,in`.
+    /// Add a figure to the answer, in these units: `bar`, or `psi,lbf,in`.
     pub figure: Option<Units>,
 }
 
-/// A step of the pressure of one muscle. It stands on its stop, at its length at rest, until it is lifted.
+/// A pressure step of one muscle. The load rests on its stop, at the rest length of the muscle, until the muscle lifts it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default)]
 pub struct StepFields {
     /// Gauge pressure from 0.05 s on, MPa.
     pub pressure_mpa: Option<f64>,
-    /// Gauge pressure of the supply, MPa; 0.6 where it is left out.
+    /// Gauge pressure of the supply, MPa; default 0.6.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub supply_mpa: Option<f64>,
     /// The valve: its name, or its sonic conductance such as `0.5 L/(s bar)`.
     pub valve: Option<String>,
     /// The load: `mass:10kg`, `spring:2N/mm+mass:1kg`; `held`, or `held:10%`, holds both ends at a contraction.
     pub load: Option<String>,
-    /// Damper of the load, N s/m.
+    /// Damping of the load, N s/m.
     pub damping_n_s_per_m: f64,
-    /// The end, s; 2 where it is left out.
+    /// The end, s; default 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub until_s: Option<f64>,
 }
@@ -71,10 +71,8 @@ impl StepFields {
                 "a valve by its name, such as festo-mh2, or its conductance, such as 0.5 L/(s bar)";
             Problem::missing("valve", expected)
         })?;
-        let load = self
-            .load
-            .as_deref()
-            .ok_or_else(|| Problem::missing("load", "what it moves, such as mass:10kg"))?;
+        let load =
+            self.load.as_deref().ok_or_else(|| Problem::missing("load", "the load, such as mass:10kg"))?;
         let valve: Valve = valve.parse().map_err(|error: ValveError| {
             Problem::new(ProblemKind::Quantity, error.to_string(), "").in_field("valve")
         })?;

@@ -10,7 +10,7 @@ impl Moved {
         let muscles = || self.models.iter().map(|model| model.muscle());
         let lever = muscles().any(|m| m.friction().is_some_and(|f| f.lever_mm > 0.0));
         let left_out =
-            lever.then(|| "a drive has the friction C·P^β alone: friction.lever is not used".to_owned());
+            lever.then(|| "a drive uses only the friction C·P^β: friction.lever is not used".to_owned());
         muscles().flat_map(|m| m.warnings()).chain(left_out)
     }
 
@@ -41,10 +41,14 @@ impl Moved {
         };
         match at_end.moves {
             Moves::Rests => None,
-            Moves::Creeps => Some(format!("still moving: {end}; a later end shows where it rests")),
-            Moves::Swings if damped => Some(format!("still swinging: {end}; a later end, or more damping")),
+            Moves::Creeps => {
+                Some(format!("still moving: {end}; set a later end time to reach the rest position"))
+            }
+            Moves::Swings if damped => {
+                Some(format!("still oscillating: {end}; set a later end time, or more damping"))
+            }
             Moves::Swings => Some(format!(
-                "still swinging: {end}. Its damping is 0, since none is given: only the air, and friction and relaxation where they are stated, take energy out"
+                "still oscillating: {end}. No damping is given, so it is 0: only the air dissipates energy, and friction and relaxation if they are stated"
             )),
         }
     }

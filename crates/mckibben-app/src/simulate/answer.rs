@@ -12,7 +12,7 @@ use mckibben_report::{Figure, Scene};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
-/// A finite-element test with everything it knows.
+/// A finite-element test with all its results.
 #[derive(Debug, Clone, Serialize, JsonSchema)]
 pub struct SimulateAnswer {
     /// `fe` or `fe3d`.
@@ -25,12 +25,12 @@ pub struct SimulateAnswer {
     #[serde(rename = "points", serialize_with = "points")]
     #[schemars(with = "Vec<SimulatedRow>")]
     pub simulated: Vec<Simulated>,
-    /// What the user should know of the mesh.
+    /// Warnings about the mesh.
     pub notes: Vec<String>,
-    /// What the user should know, of each kind the gravest.
+    /// Warnings; of each kind the most serious.
     #[schemars(with = "Vec<String>")]
     pub warnings: Vec<Warning>,
-    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none where that is not stated.
+    /// Burst pressure, MPa: the strands of the blocked muscle reach their strength; none if that is not stated.
     pub burst_pressure_mpa: Option<f64>,
     /// The figure, where it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -81,7 +81,7 @@ pub struct SlackPoint {
 /// An equilibrium.
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct SimulatedPoint {
-    /// What every model tells; the pull of a slack muscle is 0.
+    /// The values that every model gives; the pull of a slack muscle is 0.
     #[serde(flatten)]
     pub response: Response,
     /// Whether the muscle would have to push, and lies slack instead.

@@ -2,7 +2,7 @@
 
 use super::CampaignError;
 use super::plan::{Inputs, Plan, constants, rounded};
-use crate::Row;
+use crate::PointRow;
 use mckibben::model::Workspace;
 use mckibben::progress::{Progress, Silent};
 use mckibben::status::Status;
@@ -15,7 +15,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 ///
 /// # Errors
 /// [`CampaignError::Stopped`] where the caller wanted it to end.
-pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, CampaignError> {
+pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<PointRow>, CampaignError> {
     let (done, total) = (AtomicUsize::new(0), plan.muscles() as usize);
     let one = |&number: &u64| {
         if progress.cancelled() {
@@ -29,12 +29,12 @@ pub fn compute(plan: &Plan, progress: &dyn Progress) -> Result<Vec<Row>, Campaig
         Ok(rows)
     };
     let numbers: Vec<u64> = (0..plan.muscles()).collect();
-    let all: Vec<Vec<Row>> = threads::map(&numbers, one).into_iter().collect::<Result<_, _>>()?;
+    let all: Vec<Vec<PointRow>> = threads::map(&numbers, one).into_iter().collect::<Result<_, _>>()?;
     Ok(all.concat())
 }
 
 /// All rows of muscle `number`, contraction by contraction.
-pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
+pub(super) fn rows(plan: &Plan, number: u64) -> Vec<PointRow> {
     let inputs = plan.inputs(number);
     let testing = plan.testing();
     let model = inputs
@@ -47,7 +47,7 @@ pub(super) fn rows(plan: &Plan, number: u64) -> Vec<Row> {
         let contraction = if testing.of_ideal { rounded(e * largest(&inputs)) } else { e };
         let blank = |p: f64| blank(number, &inputs, p, contraction);
         match &model {
-            Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| Row {
+            Err(why) => out.extend(testing.pressures_mpa.iter().map(|&p| PointRow {
                 status: Status::NoMuscle,
                 cause: why.clone(),
                 ..blank(p)
@@ -75,10 +75,10 @@ fn largest(inputs: &Inputs) -> f64 {
 }
 
 /// A row without an answer.
-fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> Row {
+fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> PointRow {
     let tube = &inputs.parts.tube;
     let law = &tube.rubber.law;
-    Row {
+    PointRow {
         muscle,
         outer_diameter_mm: tube.outer_diameter_mm,
         wall_mm: tube.wall_mm,
@@ -90,15 +90,15 @@ fn blank(muscle: u64, inputs: &Inputs, pressure_mpa: f64, contraction: f64) -> R
         stiffness_of_braid_n_per_mm: inputs.family_stiffness_n_per_mm(),
         pressure_mpa,
         contraction,
-        ..Row::default()
+        ..PointRow::default()
     }
 }
 
-fn filled(row: Row, point: Result<TangentPoint, FemError>) -> Row {
+fn filled(row: PointRow, point: Result<TangentPoint, FemError>) -> PointRow {
     match point {
         Ok(TangentPoint { response: r, sensitivities, iterations, .. }) if r.force_n.is_finite() => {
             let finite = |v: Option<f64>| v.filter(|v| v.is_finite());
-            Row {
+            PointRow {
                 force_n: Some(r.force_n),
                 volume_mm3: finite(r.volume_mm3),
                 stiffness_n_per_mm: finite(r.stiffness_n_per_mm),
@@ -117,7 +117,7 @@ fn filled(row: Row, point: Result<TangentPoint, FemError>) -> Row {
                 ..row
             }
         }
-        Ok(_) => Row { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
+        Ok(_) => PointRow { status: Status::NotConverged, cause: "the pull is not finite".into(), ..row },
         Err(error) => {
             let (status, iterations) = match &error {
                 FemError::Path { status, iterations, .. } => {
@@ -125,7 +125,7 @@ fn filled(row: Row, point: Result<TangentPoint, FemError>) -> Row {
                 }
                 _ => (Status::NotConverged, 0),
             };
-            Row { status, cause: error.to_string(), iterations, ..row }
+            PointRow { status, cause: error.to_string(), iterations, ..row }
         }
     }
 }

@@ -22,7 +22,7 @@ pub enum FitError {
     },
     /// Muscles that one formula cannot describe.
     #[error(
-        "the table mixes muscles of different {quantity} ({low} to {high}); a formula knows one: fit them one by one"
+        "the table mixes muscles of different {quantity} ({low} to {high}); a formula covers only one: fit them separately"
     )]
     Mixed {
         /// Of what.
@@ -33,7 +33,7 @@ pub enum FitError {
         high: f64,
     },
     /// Muscles of different make.
-    #[error("the table mixes muscles of different {0}; a formula knows one: fit them one by one")]
+    #[error("the table mixes muscles of different {0}; a formula covers only one: fit them separately")]
     MixedMake(&'static str),
     /// A measure varies that no formula has.
     #[error(

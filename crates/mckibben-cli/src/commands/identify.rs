@@ -4,7 +4,8 @@ mod text;
 
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{ColumnsFlag, Format, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::flags::{ColumnsFlag, MuscleFlags, OverwriteOrForceFlag, PlotFlag, UnitsFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::text::place;
 use crate::output::{Content, Target, check, save, show};
@@ -69,13 +70,13 @@ pub struct IdentifyArgs {
         help_heading = "Data"
     )]
     pub weights: Vec<String>,
-    /// What is done with the branches of the hysteresis
+    /// Treatment of the branches of the hysteresis
     #[arg(long, value_parser = word::<Branches>(), default_value = "both", help_heading = "Data")]
     pub branches: Branches,
-    /// Forces of zero and below are measurements; else the muscle was slack there
+    /// Use points with a force of zero or below as measurements; by default the muscle counts as slack there
     #[arg(long, help_heading = "Data")]
     pub two_sided: bool,
-    /// What is free: NAME, NAME=START or NAME=START:LOW:HIGH [modulus, and stiffness and friction where the data tell them]
+    /// Free parameters: NAME, NAME=START or NAME=START:LOW:HIGH [modulus; stiffness and friction if the data determine them]
     #[arg(
         long,
         value_name = "LIST",
@@ -93,7 +94,7 @@ pub struct IdentifyArgs {
         help_heading = "Parameters"
     )]
     pub fix: Vec<String>,
-    /// Bounds of what is free: NAME=LOW:HIGH
+    /// Bounds of free parameters: NAME=LOW:HIGH
     #[arg(
         long,
         value_name = "LIST",
@@ -102,10 +103,10 @@ pub struct IdentifyArgs {
         help_heading = "Parameters"
     )]
     pub bounds: Vec<String>,
-    /// Try every law of the rubber with its constants free, and say which the points prefer
+    /// Fit every rubber law with its constants free, and show which law fits the points best
     #[arg(long, help_heading = "Parameters")]
     pub laws: bool,
-    /// How residuals count
+    /// Loss function of the residuals
     #[arg(long, value_parser = word::<Loss>(), default_value = "squares", help_heading = "Parameters")]
     pub loss: Loss,
     /// The same as --loss huber
@@ -114,7 +115,7 @@ pub struct IdentifyArgs {
     /// Force model [fe]
     #[arg(long, value_name = "NAME", value_parser = MODELS, hide_possible_values = true, help_heading = "Model")]
     pub model: Option<String>,
-    /// Mesh of `fe`, as for the other commands [chosen]
+    /// Mesh of `fe`, as for the other commands [automatic]
     #[arg(long, value_name = "N or MxN:G", help_heading = "Model")]
     pub mesh: Option<String>,
     #[command(flatten)]
@@ -123,7 +124,7 @@ pub struct IdentifyArgs {
     pub units: UnitsFlag,
     #[command(flatten)]
     pub plot: PlotFlag,
-    /// Write the muscle with what was found as a muscle file
+    /// Write the muscle with the identified values as a muscle file
     #[arg(short, long, value_name = "FILE.toml", help_heading = "Output")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

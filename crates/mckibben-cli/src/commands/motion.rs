@@ -3,7 +3,8 @@
 use super::joint;
 use crate::failure::Failure;
 use crate::files;
-use crate::flags::{Format, ModelFlags, OutputFlags, PlotFlag};
+use crate::flags::{ModelFlags, OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::output::text::{Units, number, pairs, percent};
 use crate::output::{burst_first, show};
 use crate::plot;
@@ -32,18 +33,18 @@ pub const EXAMPLES: &str = "Examples:
 /// `motion`.
 #[derive(Debug, Args)]
 pub struct MotionArgs {
-    /// Drive file; or a muscle, a load, a valve and a pressure by the flags below
+    /// Drive file; or give a muscle, a load, a valve and a pressure by the flags below
     #[arg(value_name = "DRIVE.toml", required_unless_present = "muscle", help_heading = "Arguments")]
     pub file: Option<PathBuf>,
     #[command(flatten)]
     pub step: StepFlags,
-    /// One run for each value of a key of the drive file
+    /// Run once for each value of a key of the drive file
     #[arg(long, value_name = "KEY=VALUE,…")]
     pub sweep: Option<String>,
-    /// What to find the size of
+    /// Part to size
     #[arg(long, value_name = "WHAT", value_parser = ["valve"], requires = "rise_time")]
     pub size: Option<String>,
-    /// Rise time (10 to 90 %) that the smallest valve shall have
+    /// Required rise time (10 to 90 %) with the smallest valve
     #[arg(long, value_name = "TIME", requires = "size")]
     pub rise_time: Option<String>,
     #[command(flatten)]
@@ -70,13 +71,13 @@ pub struct StepFlags {
     /// Valve: a name, or its sonic conductance such as 0.5L/(s bar)
     #[arg(long, value_name = "VALVE", requires = "muscle")]
     pub valve: Option<String>,
-    /// Pressure of the supply [6bar]
+    /// Supply pressure [6bar]
     #[arg(long, value_name = "PRESSURE", requires = "muscle")]
     pub supply: Option<String>,
-    /// Damper of the load [0]
+    /// Damping of the load [0]
     #[arg(long, value_name = "DAMPING", requires = "muscle")]
     pub damping: Option<String>,
-    /// End of the run [2s]
+    /// End time of the run [2s]
     #[arg(long, value_name = "TIME", requires = "muscle")]
     pub until: Option<String>,
 }
@@ -132,9 +133,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
         ("--branch", !asking.direction.is_mean()),
     ];
     if let Some((flag, _)) = ignored.into_iter().find(|f| f.1) {
-        let message = format!(
-            "{flag} would change nothing: a motion follows the model, its friction and what goes slack by itself"
-        );
+        let message = format!("{flag} has no effect: a motion always computes friction and slack");
         return Err(Failure::input(ProblemKind::Usage, message, "leave it out"));
     }
     let files = files_of(args)?;
@@ -145,7 +144,7 @@ pub fn run(args: &MotionArgs, format: Format) -> Result<u8, Failure> {
             let hint = "as in --sweep 'valve.sonic_conductance=0.2 L/(s bar),1 L/(s bar)'";
             Failure::input(
                 ProblemKind::Usage,
-                format!("--sweep: \"{text}\" has no = with values behind it"),
+                format!("--sweep: \"{text}\" has no = followed by values"),
                 hint,
             )
         })?;

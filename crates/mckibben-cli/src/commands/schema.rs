@@ -10,10 +10,10 @@ use std::path::{Path, PathBuf};
 /// `schema`.
 #[derive(Debug, Args)]
 pub struct SchemaArgs {
-    /// Which command, in its words joined by a hyphen (force, rubber-fit); without it all of them as one document with shared `$defs`
+    /// Command, its words joined by a hyphen (force, rubber-fit) [all commands in one document with shared `$defs`]
     #[arg(value_name = "COMMAND")]
     pub command: Option<String>,
-    /// Write to a file instead of standard output; without COMMAND into a folder, a file for each command
+    /// Write to a file instead of standard output; without COMMAND: into a folder, one file per command
     #[arg(short, long, value_name = "FILE", help_heading = "Output")]
     pub output: Option<PathBuf>,
     #[command(flatten)]

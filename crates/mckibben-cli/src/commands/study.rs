@@ -2,7 +2,7 @@
 
 use super::curve::CurveArgs;
 use crate::failure::Failure;
-use crate::flags::Format;
+use crate::format::Format;
 use crate::output::text::{Units, columns, percents};
 use crate::output::{show, warn};
 use crate::plot;
@@ -60,7 +60,7 @@ fn as_text(study: &StudyAnswer, u: &Units) -> String {
         });
         out.push_str(&columns(std::iter::once((fixed, along)).chain(curves)));
     }
-    out.push_str("\nThe paper's findings and what comes out here\n");
+    out.push_str("\nThe paper's findings and the results here\n");
     for f in &study.findings {
         let verdict = if f.holds { "holds" } else { "does not hold" };
         out.push_str(&format!("  {verdict:<14} {}\n                 {}\n", f.statement, f.ours));

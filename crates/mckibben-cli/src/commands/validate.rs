@@ -3,7 +3,8 @@
 mod measured;
 
 use crate::failure::{Failure, NO_ANSWER};
-use crate::flags::{Format, OutputFlags, PlotFlag};
+use crate::flags::{OutputFlags, PlotFlag};
+use crate::format::Format;
 use crate::names::MODELS;
 use crate::output::show;
 use crate::output::text::{aligned, number, or_dash, table};
@@ -23,19 +24,19 @@ pub const EXAMPLES: &str = "Examples:
 /// `validate`.
 #[derive(Debug, Args)]
 pub struct ValidateArgs {
-    /// The finest meshes as well (some seconds more)
+    /// Also compute the finest meshes (some seconds more)
     #[arg(long, conflicts_with = "sweep")]
     pub all: bool,
-    /// Robustness sweep over N random muscles: the share of single questions that is answered
+    /// Robustness sweep over N random muscles: the share of random points with an answer
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub sweep: Option<u32>,
     /// Seed of the random muscles
     #[arg(long, default_value_t = 1, requires = "sweep")]
     pub seed: u64,
-    /// Instead: what is known of each measured muscle and rubber, what was fitted, and what the model leaves of its points, blind predictions apart; of those in DIR, a folder each, or of those built in
+    /// Validation report of measured muscles and rubbers: known data, fitted constants, errors at fitted points and at predicted points. Cases of DIR, one folder each [the built-in cases]
     #[arg(long, value_name = "DIR", num_args = 0..=1, conflicts_with_all = ["sweep", "all"])]
     pub measured: Option<Option<PathBuf>>,
-    /// Of these folders only
+    /// Only these cases, by folder name
     #[arg(long, value_name = "NAME", value_delimiter = ',', requires = "measured")]
     pub only: Vec<String>,
     /// Model of the measured muscles [fe]
@@ -60,7 +61,7 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
         return measured::run(args, folder.as_deref(), format);
     }
     if args.plot.plot.is_some() {
-        let message = "--plot draws the measured muscles: it goes with --measured";
+        let message = "--plot draws the measured muscles: it requires --measured";
         return Err(Failure::input(
             ProblemKind::Usage,
             message,
@@ -75,7 +76,7 @@ pub fn run(args: &ValidateArgs, format: Format) -> Result<u8, Failure> {
 /// Times are for people only: JSON and CSV hold nothing that depends on the machine.
 fn sweep_text(a: &SweepAnswer) -> String {
     format!(
-        "{} random muscles, one question each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended in a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
+        "{} random muscles, one point each (seed {})\n\n  {} of {} answered where the infinitely long muscle pulls and its strands stretch by less than 5 %\n  {} of {} answered elsewhere; the others ended with a reason\n  at most {} factorisations; median {:.2} ms, longest {:.2} ms\n",
         a.muscles,
         a.seed,
         a.required_answered,
@@ -113,7 +114,7 @@ fn as_text(cases: &[Row]) -> String {
         "\nValidation: are they the right equations? Root mean square of the differences from measured pulls\n\n"
             .into(),
         section(&rms, &["rms [N]", "largest or blocked [N]", "rms of it", "allowed"], &of_blocked),
-        "\nValidation: does the ± hold the measured points?\n\n".into(),
+        "\nValidation: does the ± cover the measured points?\n\n".into(),
         section(&shares, &["held", "at least"], &covered),
         summary(&values, &rms, &shares),
     ]

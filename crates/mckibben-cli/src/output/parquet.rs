@@ -4,7 +4,7 @@ use super::columns::Kind;
 use super::rows::{Table, text};
 use crate::failure::Failure;
 use mckibben_app::ProblemKind;
-use mckibben_parquet::{self as parquet, Column, Field, Packing, Sealed, TableError, Text, Writer};
+use mckibben_parquet::{Column, Field, Packing, Sealed, TableError, Text, Writer};
 use serde_json::Value;
 use std::io::{Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
@@ -15,17 +15,14 @@ pub fn rows(table: &Table) -> Result<Vec<u8>, Failure> {
 }
 
 fn encoded(table: &Table) -> Result<Vec<u8>, TableError> {
-    let field = |(name, kind): &(String, Kind)| {
-        let kind = match kind {
-            Kind::Number => parquet::Kind::Optional,
-            Kind::Flag => parquet::Kind::Flag,
-            Kind::Text => parquet::Kind::OptionalText,
-        };
-        Field { name: name.clone(), kind, packing: Packing::Repeated }
+    let field = |(name, kind): &(String, Kind)| Field {
+        name: name.clone(),
+        kind: column(&[], name, *kind),
+        packing: Packing::Repeated,
     };
     let fields: Vec<Field> = table.columns.iter().map(field).collect();
-    let columns: Vec<Column> =
-        table.columns.iter().map(|(key, kind)| column(&table.rows, key, *kind)).collect();
+    let columns = table.columns.iter().map(|(key, kind)| column(&table.rows, key, *kind));
+    let columns: Vec<Column> = columns.collect();
     let mut bytes = Cursor::new(vec![]);
     let program = format!("mckibben {}", env!("CARGO_PKG_VERSION"));
     let mut writer = Writer::new(&mut bytes, "table", &program, &fields, Sealed::No)?;

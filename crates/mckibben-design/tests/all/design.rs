@@ -107,7 +107,7 @@ fn bounds_bind_and_are_named() {
     for candidate in &outcome.candidates {
         assert!(candidate.bulged_diameter_mm().unwrap() <= 60.0);
     }
-    // A weak pull that bulges too far: only the bulge binds, and easing it is enough.
+    // A weak pull with too large a bulge: only the bulge limits, and relaxing it is enough.
     spec.wanted = vec![OperatingPoint { force_n: 100.0, contraction: 0.15 }].into();
     spec.limits.bulged_diameter_mm = Some(10.0);
     spec.outer_diameter_mm = Values::Interval(20.0, 50.0);

@@ -59,7 +59,7 @@ pub(crate) struct Spent {
     pub factorisations: usize,
 }
 
-/// What is held along a curve.
+/// What is kept fixed along a curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Test {
     /// A contraction, at given pressures; from the highest pressure down.

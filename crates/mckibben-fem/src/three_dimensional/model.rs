@@ -145,7 +145,7 @@ impl ForceModel for ThreeDimensional {
         if let Some(plug) = mesh.plug() {
             let (name, insertion, nose) = (plug.material.name(), plug.insertion_mm, plug.nose_mm);
             let assumed = if self.divided.insertion_assumed {
-                " (what is assumed where nobody states it; a pull falls by some 5 % for it)"
+                " (assumed, because it is not stated; it reduces the pull by about 5 %)"
             } else {
                 ""
             };

@@ -3,7 +3,7 @@
 use super::error::IdentifyError;
 use super::parameter::Target;
 use super::problem::Build;
-use super::result::{Fitted, Identification};
+use super::result::{Identification, PointFit};
 use super::run::distinct;
 use crate::least_squares::Loss;
 use crate::measured::{DataPoint, Quantity};
@@ -44,12 +44,12 @@ pub(super) fn before(
     notes.extend(contradictions(points));
     if distinct(points.iter().map(|p| p.at.pressure_mpa)) == 1 {
         notes.push(
-            "all points stand at one pressure: rubber, braid and offset can then hardly be distinguished; measure at two more"
+            "all points have the same pressure: rubber, braid and offset can hardly be distinguished; measure at two more pressures"
                 .into(),
         );
     } else if distinct(points.iter().map(|p| p.at.contraction)) == 1 {
         notes.push(
-            "all points stand at one contraction: measure at others too, the rubber shows in how the pull falls".into(),
+            "all points have the same contraction: measure at others too; the decrease of the pull with contraction identifies the rubber".into(),
         );
     }
     let lengths = points.iter().map(|p| p.section.length_mm.unwrap_or(muscle.length_mm()));
@@ -61,7 +61,7 @@ pub(super) fn before(
             "length, angle or modulus"
         };
         notes.push(format!(
-            "all points are of one length: {} can then hardly be told from an error in {look}; measure muscles of other lengths",
+            "all points are from muscles of one length: {} can hardly be distinguished from an error in {look}; measure muscles of other lengths",
             end.name(muscle)
         ));
     }
@@ -196,11 +196,7 @@ pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> 
     }
     let far: Vec<u64> = found.points.iter().filter(|p| p.outlier).map(|p| p.point.line).collect();
     if !far.is_empty() {
-        let robust = if loss == Loss::Squares {
-            "; look at them, or let them count less with a robust loss"
-        } else {
-            ""
-        };
+        let robust = if loss == Loss::Squares { "; check them, or use a robust loss" } else { "" };
         notes.push(format!(
             "{} lie{} more than {FAR} robust deviations from the model{robust}",
             lines(&far),
@@ -209,7 +205,7 @@ pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> 
     }
     if found.freedom < 2 * found.parameters.len() {
         notes.push(format!(
-            "{} points for {} parameters: the error bars rest on {} degrees of freedom and are wide for that; measure more",
+            "{} points for {} parameters: the error bars have only {} degrees of freedom and are therefore wide; measure more points",
             found.points.len(),
             found.parameters.len(),
             found.freedom
@@ -220,11 +216,11 @@ pub(super) fn after<B: Build>(found: &Identification, loss: Loss, build: &B) -> 
     notes.extend(slack(found, build));
     let has = |t: Target| found.parameter(t).is_some();
     if has(Target::ContractionOffset) {
-        notes.push("a muscle file has no place for contraction_offset: add it to your contractions".into());
+        notes.push("a muscle file cannot hold contraction_offset: add it to your contractions".into());
     }
     if has(Target::StiffnessExponent) {
         notes.push(
-            "a muscle file has no place for braid.stiffness_exponent: it holds k at its own diameter".into(),
+            "a muscle file cannot hold braid.stiffness_exponent: it states k at its own diameter".into(),
         );
     }
     notes
@@ -237,23 +233,23 @@ fn unidentifiable(found: &Identification) -> Vec<String> {
         }
         Some(if p.implausible {
             format!(
-                "{} {} {} lets the ends give way by more than 0.3 of the outer diameter, which is known of no muscle: it is not determined; another constant that is wrong (length, angle, modulus) is more likely",
+                "{} {} {} gives an end displacement of more than 0.3 of the outer diameter, more than that of any known muscle: it is not determined; an error in another constant (length, angle, modulus) is more likely",
                 p.name,
                 show(p.value),
                 p.unit
             )
         } else if !p.matters {
-            format!("{}: no point changes with it, with this model: fix it", p.name)
+            format!("{}: it has no effect on any point with this model: fix it", p.name)
         } else if p.at_bound {
             let at = format!("{} {}", if p.value == 0.0 { "0".into() } else { show(p.value) }, p.unit);
             format!(
-                "{} lies on its bound, {}: the data pull it further; widen the bound, or fix it",
+                "{} is at its bound, {}: the best fit lies beyond it; widen the bound, or fix the parameter",
                 p.name,
                 at.trim()
             )
         } else if p.target == Target::Stiffness && p.value > 30.0 * p.start {
             format!(
-                "{} runs away ({:.1e} N/mm): strands that do not stretch explain these data as well; make it \"inextensible\"",
+                "{} grows without limit ({:.1e} N/mm): inextensible strands fit these data equally well; set it to \"inextensible\"",
                 p.name, p.value
             )
         } else if !p.half_width.is_finite() {
@@ -262,15 +258,13 @@ fn unidentifiable(found: &Identification) -> Vec<String> {
                 p.name
             )
         } else {
+            let limit = format!("{} {}", show(p.limit), p.unit);
             format!(
-                "{} is not identifiable from these data: ± {} is more than {} {}; fix it",
+                "{} is not identifiable from these data: ± {} is more than {}; fix it",
                 p.name,
                 show(p.half_width),
-                show(p.limit),
-                p.unit
+                limit.trim()
             )
-            .replace("  ", " ")
-            .replace(" ;", ";")
         })
     };
     found.parameters.iter().filter_map(one).collect()
@@ -314,9 +308,9 @@ fn misfit(found: &Identification) -> Option<String> {
 }
 
 /// Pairs of neighbours on a curve (one muscle, pressure and branch, by contraction), and the correlation ρ of their residuals, −1 to 1.
-pub(super) fn neighbours(points: &[Fitted]) -> (usize, f64) {
-    let mut order: Vec<&Fitted> = points.iter().collect();
-    let key = |f: &Fitted| {
+pub(super) fn neighbours(points: &[PointFit]) -> (usize, f64) {
+    let mut order: Vec<&PointFit> = points.iter().collect();
+    let key = |f: &PointFit| {
         let s = &f.point.section;
         let branch = f64::from(f.point.at.branch as u8);
         let measures = [s.outer_diameter_mm, s.wall_mm, s.length_mm, s.angle_deg].map(|v| v.unwrap_or(0.0));
@@ -338,7 +332,7 @@ pub(super) fn neighbours(points: &[Fitted]) -> (usize, f64) {
 
 /// Residuals of neighbours that resemble each other: the model misses in a pattern, and the standard errors, which take
 /// residuals for noise, are too small. With ρ the correlation of neighbours, n points weigh like n (1 − ρ)/(1 + ρ).
-fn pattern(points: &[Fitted]) -> Option<String> {
+fn pattern(points: &[PointFit]) -> Option<String> {
     let (pairs, rho) = neighbours(points);
     // Without a pattern ρ is normal with 1/√n (Bartlett 1946 [bartlett1946]).
     if pairs < 10 || rho < 3.0 / (pairs as f64).sqrt() {

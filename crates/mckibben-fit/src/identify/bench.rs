@@ -6,7 +6,7 @@
 
 use super::candidate::Candidate;
 use super::problem::{Build, Problem};
-use super::result::Fitted;
+use super::result::PointFit;
 use super::run::Request;
 use crate::least_squares::{Estimate, Unknown, slopes, t95};
 use crate::measured::DataPoint;
@@ -23,7 +23,7 @@ pub(super) struct Found<'a> {
     pub(super) unknowns: &'a [Unknown],
     pub(super) estimate: &'a Estimate,
     pub(super) candidate: &'a Candidate,
-    pub(super) points: &'a [Fitted],
+    pub(super) points: &'a [PointFit],
     pub(super) freedom: usize,
 }
 
@@ -35,10 +35,10 @@ pub(super) fn bench<B: Build>(
     progress: &dyn Progress,
 ) -> Option<Bench> {
     let muscle = found.candidate.muscle();
-    let of_it = |f: &&Fitted| found.candidate.of_section(&f.point.section).is_ok_and(|m| m == *muscle);
-    let own: Vec<&Fitted> = found.points.iter().filter(of_it).collect();
+    let of_it = |f: &&PointFit| found.candidate.of_section(&f.point.section).is_ok_and(|m| m == *muscle);
+    let own: Vec<&PointFit> = found.points.iter().filter(of_it).collect();
     let offset = found.candidate.contraction_offset;
-    let range = |of: &dyn Fn(&Fitted) -> f64| {
+    let range = |of: &dyn Fn(&PointFit) -> f64| {
         let list = own.iter().map(|f| of(f));
         list.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(v), high.max(v)))
     };

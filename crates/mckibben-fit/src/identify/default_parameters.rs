@@ -68,7 +68,7 @@ pub fn identify_default<B: Build>(
     }
     let mut found = run(&without)?;
     found.notes.push(
-        "braid.stiffness is not identifiable from these data and was left as it is; free it by name to see"
+        "braid.stiffness is not identifiable from these data and was not changed; free it by name to see its value"
             .into(),
     );
     Ok(found)

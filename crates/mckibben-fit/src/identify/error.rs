@@ -61,7 +61,7 @@ pub enum IdentifyError {
     Flipped(String),
     /// Points that no rubber explains.
     #[error(
-        "no constants were found: {name} falls towards zero, to {value_mpa:.1e} MPa, which is no rubber. The points pull more, or keep more of their pull when they are shortened, than this muscle does with any rubber"
+        "no constants were found: {name} falls towards zero, to {value_mpa:.1e} MPa, which no rubber has. The measured pull is higher, or decreases less with contraction, than that of this muscle with any rubber"
     )]
     NoRubber {
         /// What was free.
@@ -71,7 +71,7 @@ pub enum IdentifyError {
     },
     /// Errors stated for some rows only.
     #[error(
-        "{stated} of {points} points state their error (first without: line {line}): state all, so that they can be weighed against each other, or none"
+        "{stated} of {points} points state their error (first without: line {line}): state the errors of all points, or of none"
     )]
     ErrorsOfSome {
         /// Rows with an error.
@@ -109,5 +109,5 @@ pub enum IdentifyError {
 }
 
 fn left_out(n: &usize) -> String {
-    if *n == 0 { String::new() } else { format!(" ({n} more read no force and were left out)") }
+    if *n == 0 { String::new() } else { format!(" ({n} more points without a measured force were left out)") }
 }

@@ -106,7 +106,7 @@ fn doubt(law: &Law) -> Option<String> {
     });
     if let Some(stretch) = stretch.filter(|s| *s < EARLY_LOCK) {
         return Some(format!(
-            "a rubber that locks at a stretch of {stretch:.1} in tension is not known among those that ship; a braid that locks, strands off the tube or ends that give way look alike"
+            "no rubber of the library locks at a stretch of {stretch:.1} in tension; a jammed braid, strands that lift off the tube or compliant ends have the same effect"
         ));
     }
     let values = law.constants();

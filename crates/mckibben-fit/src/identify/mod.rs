@@ -25,7 +25,7 @@ pub use error::IdentifyError;
 pub use laws::{LawTrial, try_laws};
 pub use parameter::{Parameter, ParameterError, Target};
 pub use problem::Build;
-pub use result::{Fitted, Identification, Identified, Spread};
+pub use result::{Identification, Identified, PointFit, Spread};
 pub use run::{Request, identify, identify_with};
 
 #[cfg(test)]

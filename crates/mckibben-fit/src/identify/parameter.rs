@@ -48,7 +48,7 @@ fn measures() -> impl Iterator<Item = (&'static Measure, &'static Identify)> {
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ParameterError {
     /// No such name.
-    #[error("`{given}` is nothing that can be identified{}; this muscle has {known}", meant(.nearest.as_deref()))]
+    #[error("`{given}` cannot be identified{}; the parameters of this muscle are {known}", meant(.nearest.as_deref()))]
     Unknown {
         /// As written.
         given: String,
@@ -72,7 +72,9 @@ pub enum ParameterError {
         given: String,
     },
     /// Bounds that hold no value, or not the start.
-    #[error("{name}: the start {start} must lie between the bounds {low} and {high}, and these apart")]
+    #[error(
+        "{name}: the start {start} must lie between the bounds {low} and {high}, and the bounds must differ"
+    )]
     Bounds {
         /// Parameter.
         name: String,

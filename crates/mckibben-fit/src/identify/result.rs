@@ -42,16 +42,16 @@ pub struct Identified {
 
 /// A point with what the model makes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Fitted {
+pub struct PointFit {
     /// The point.
     pub point: DataPoint,
     /// Model less measured, in the unit of what was read: N, –, MPa.
     pub residual: f64,
     /// The same in N.
     pub residual_n: f64,
-    /// What it counted in the end.
+    /// Its final weight.
     pub weight: f64,
-    /// Whether it lies far off the others.
+    /// Whether it is an outlier.
     pub outlier: bool,
 }
 
@@ -101,7 +101,7 @@ pub struct Identification {
     pub slack: Vec<DataPoint>,
     /// The points that counted.
     #[serde(skip)]
-    pub points: Vec<Fitted>,
+    pub points: Vec<PointFit>,
     /// The muscle with the values found.
     #[serde(skip)]
     pub muscle: Muscle,
@@ -140,13 +140,13 @@ pub(super) fn spread(label: impl Into<String>, residuals: &[f64]) -> Spread {
 }
 
 /// By branch, by quantity and by set, where there is more than one.
-pub(super) fn spreads(points: &[Fitted]) -> Vec<Spread> {
-    let of = |label: String, keep: &dyn Fn(&Fitted) -> bool| {
+pub(super) fn spreads(points: &[PointFit]) -> Vec<Spread> {
+    let of = |label: String, keep: &dyn Fn(&PointFit) -> bool| {
         let list: Vec<f64> = points.iter().filter(|p| keep(p)).map(|p| p.residual_n).collect();
         (!list.is_empty() && list.len() < points.len()).then(|| spread(label, &list))
     };
-    let branch = |b: Direction| move |p: &Fitted| p.point.at.branch == b;
-    let read = |q: Quantity| move |p: &Fitted| p.point.measured == q;
+    let branch = |b: Direction| move |p: &PointFit| p.point.at.branch == b;
+    let read = |q: Quantity| move |p: &PointFit| p.point.measured == q;
     let mut out: Vec<Spread> = [
         of("branch contraction".into(), &branch(Direction::Contraction)),
         of("branch elongation".into(), &branch(Direction::Elongation)),

@@ -6,7 +6,7 @@ use super::candidate::own_value;
 use super::error::IdentifyError;
 use super::parameter::{Parameter, Target};
 use super::problem::{Build, Problem};
-use super::result::{Fitted, Identification, Identified, spread, spreads};
+use super::result::{Identification, Identified, PointFit, spread, spreads};
 use super::signs;
 use crate::least_squares::{Estimate, EstimateError, Loss, Unknown, estimate};
 use crate::measured::{DataPoint, Quantity};
@@ -190,8 +190,8 @@ fn search<B: Build>(
     rubber_is_left(request, first.muscle(), candidate.muscle())?;
     let parameters = parameters(request, &problem, &unknowns, (&found, &x), candidate.muscle());
     let outliers = advice::outliers(&found.residuals, &weights);
-    let fitted: Vec<Fitted> = (0..points.len())
-        .map(|i| Fitted {
+    let fitted: Vec<PointFit> = (0..points.len())
+        .map(|i| PointFit {
             point: points[i],
             residual: found.residuals[i] / problem.scale(points[i].measured),
             residual_n: found.residuals[i],

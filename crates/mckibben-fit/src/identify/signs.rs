@@ -109,7 +109,7 @@ fn rising(points: &[&DataPoint]) -> Result<Vec<String>, IdentifyError> {
         lines(&lines_of_rising)
     );
     if curves < 2 || 2 * rising < curves {
-        notes.push(format!("{which}: look at these points"));
+        notes.push(format!("{which}: check these points"));
         return Ok(notes);
     }
     let why = if points.iter().all(|p| p.at.contraction <= 0.0) {

@@ -265,7 +265,7 @@ fn what_the_data_cannot_tell_is_flagged() {
 }
 
 #[test]
-fn the_default_leaves_a_stiffness_alone_that_is_not_told() {
+fn the_default_does_not_free_an_unidentifiable_stiffness() {
     let rigid = muscle(Law::NeoHookean(NeoHookean { mu_mpa: 0.3 }), BraidStiffness::Inextensible);
     let points = noisy(&bench(&rigid, 0.0), 4.0, 5);
     let m = soft();
@@ -282,7 +282,7 @@ fn the_default_leaves_a_stiffness_alone_that_is_not_told() {
     let f = identify_default(&request, thick, &Silent).unwrap();
     assert_eq!(f.parameters.len(), 1);
     assert!((f.parameters[0].value - 0.3).abs() < 0.05, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("left as it is")), "{:?}", f.notes);
+    assert!(f.notes.iter().any(|n| n.contains("was not changed")), "{:?}", f.notes);
 }
 
 #[test]
@@ -329,7 +329,7 @@ fn too_few_slack_and_contradicting_points_get_a_sentence() {
     some[2].at.force_n = 0.0;
     some[3].at.force_n = -1.0;
     let slack = found(&m, &["mu", "braid.stiffness"], &some, Loss::Squares).unwrap_err().to_string();
-    assert!(slack.contains("(2 more read no force and were left out)"), "{slack}");
+    assert!(slack.contains("(2 more points without a measured force were left out)"), "{slack}");
     let mut twice = points.clone();
     twice.push(DataPoint { line: 17, ..twice[8] });
     twice[15].at.force_n *= 0.7;
@@ -383,7 +383,7 @@ fn starts_bounds_and_doubles_are_checked() {
     // A bound that holds the truth away is reported.
     let f = found(&m, &["mu=0.4:0.35:1"], &points, Loss::Squares).unwrap();
     assert!(f.parameters[0].at_bound && !f.parameters[0].identifiable, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("lies on its bound")), "{:?}", f.notes);
+    assert!(f.notes.iter().any(|n| n.contains("is at its bound")), "{:?}", f.notes);
 }
 
 #[test]
@@ -430,12 +430,12 @@ fn muscles_of_several_lengths_tell_how_far_their_ends_give_way() {
     for (p, truth) in found.parameters.iter().zip([0.3, seating, 0.0]) {
         assert!(p.identifiable && (p.value - truth).abs() < 1e-6, "{p:#?}");
     }
-    let told = |points: &[DataPoint]| {
+    let determined = |points: &[DataPoint]| {
         let one = Request { points, ..request };
         let found = identify(&one, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
-        found.notes.iter().any(|note| note.contains("all points are of one length"))
+        found.notes.iter().any(|note| note.contains("all points are from muscles of one length"))
     };
-    assert!(told(&noisy(&points[..PLACES.len()], 0.5, 3)) && !told(&points));
+    assert!(determined(&noisy(&points[..PLACES.len()], 0.5, 3)) && !determined(&points));
 }
 
 /// Ends that slip under F + π Ri² P and hold 4 mm each: points are made from the muscle between its ends, whose contraction is chosen, so that
@@ -622,7 +622,7 @@ fn a_constant_on_its_bound_is_the_bound() {
     };
     let f = identify(&request, |m: &Muscle| mckibben::model::ModelKind::ThickWall.build(m)).unwrap();
     assert!(f.parameters[1].at_bound && f.parameters[1].value == 0.0, "{:#?}", f.parameters);
-    assert!(f.notes.iter().any(|n| n.contains("terminals.grip lies on its bound, 0 mm")), "{:?}", f.notes);
+    assert!(f.notes.iter().any(|n| n.contains("terminals.grip is at its bound, 0 mm")), "{:?}", f.notes);
 }
 
 /// Benches with a known noise, some with both branches: the ± that they leave holds further points of the same bench at its rate.

@@ -32,19 +32,19 @@ impl<F: Fn(&[f64]) -> Option<Vec<f64>>> Residuals for F {
     }
 }
 
-/// How residuals count.
+/// Loss function of the residuals.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(rename = "LossWord"))]
 pub enum Loss {
-    /// By their squares.
+    /// Sum of squares.
     #[default]
     Squares,
     // By the square up to 1.345 robust deviations (1.4826 times the median of |r|), and linearly beyond (Huber 1964 [huber1964]).
-    /// Those far off less (Huber).
+    /// Huber: outliers count less.
     Huber,
     // By the sixth power; standard errors then say little.
-    /// The largest most (sixth powers).
+    /// Sixth powers: the largest residual counts most.
     Largest,
 }
 
@@ -86,7 +86,7 @@ pub enum EstimateError {
     },
     /// Bounds or a scale that are not valid for an unknown.
     #[error(
-        "unknown {index} cannot be sought: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
+        "unknown {index} cannot be fitted: its start {} and its bounds {} to {} must be numbers in order, and its scale {} above zero",
         .unknown.start, .unknown.low, .unknown.high, .unknown.scale
     )]
     Unknown {
@@ -222,9 +222,9 @@ pub fn estimate(
         let settled = matches!(report.termination, TerminationReason::NoImprovementPossible(_));
         if !(settled || report.termination.was_successful()) {
             let reason = match report.termination {
-                TerminationReason::User(_) => "the model has no answer beside the best values so far".into(),
-                TerminationReason::LostPatience => "the search did not end; free fewer unknowns".into(),
-                _ => "the data leave the unknowns open, or the model's answers are not smooth".into(),
+                TerminationReason::User(_) => "the model has no answer near the best values found".into(),
+                TerminationReason::LostPatience => "the search did not converge; free fewer unknowns".into(),
+                _ => "the data do not determine the unknowns, or the model is not smooth".into(),
             };
             return Err(EstimateError::NoMinimum { reason, at: inner.x(&inner.u) });
         }
@@ -293,9 +293,9 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
     let mut lost = vec![false; m];
     if let Some(v) = &svd.v_t {
         for (k, &sigma) in svd.singular_values.iter().enumerate() {
-            let told = sigma > 1e-10 * largest && sigma > 0.0;
+            let determined = sigma > 1e-10 * largest && sigma > 0.0;
             for a in 0..m {
-                if !told {
+                if !determined {
                     lost[a] |= v[(k, a)].abs() > 1e-3;
                     continue;
                 }
@@ -323,8 +323,8 @@ fn statistics<R: Residuals>(inner: &Inner<'_, R>, weights: Vec<f64>) -> Result<E
         row[i] = 1.0;
     }
     let half_widths: Vec<f64> = standard_errors.iter().map(|s| t95(freedom) * s).collect();
-    let told = |i: usize| !at_bound[i] && half_widths[i] <= unknowns[i].scale;
-    let identifiable = (0..x.len()).map(told).collect();
+    let determined = |i: usize| !at_bound[i] && half_widths[i] <= unknowns[i].scale;
+    let identifiable = (0..x.len()).map(determined).collect();
     Ok(Estimate {
         x,
         standard_errors,

@@ -5,7 +5,7 @@ use mckibben::muscle::measures::{ANGLE, LENGTH, OUTER_DIAMETER, WALL};
 use mckibben::muscle::{Direction, Measure, Muscle, MuscleError};
 use serde::{Deserialize, Serialize};
 
-/// What the bench read; the two others were set.
+/// The measured quantity; the two others were set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

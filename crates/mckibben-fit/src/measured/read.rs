@@ -150,9 +150,9 @@ fn contractions(
         ),
         (Meaning::Contraction, _) => wrong("is not a valid contraction: no muscle shortens by so much"),
         (Meaning::Length, _) => {
-            wrong("is not a length of this muscle; look at its unit and at L0 (`length_mm`)")
+            wrong("is not a valid length of this muscle; check its unit and L0 (`length_mm`)")
         }
-        _ => wrong("is not a shortening of this muscle; look at its unit and at L0 (`length_mm`)"),
+        _ => wrong("is not a valid shortening of this muscle; check its unit and L0 (`length_mm`)"),
     }
 }
 
@@ -163,7 +163,7 @@ fn rounded(contraction: f64) -> f64 {
 
 /// A length that is the same in all lines could be that at rest.
 fn check_varies(column: &Column, lengths: &[f64]) -> Result<(), TableError> {
-    let why = "is the same in all lines and does not say how far the muscle is contracted: add a column of contractions, \
+    let why = "is the same in all lines and does not give the contraction: add a column of contractions, \
                or, if it is the present length, say so with `columns` length=\"HEADING:mm\"";
     match spread(lengths.iter().copied()) < 1e-9 && !column.chosen {
         true if !lengths.is_empty() => Err(TableError::Length { column: column.heading.clone(), why }),
@@ -192,8 +192,8 @@ fn check_rest(table: &Table, rest: &[Option<f64>], contractions: &[f64]) -> Resu
     match table.column(Meaning::RestLength) {
         Some(column) if spread(rests.clone()) < 0.2 * spread(lengths()) => Err(TableError::Length {
             column: column.heading.clone(),
-            why: "shrinks with the contraction; beside a contraction it means the length at rest: name the column \
-                  otherwise (Length [mm]) and it is left out",
+            why: "decreases with the contraction; together with a contraction it means the length at rest: give \
+                  the column another name (Length [mm]), and it is left out",
         }),
         _ => Ok(()),
     }

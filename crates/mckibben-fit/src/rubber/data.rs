@@ -117,7 +117,7 @@ fn nominal(
         _ => measured,
     };
     if nominal_stress_mpa.is_nan() || nominal_stress_mpa.abs() > LARGEST_STRESS_MPA {
-        let expected = "gives no stress that a rubber bears; look at its unit (250 kPa is 0.25 MPa)";
+        let expected = "gives a stress that no rubber can bear; check its unit (250 kPa is 0.25 MPa)";
         return Err(table.impossible(row, stress, expected));
     }
     Ok(nominal_stress_mpa)
@@ -153,7 +153,7 @@ fn stretches(table: &Table, column: &Column, gauge: f64) -> Result<Vec<f64>, Tab
         Meaning::Length => (
             &|v| v / gauge,
             "is too long for this gauge length",
-            "is not a length of a specimen that is pulled; look at the gauge length",
+            "is not a valid length of a specimen in tension; check the gauge length",
         ),
         _ => (
             &|v| 1.0 + v / gauge,

@@ -55,7 +55,7 @@ pub struct FittedLaw {
     pub form: Form,
     /// Whether it was held among the laws that are stable in a muscle.
     pub constrained: bool,
-    /// How well it does.
+    /// Quality of the fit.
     #[serde(flatten)]
     pub quality: LawQuality,
     /// Its constants.
@@ -69,7 +69,7 @@ pub struct FittedLaw {
     pub law: Law,
 }
 
-/// How well a law follows the points, and where it is stable.
+/// Quality of the fit of a law, and its range of stability.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct LawQuality {
@@ -119,7 +119,7 @@ impl FittedLaw {
     pub fn held(&self) -> &'static str {
         match self.form.kind().held_positive {
             Some(words) => words,
-            None if self.law.locks_at().is_some() => "with a limit behind the muscle's stretches",
+            None if self.law.locks_at().is_some() => "with a limit beyond the muscle's stretches",
             None => "among its stable laws",
         }
     }

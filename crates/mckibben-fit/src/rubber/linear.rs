@@ -86,7 +86,7 @@ pub(super) fn stable(
         cuts.extend((0..basis.len()).map(|i| Inequality { g: unit(i), h: 0.0 }));
     }
     for _ in 0..CUTS {
-        let found = solve(&n, &d, &cuts).ok_or_else(|| failed("no stable law follows these data"))?;
+        let found = solve(&n, &d, &cuts).ok_or_else(|| failed("no stable law fits these data"))?;
         let worst = states.iter().map(|s| deepest(s, &found.x)).min_by(|a, b| a.0.total_cmp(&b.0));
         let Some((depth, g)) = worst else { return Err(failed("no states")) };
         // Half of the margin is left for the iteration to end in.

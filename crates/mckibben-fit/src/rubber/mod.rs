@@ -57,7 +57,7 @@ pub struct FitSettings {
     pub forms: Vec<Form>,
     /// What is made small.
     pub measure: Measure,
-    /// Every mode counts alike, however many points it has. Else every point counts alike.
+    /// Give every mode the same weight, whatever its number of points. Else every point counts alike.
     pub balance: bool,
     /// A factor on the weights of a mode.
     pub mode_weights: Vec<(Mode, f64)>,
@@ -104,13 +104,13 @@ pub enum TensionFitError {
     },
     /// The stress does not grow with the stretch.
     #[error(
-        "the points pull with a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; look at the columns and their signs"
+        "the points give a modulus of {modulus_mpa} MPa: stress must be above zero where the stretch is above 1; check the columns and their signs"
     )]
     NoStiffness {
         /// The neo-Hookean modulus that fits best.
         modulus_mpa: f64,
     },
-    /// A setting that makes no sense.
+    /// An invalid setting.
     #[error("{what} is {value}; it must be {expected}")]
     Setting {
         /// Which.
@@ -121,7 +121,7 @@ pub enum TensionFitError {
         expected: &'static str,
     },
     /// A term too many.
-    #[error("{law}: so many terms follow these data no better than fewer do")]
+    #[error("{law}: this number of terms fits these data no better than fewer terms")]
     NoBetter {
         /// Which law.
         law: String,
@@ -157,7 +157,7 @@ pub struct TensionFit {
     /// Place of the law to take: of those that are stable in a muscle the one with the lowest AICc; with uniaxial tests
     /// alone, one of I1.
     pub recommended: Option<usize>,
-    /// What to mind.
+    /// Warnings.
     pub warnings: Vec<TensionWarning>,
 }
 

@@ -11,7 +11,7 @@ use crate::least_squares::{Loss, Residuals, Unknown, estimate};
 use mckibben::rubber::Form;
 use mckibben::rubber::{Law, MUSCLE_AXIAL_STRETCH, RubberLaw};
 
-/// A limit up to a thousand times that of the data: farther away it cannot be told.
+/// A limit up to a thousand times that of the data: farther away it is not identifiable.
 const LOWEST: f64 = 1e-3;
 /// Shares of the range of q at which the fit begins.
 const STARTS: [f64; 4] = [0.1, 0.4, 0.7, 0.95];

@@ -14,7 +14,7 @@ pub enum Measure {
     /// Differences of nominal stress.
     #[default]
     Absolute,
-    /// Differences over the measured stress: small stretches count as much as large ones.
+    /// Minimise relative differences: small stretches count as much as large ones.
     Relative,
 }
 

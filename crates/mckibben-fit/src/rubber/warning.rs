@@ -13,7 +13,7 @@ const MUSCLE_STRETCH: f64 = 2.3;
 /// Shear moduli of rubbers, from soft gels to hard rubber, in MPa.
 const MODULI: (f64, f64) = (0.005, 20.0);
 
-/// What to mind.
+/// Warnings.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TensionWarning {
     /// Points behind a rupture were left out.
@@ -92,11 +92,11 @@ impl fmt::Display for TensionWarning {
             }
             Self::Loops { unloadings } => write!(
                 f,
-                "the specimen was unloaded {unloadings} times; the laws go through the middle of loading and unloading. The first loading is stiffer than later ones (Mullins): for a muscle that has been run in, keep one late loading to the stretch it sees"
+                "the specimen was unloaded {unloadings} times; the laws go through the middle of loading and unloading. The first loading is stiffer than later ones (Mullins): for a muscle that was run in, use one late loading alone, up to its largest stretch"
             ),
             Self::Modulus { modulus_mpa } => {
                 let unit = if *modulus_mpa > MODULI.1 {
-                    "are the stresses in kPa or psi, or the strains in percent under a heading that says otherwise?"
+                    "are the stresses in kPa or psi, or the strains in percent under a heading for ratios?"
                 } else {
                     "are the stresses in GPa or the strains not in percent, or is it a foam or gel?"
                 };
@@ -108,10 +108,10 @@ impl fmt::Display for TensionWarning {
             }
             Self::Signs { points } => write!(
                 f,
-                "{points} points pull where the specimen is pressed together, or the other way round; the zero of force or length may be off"
+                "{points} points have tension where the specimen is compressed, or the reverse; check the zero of force and of length"
             ),
             Self::OneAxis => f.write_str(
-                "uniaxial tests alone: the wall of a muscle is stretched in two axes, where laws that agree in one differ; a planar or equibiaxial test decides",
+                "uniaxial tests alone: the wall of a muscle is stretched in two axes, where laws that agree in one axis differ; a planar or equibiaxial test distinguishes them",
             ),
             Self::Short { fitted_to_stretch, muscle_stretch } => write!(
                 f,
@@ -126,13 +126,13 @@ impl fmt::Display for TensionWarning {
             ),
             Self::NegativeC01 { c01_mpa } => write!(
                 f,
-                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from uniaxial tests and misleads in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
+                "mooney-rivlin: C01 is {c01_mpa:.4} MPa; a negative C01 comes from uniaxial tests and is wrong in two axes. Take the fit with C01 ≥ 0 (`stable`), neo-hookean or yeoh"
             ),
             Self::NoStiffness { law, modulus_mpa } => {
                 write!(f, "{law}: the shear modulus at rest is {modulus_mpa:.3} MPa: no rubber")
             }
             Self::NotTold { law, names } => {
-                write!(f, "{law}: the data do not tell {}; other values fit as well", names.join(", "))
+                write!(f, "{law}: the data do not determine {}; other values fit equally well", names.join(", "))
             }
         }
     }
@@ -178,8 +178,11 @@ pub(super) fn of_points(problem: &Problem, fitted_to_stretch: f64, hoop: f64) ->
 
 pub(super) fn of_law(fitted: &FittedLaw, hoop: f64) -> Vec<TensionWarning> {
     let mut out = vec![];
-    let law =
-        if fitted.constrained { format!("{}, held stable", fitted.form.name()) } else { fitted.form.name() };
+    let law = if fitted.constrained {
+        format!("{}, constrained to be stable", fitted.form.name())
+    } else {
+        fitted.form.name()
+    };
     if fitted.law.clone().validated().is_err() {
         let modulus_mpa = fitted.law.shear_modulus_mpa();
         out.push(TensionWarning::NoStiffness { law: law.clone(), modulus_mpa });

@@ -106,7 +106,7 @@ pub(super) fn check(history: &[TimePoint]) -> Result<(), OverTimeFitError> {
             return wrong("a stretch L/L0 is 1 at rest and above 0");
         }
         if !(p.time_s >= before && p.time_s.is_finite()) {
-            return wrong("times must grow; a file of several tests is read test by test");
+            return wrong("times must increase; give each test of a file separately");
         }
         if !p.nominal_stress_mpa.is_finite() {
             return wrong("its stress is not a number");

@@ -52,7 +52,7 @@ pub enum OverTimeFitError {
     },
     /// Not enough of a test.
     #[error(
-        "{points} points over {duration_s} s do not tell {branches} branches; take fewer branches or a longer test"
+        "{points} points over {duration_s} s do not determine {branches} branches; take fewer branches or a longer test"
     )]
     TooFew {
         /// Its points.

@@ -34,7 +34,7 @@ pub struct Facts {
     pub title: String,
     /// Who measured it.
     pub source: String,
-    /// On what terms the points may be used.
+    /// Terms of use of the points.
     pub terms: String,
     /// What is known of it.
     pub known: String,
@@ -46,14 +46,14 @@ pub struct Facts {
 #[derive(Debug, Clone)]
 pub enum Measurement {
     /// A muscle.
-    Muscle(Case),
+    Muscle(MuscleCase),
     /// A rubber.
     Rubber(RubberCase),
 }
 
 /// A measured muscle, and what is fitted to it.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub struct MuscleCase {
     /// What is known of it.
     pub facts: Facts,
     /// The rms error over the blocked force that passes in the first fit: what finite elements leave of it, rounded up. A regression.
@@ -82,13 +82,13 @@ pub struct CaseFit {
 /// Which points are fitted; the others are predicted blind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Split {
-    /// By what the points are told apart.
+    /// Quantity that divides the points.
     pub by: By,
     /// Which of them are fitted.
-    pub fitted: Fitted,
+    pub fitted: FittedSubset,
 }
 
-/// By what points are told apart.
+/// Quantity that divides points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum By {
     /// L0 of the muscle.
@@ -101,7 +101,7 @@ pub enum By {
 
 /// Which points are fitted.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Fitted {
+pub enum FittedSubset {
     /// Those of one value, for each value in turn.
     One,
     /// Those of all values but one, for each in turn.
@@ -221,13 +221,13 @@ pub fn measurements() -> Result<&'static [Measurement], &'static CaseError> {
 ///
 /// # Errors
 /// As [`measurements`].
-pub fn muscles() -> Result<Vec<&'static Case>, &'static CaseError> {
+pub fn muscles() -> Result<Vec<&'static MuscleCase>, &'static CaseError> {
     Ok(measurements()?.iter().filter_map(Measurement::muscle).collect())
 }
 
 impl Measurement {
     /// The muscle, where it is one.
-    pub fn muscle(&self) -> Option<&Case> {
+    pub fn muscle(&self) -> Option<&MuscleCase> {
         match self {
             Self::Muscle(case) => Some(case),
             Self::Rubber(_) => None,

@@ -1,6 +1,6 @@
 //! How far the finite elements are from measured pulls, and what share of the measured points the ± covers.
 
-use super::case::{Case, muscles};
+use super::case::{MuscleCase, muscles};
 use super::residual::{Left, Residual, compared, fitted, residuals};
 use crate::identify::Build;
 use crate::identify::IdentifyError;
@@ -54,7 +54,7 @@ fn unread(error: String) -> Row {
     }
 }
 
-fn held(set: &'static Case, left: &Left, what: &str) -> Row {
+fn held(set: &'static MuscleCase, left: &Left, what: &str) -> Row {
     let ours = left.share_held();
     let error = ours.map(|share| (COVERAGE - share).max(0.0));
     Row {
@@ -71,7 +71,7 @@ fn held(set: &'static Case, left: &Left, what: &str) -> Row {
 }
 
 /// The rms of what a set's identified muscle leaves of the means of the branches, beside its largest blocked force.
-fn rms(set: &'static Case, left: &Left) -> Row {
+fn rms(set: &'static MuscleCase, left: &Left) -> Row {
     let error = (left.points > 0).then(|| left.rms_of_blocked());
     let fit = set.fits.first();
     let free = fit.map(|f| f.free.iter().map(|p| p.target.name(&f.muscle)).collect::<Vec<_>>());
@@ -99,7 +99,7 @@ fn rms(set: &'static Case, left: &Left) -> Row {
 /// # Errors
 /// [`IdentifyError`].
 pub fn of_first_fit<B: Build>(
-    set: &Case,
+    set: &MuscleCase,
     elements: &B,
     progress: &dyn Progress,
 ) -> Result<Vec<Residual>, IdentifyError> {

@@ -5,13 +5,13 @@
 //! its modulus is fitted. Models are held against the mean of the two hysteresis branches. A row's reference is the
 //! largest measured force, its value the rms error in N, its error their ratio. Further rows do the same for every measured muscle
 //! ([`case`]) with what is not stated of it identified from its own points, beside its blocked force, and say what share of its points
-//! the ± of the finite elements holds ([`coverage`]); the dossier of each ([`dossier`], of rubbers [`rubber`]) tells them apart by fit, and what was
-//! predicted blind.
+//! the ± of the finite elements covers ([`coverage`]). The validation report of each case ([`report`], of rubbers [`rubber`]) gives the errors of each
+//! fit, at fitted points and at predicted points.
 
 pub mod case;
 pub mod coverage;
-pub mod dossier;
 mod read;
+pub mod report;
 pub mod residual;
 pub mod rubber;
 mod split;

@@ -1,6 +1,6 @@
 //! A folder → what was measured.
 
-use super::case::{By, Case, CaseError, CaseFiles, CaseFit, Facts, Fitted, Measurement, Split};
+use super::case::{By, CaseError, CaseFiles, CaseFit, Facts, FittedSubset, Measurement, MuscleCase, Split};
 use super::rubber::{self, RubberCase};
 use crate::identify::Parameter;
 use crate::measured::read_data;
@@ -43,7 +43,7 @@ impl Measurement {
         }
         let points = read_data(files.points.as_bytes());
         let points = points.map_err(|error| CaseError::Points { case: case(), error })?;
-        Ok(Self::Muscle(Case {
+        Ok(Self::Muscle(MuscleCase {
             facts,
             rms_of_blocked: table.number("rms_of_blocked")?,
             fits: fits.map(|t| fit(files, &t)).collect::<Result<_, _>>()?,
@@ -102,9 +102,9 @@ fn split(table: &Keys<'_>) -> Result<Option<Split>, CaseError> {
     };
     let on = keys.table.get("fit_on").and_then(Item::as_str);
     let fitted = match (on, keys.number("from")?, keys.number("to")?) {
-        (Some("one"), None, None) => Fitted::One,
-        (Some("others"), None, None) => Fitted::Others,
-        (None, Some(from), Some(to)) if from <= to => Fitted::Range(from, to),
+        (Some("one"), None, None) => FittedSubset::One,
+        (Some("others"), None, None) => FittedSubset::Others,
+        (None, Some(from), Some(to)) if from <= to => FittedSubset::Range(from, to),
         _ => return Err(wrong()),
     };
     Ok(Some(Split { by, fitted }))

@@ -137,7 +137,7 @@ pub struct Left {
     pub rms_n: f64,
     /// Largest in N.
     pub largest_n: f64,
-    /// Mean of measured less computed in N.
+    /// Mean of measured − computed in N.
     pub bias_n: f64,
     /// Largest blocked force of the points in N.
     pub blocked_n: f64,

@@ -1,8 +1,8 @@
-//! The dossier of a measured rubber: what a law leaves of its stresses, of those it was fitted to and of those it predicts blind.
+//! The validation report of a measured rubber: the errors of each law at the stresses it was fitted to and at those it predicts.
 
 use super::case::{CaseError, Facts};
-use super::dossier::DossierError;
 use super::read::Keys;
+use super::report::ReportError;
 use super::stress::{history, tests};
 use crate::rubber::{Form, Mode, Parameter, ReadOptions, TensionPoint, read_tests};
 use crate::rubber_over_time::{OverTimeFitError, TimePoint, read_history};
@@ -74,7 +74,7 @@ pub struct RubberGroup {
     pub rms_mpa: f64,
     /// The same over the root mean square of the measured stresses.
     pub relative: f64,
-    /// Mean of measured less computed in MPa.
+    /// Mean of measured − computed in MPa.
     pub bias_mpa: f64,
     /// Largest in MPa.
     pub largest_mpa: f64,
@@ -144,17 +144,17 @@ impl RubberCase {
 /// Every fit of rubbers.
 ///
 /// # Errors
-/// [`DossierError`].
-pub fn dossier(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFitResult>, DossierError> {
+/// [`ReportError`].
+pub fn report(cases: &[&RubberCase], progress: &dyn Progress) -> Result<Vec<RubberFitResult>, ReportError> {
     let mut out = vec![];
     for (number, case) in cases.iter().enumerate() {
         for (k, fit) in case.fits.iter().enumerate() {
             if progress.cancelled() {
-                return Err(DossierError::Cancelled);
+                return Err(ReportError::Cancelled);
             }
             let found = case.run(fit, progress).map_err(|error| {
                 let (case, fit) = (case.facts.name.clone(), fit.name.clone());
-                DossierError::Rubber { case, fit, error }
+                ReportError::Rubber { case, fit, error }
             })?;
             out.push(RubberFitResult { case: number, fit: k, ..found });
         }
@@ -173,7 +173,7 @@ mod tests {
     fn every_rubber_that_is_built_in_is_fitted() {
         let cases: Vec<&RubberCase> =
             measurements().unwrap().iter().filter_map(Measurement::rubber).collect();
-        let found = dossier(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
+        let found = report(&cases, &Silent).unwrap_or_else(|e| panic!("{e}"));
         assert_eq!(found.len(), cases.iter().map(|c| c.fits.len()).sum::<usize>());
         for r in &found {
             let fit = &cases[r.case].fits[r.fit];

@@ -1,6 +1,6 @@
 //! Which points are fitted, and which are predicted blind.
 
-use super::case::{By, CaseFit, Fitted};
+use super::case::{By, CaseFit, FittedSubset};
 use crate::measured::DataPoint;
 use mckibben::muscle::Muscle;
 
@@ -62,9 +62,9 @@ pub(super) fn trainings(fit: &CaseFit, means: &[DataPoint]) -> Vec<Training> {
         values.map(|v| Training { by, low: v, high: v, outside }).collect()
     };
     match split.fitted {
-        Fitted::One => each(false),
-        Fitted::Others => each(true),
-        Fitted::Range(low, high) => vec![Training { by, low, high, outside: false }],
+        FittedSubset::One => each(false),
+        FittedSubset::Others => each(true),
+        FittedSubset::Range(low, high) => vec![Training { by, low, high, outside: false }],
     }
 }
 

@@ -126,9 +126,9 @@ fn read_command(
             let wrong = |why: String| said(section, key, format!("names {}, {why}", name.trim()));
             let table =
                 tables.texts.get(name.trim()).ok_or_else(|| wrong("which was not supplied".into()))?;
-            let points =
-                read_over_time(table.as_bytes(), what).map_err(|e| wrong(format!("which is none: {e}")))?;
-            return Command::table(points).map(Some).map_err(|e| wrong(format!("which is none: {e}")));
+            let points = read_over_time(table.as_bytes(), what)
+                .map_err(|e| wrong(format!("which is not valid: {e}")))?;
+            return Command::table(points).map(Some).map_err(|e| wrong(format!("which is not valid: {e}")));
         }
         spoken(text, dimension.unwrap_or(Dimension::Ratio))
             .ok_or_else(|| said(section, key, format!("is not a command; write {expected}")))?

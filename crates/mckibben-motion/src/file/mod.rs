@@ -202,7 +202,7 @@ fn read(text: &str, base: Option<&DriveFile>, tables: &Tables) -> Result<DriveFi
 /// The files that a drive file names, before they are there.
 ///
 /// # Errors
-/// [`FileError`] for a text that is no TOML, or moves nothing.
+/// [`FileError`] for a text that is not valid TOML, or moves nothing.
 pub fn drive_names(text: &str) -> Result<Names, FileError> {
     let source = Source::parse(text)?;
     let root = source.root();
@@ -230,12 +230,13 @@ fn subject(root: &Section<'_>) -> Result<Subject, FileError> {
 /// The text of a drive file with another value at a dotted key: a number, `true` or `false`, or else a text.
 ///
 /// # Errors
-/// [`FileError`] for a text that is no TOML, or a key whose parents are no tables.
+/// [`FileError`] for a text that is not valid TOML, or a key whose parents are no tables.
 pub fn with_value(text: &str, dotted: &str, value: &str) -> Result<String, FileError> {
     // Errors of syntax with their places.
     let source = Source::parse(text)?;
     let wrong = |what: &str| source.error(dotted, Problem::Said(what.into()));
-    let mut document: toml_edit::DocumentMut = text.parse().map_err(|_| wrong("stands in no TOML"))?;
+    let mut document: toml_edit::DocumentMut =
+        text.parse().map_err(|_| wrong("is in a text that is not valid TOML"))?;
     let mut table: &mut dyn toml_edit::TableLike = document.as_table_mut();
     let (parents, last) = dotted.rsplit_once('.').unwrap_or(("", dotted));
     for part in parents.split('.').filter(|p| !p.is_empty()) {
@@ -317,7 +318,7 @@ fn held(section: &Section<'_>, base: Option<&DriveFile>) -> Result<Option<f64>, 
     let loaded = base.is_some_and(|base| base.load.is_some());
     let given = |key: &str| section.has(key) || loaded && key == "line";
     if let Some(key) = LOAD.iter().find(|key| **key != "held" && given(key)) {
-        return Err(said(section, key, "conflicts with held: a muscle whose ends are held moves no load"));
+        return Err(said(section, key, "conflicts with held: a muscle with fixed ends moves no load"));
     }
     if contraction.abs() >= 1.0 {
         return Err(said(section, "held", "must be a contraction below 1, such as \"10 %\""));
@@ -364,6 +365,34 @@ mod tests {
     }
 
     #[test]
+    fn a_key_over_a_drive_says_what_it_says_in_its_file() {
+        let text =
+            format!("{HEAD}[load]\nline = 'mass:10kg'\ndamping = '200 N s/m'\nstops = '0..80 mm'\n{TAIL}");
+        let tables = Tables::default();
+        let drive = parse_drive(&text, &tables).unwrap();
+        for (key, value) in [
+            ("valve.sonic_conductance", "0.2 L/(s bar)"),
+            ("valve.critical_ratio", "0.4"),
+            ("valve.exhaust_conductance", "1 L/(s bar)"),
+            ("supply.pressure", "7 bar"),
+            ("supply.temperature", "40 degC"),
+            ("air.dead_volume", "100 cm3"),
+            ("load.mass", "5"),
+            ("load.line", "spring:2N/mm"),
+            ("load.damping", "10 N s/m"),
+            ("friction.presliding", "1 mm"),
+            ("command.pressure", "2 bar"),
+            ("command.until", "3 s"),
+        ] {
+            let by_file = with_value(&text, key, value).and_then(|text| parse_drive(&text, &tables));
+            assert_eq!(drive.with(key, value, &tables).unwrap(), by_file.unwrap(), "{key}");
+        }
+        for (key, value) in [("load.held", "10 %"), ("valve.closed", "1"), ("supply.pressure", "0 bar")] {
+            assert!(drive.with(key, value, &tables).is_err(), "{key}");
+        }
+    }
+
+    #[test]
     fn files_say_where_they_are_wrong() {
         for (text, words) in [
             (format!("[valve]\nname = 'x'\n{TAIL}"), "muscle"),
@@ -377,7 +406,7 @@ mod tests {
             (format!("{HEAD}[command]\nuntil = '1 s'\n"), "what is commanded"),
             (
                 format!("{HEAD}[command]\npressure = [['1 s', '1 bar'], ['0 s', '2 bar']]\nuntil = '1 s'\n"),
-                "must grow",
+                "must increase",
             ),
             (format!("{HEAD}[command]\npressure = [['1 s']]\nuntil = '1 s'\n"), "pairs"),
             (format!("{HEAD}[command]\npressure = 'NaN bar'\nuntil = '1 s'\n"), "command"),

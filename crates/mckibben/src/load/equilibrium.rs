@@ -41,7 +41,7 @@ pub struct Balance {
 pub enum LoadError {
     /// The muscle does not lift it.
     #[error(
-        "at {pressure_mpa} MPa the muscle pulls {pull_n:.1} N at its length at rest, and the load of {load_n:.1} N is not lifted: it takes more pressure or a stronger muscle"
+        "at {pressure_mpa} MPa the muscle pulls {pull_n:.1} N at its length at rest, and the load of {load_n:.1} N is not lifted: raise the pressure or take a stronger muscle"
     )]
     NotLifted {
         /// Pressure in MPa.

@@ -157,7 +157,7 @@ impl Muscle {
     /// A bench that saw another muscle.
     fn bench_warning(&self) -> Option<String> {
         (self.bench.is_some() && self.bench().is_none()).then(|| {
-            "[identified] belongs to the muscle as it was identified, and this one differs from it: the ± is that of a muscle without a bench; identify it again".to_owned()
+            "[identified] is valid for the muscle as it was identified, and this muscle differs from it: the ± is that of a muscle without test data; identify it again".to_owned()
         })
     }
 

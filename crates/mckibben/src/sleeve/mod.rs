@@ -136,6 +136,19 @@ pub enum SleeveError {
     },
 }
 
+impl SleeveError {
+    /// The same error with other names of what is missing or wrong: keys of a muscle file are fields in a request.
+    pub fn named(self, name: impl Fn(&'static str) -> &'static str) -> Self {
+        match self {
+            Self::Incomplete { name: sleeve, missing } => {
+                Self::Incomplete { name: sleeve, missing: missing.into_iter().map(name).collect() }
+            }
+            Self::NotPositive { key, value } => Self::NotPositive { key: name(key), value },
+            other => other,
+        }
+    }
+}
+
 /// A length for a message, to a tenth of a micrometre.
 fn short(mm: &f64) -> f64 {
     (mm * 1e4).round() / 1e4

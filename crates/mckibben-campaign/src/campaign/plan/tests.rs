@@ -185,7 +185,7 @@ fn wrong_plans_are_refused_with_place_key_and_what_is_expected() {
         ("[sampling]\nmethod = \"sobol\"\nsamples = 4\nseed = -1\n", &["sampling.seed = -1", "whole number"]),
         ("LHS\n", &["needs something to vary"]),
         ("[vary]\ntube.length = \"100..200\"\n", &["\"100..200\"", "without a step", "factorial"]),
-        ("[vary]\ntube.length = \"200..100:10\"\n", &["runs backwards"]),
+        ("[vary]\ntube.length = \"200..100:10\"\n", &["is reversed"]),
         ("[vary]\ntube.length = \"1..2 bar\"\n", &["is a pressure; expected a length"]),
         ("[vary]\ntube.length = \"0,100\"\n", &["begins at 0; it must be above zero"]),
         ("LHS[vary]\ntube.length = \"100,200 log\"\n", &["is a list, and `log` goes with a range"]),

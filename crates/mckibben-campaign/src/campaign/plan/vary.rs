@@ -87,10 +87,11 @@ fn check(axis: &Axis, base: &Muscle, sampling: &Sampling) -> Result<(), String> 
         && measure.bounds != Bounds::Positive
         && measure.bounds != Bounds::OfPart
     {
-        for value in [low, high] {
-            measure
-                .check(value)
-                .map_err(|error| error.to_string().replacen(&format!("{key} is "), "reaches ", 1))?;
+        if let Some(value) = [low, high].into_iter().find(|value| measure.check(*value).is_err()) {
+            return Err(match measure.bounds {
+                Bounds::Between(low, high) => format!("reaches {value}; it must be between {low} and {high}"),
+                _ => format!("reaches {value}; it must be zero or above"),
+            });
         }
         least = f64::NEG_INFINITY;
     }

@@ -3,7 +3,7 @@
 use super::layout::Field;
 use super::provenance::{Provenance, Which};
 use super::table::Table;
-use crate::Row;
+use crate::PointRow;
 use crate::campaign::CampaignError;
 use mckibben_parquet::{Broken, OpenError, Reader, TableError};
 use std::path::{Path, PathBuf};
@@ -53,7 +53,7 @@ impl Opened {
         })?;
         let (rows, there) = (provenance.rows_of(which), reader.rows());
         if u64::try_from(there) != Ok(rows) {
-            return Err(CampaignError::damaged(path, format!("it holds {there} rows instead of {rows}")));
+            return Err(CampaignError::damaged(path, format!("it has {there} rows instead of {rows}")));
         }
         let fields = provenance.layout.fields().into();
         Ok(Self { provenance, which, path: path.into(), fields, reader })
@@ -78,7 +78,7 @@ impl Opened {
     ///
     /// # Errors
     /// [`CampaignError::Damaged`].
-    pub(crate) fn row(&self, table: &Table, i: usize) -> Result<Row, CampaignError> {
+    pub(crate) fn row(&self, table: &Table, i: usize) -> Result<PointRow, CampaignError> {
         table.row(i).map_err(|e| CampaignError::damaged(&self.path, e))
     }
 }

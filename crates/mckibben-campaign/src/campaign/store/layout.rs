@@ -1,9 +1,9 @@
 //! Which columns a table has.
 
-use crate::Row;
+use crate::PointRow;
 use crate::campaign::Plan;
 use crate::columns::{COLUMNS, Column, Role, Slot};
-use mckibben_parquet::{Kind, Packing};
+use mckibben_parquet::{Column as Values, Packing};
 
 /// Which columns a table has: those of the plan, less those that a table of an older program lacks.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -29,18 +29,18 @@ pub(crate) struct Field {
 
 impl Field {
     /// Where it stands in a row.
-    pub(crate) fn slot<'a>(&self, row: &'a mut Row) -> Slot<'a> {
+    pub(crate) fn slot<'a>(&self, row: &'a mut PointRow) -> Slot<'a> {
         (self.column.slot)(row)
     }
 
-    /// What its values are.
-    pub(super) fn kind(&self) -> Kind {
-        match self.slot(&mut Row::default()) {
-            Slot::Whole(_) => Kind::Int64,
-            Slot::Count(_) => Kind::Int32,
-            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Kind::Double,
-            Slot::Optional(_) | Slot::Sensitivities(_) => Kind::Optional,
-            Slot::Text(_) | Slot::Status(_) => Kind::Text,
+    /// An empty column of its kind.
+    pub(super) fn kind(&self) -> Values {
+        match self.slot(&mut PointRow::default()) {
+            Slot::Whole(_) => Values::Int64(vec![]),
+            Slot::Count(_) => Values::Int32(vec![]),
+            Slot::Number(_) | Slot::Constants(_) | Slot::Measures(_) => Values::Double(vec![]),
+            Slot::Optional(_) | Slot::Sensitivities(_) => Values::Optional(vec![]),
+            Slot::Text(_) | Slot::Status(_) => Values::Text(vec![]),
         }
     }
 
@@ -61,7 +61,7 @@ impl Field {
     }
 
     /// The number that a row has in it; of groups, the constants alone.
-    pub(crate) fn number(&self, row: &mut Row) -> Option<f64> {
+    pub(crate) fn number(&self, row: &mut PointRow) -> Option<f64> {
         match self.slot(row) {
             Slot::Number(v) => Some(*v),
             Slot::Optional(v) => *v,
@@ -85,7 +85,7 @@ impl Layout {
     pub(crate) fn fields(&self) -> Vec<Field> {
         let of = |column: &'static Column| {
             let one = |name: String, key: Option<String>| Field { name, column, key };
-            match (column.slot)(&mut Row::default()) {
+            match (column.slot)(&mut PointRow::default()) {
                 Slot::Constants(_) => self.constants.iter().map(|k| one(k.clone(), None)).collect(),
                 Slot::Measures(_) => self.measures.iter().map(|k| one(k.clone(), None)).collect(),
                 Slot::Sensitivities(_) => {
@@ -105,7 +105,7 @@ impl Layout {
     /// The name of a column that no table may lack.
     pub(crate) fn found(&mut self, names: &[&str]) -> Result<(), String> {
         for field in self.fields().into_iter().filter(|f| !names.contains(&f.name.as_str())) {
-            match field.slot(&mut Row::default()) {
+            match field.slot(&mut PointRow::default()) {
                 Slot::Optional(_) => self.lacking.push(field.column.name),
                 _ => return Err(field.name),
             }

@@ -137,7 +137,7 @@ impl Provenance {
             layout: Layout::new(list(text("constants")?), list(text("sensitivities")?)),
         };
         if hash::hex(out.plan.as_bytes()) != out.plan_sha256 {
-            return Err("the plan in its metadata is not the one whose hash stands beside it".into());
+            return Err("the plan in its metadata does not match its hash".into());
         }
         let which = find("part").map(number).transpose()?.map_or(Which::Whole, Which::Part);
         Ok((out, which))

@@ -1,13 +1,13 @@
 //! Rows as columns in memory.
 
 use super::layout::{Field, Layout};
-use crate::Row;
+use crate::PointRow;
 use crate::columns::Slot;
 use mckibben_parquet::{Column, Text};
 use std::sync::Arc;
 
 /// Adds what a row has in a field.
-fn push(column: &mut Column, field: &Field, row: &mut Row) {
+fn push(column: &mut Column, field: &Field, row: &mut PointRow) {
     match (column, field.slot(row)) {
         (Column::Int64(c), Slot::Whole(v)) => c.push(*v as i64),
         (Column::Int32(c), Slot::Count(v)) => c.push(i32::try_from(*v).unwrap_or(i32::MAX)),
@@ -24,7 +24,7 @@ fn push(column: &mut Column, field: &Field, row: &mut Row) {
 }
 
 /// Puts line `i` into a row; what is wrong with it otherwise.
-fn fill(column: &Column, i: usize, field: &Field, row: &mut Row) -> Option<Result<(), String>> {
+fn fill(column: &Column, i: usize, field: &Field, row: &mut PointRow) -> Option<Result<(), String>> {
     let text = |c: &[Text]| Some(c.get(i)?.as_utf8().unwrap_or("").to_owned());
     match (column, field.slot(row)) {
         (Column::Int64(c), Slot::Whole(v)) => *v = *c.get(i)? as u64,
@@ -58,7 +58,7 @@ pub(crate) struct Table {
 impl Table {
     pub(crate) fn new(layout: &Layout) -> Self {
         let fields: Arc<[Field]> = layout.fields().into();
-        Self { columns: fields.iter().map(|f| Column::new(f.kind())).collect(), fields, rows: 0 }
+        Self { columns: fields.iter().map(Field::kind).collect(), fields, rows: 0 }
     }
 
     pub(super) fn of(fields: &Arc<[Field]>, columns: Vec<Column>, rows: usize) -> Self {
@@ -67,12 +67,12 @@ impl Table {
 
     /// The same without rows.
     pub(super) fn emptied(&self) -> Self {
-        let columns = self.fields.iter().map(|f| Column::new(f.kind())).collect();
+        let columns = self.fields.iter().map(Field::kind).collect();
         Self::of(&self.fields, columns, 0)
     }
 
     /// Adds a row.
-    pub(crate) fn push(&mut self, mut row: Row) {
+    pub(crate) fn push(&mut self, mut row: PointRow) {
         for (column, field) in self.columns.iter_mut().zip(self.fields.iter()) {
             push(column, field, &mut row);
         }
@@ -88,8 +88,8 @@ impl Table {
     }
 
     /// Row `i`, or what is wrong with it.
-    pub(crate) fn row(&self, i: usize) -> Result<Row, String> {
-        let mut row = Row::default();
+    pub(crate) fn row(&self, i: usize) -> Result<PointRow, String> {
+        let mut row = PointRow::default();
         for (column, field) in self.columns.iter().zip(self.fields.iter()) {
             fill(column, i, field, &mut row).unwrap_or_else(|| Err(format!("{}: no value", field.name)))?;
         }

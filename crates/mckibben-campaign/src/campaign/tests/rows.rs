@@ -1,10 +1,10 @@
 //! What stands in the rows.
 
 use super::*;
-use crate::Row;
+use crate::PointRow;
 use mckibben::model::Workspace;
 
-fn run_plan(text: &str) -> Vec<Row> {
+fn run_plan(text: &str) -> Vec<PointRow> {
     let dir = folder();
     let out = dir.path().join("c.parquet");
     run(&Plan::parse(text).unwrap(), &out, &RunOptions::default(), &Silent).unwrap();
@@ -85,7 +85,7 @@ fn contractions_can_be_shares_of_the_largest() {
     assert!((rows[3].contraction - 0.5 * largest(30.0)).abs() < 1e-9);
 }
 
-/// Reading goes row group by row group; how a table was cut into parts cannot be told from its groups.
+/// Reading goes row group by row group; how a table was cut into parts cannot be seen from its groups.
 #[test]
 fn tables_larger_than_a_group_come_back_row_by_row() {
     use crate::campaign::store::{Layout, Opened, Provenance, Table, whole};
@@ -97,7 +97,7 @@ fn tables_larger_than_a_group_come_back_row_by_row() {
     let provenance = Provenance::of(&plan);
     assert_eq!(plan.points(), 77_000);
     let blank = run_plan("[test]\ncontractions = 0\npressures = 0.1\nmesh = \"3\"\n").remove(0);
-    let row = |i: u64| Row {
+    let row = |i: u64| PointRow {
         muscle: i / 110,
         force_n: (!i.is_multiple_of(7)).then_some(i as f64 * 0.1),
         cause: if i.is_multiple_of(7) { format!("cause “{}”", i % 21) } else { String::new() },

@@ -107,7 +107,7 @@ fn laws(answer: &IdentifyAnswer, force: &dyn Fn(f64) -> String) -> String {
     }
     if answer.laws.iter().filter_map(|row| row.neighbour_correlation).any(|r| r > 0.5) {
         out.push_str(
-            "  neighbouring points err together: differences of AICc decide less than they seem to\n",
+            "  the residuals of neighbouring points are correlated: differences of AICc are less significant than their values suggest\n",
         );
     }
     out

@@ -9,7 +9,7 @@ use std::path::Path;
 
 /// The law in words: `mooney-rivlin, held stable`.
 fn title(law: &FittedLaw) -> String {
-    let held = if law.constrained { ", held stable" } else { "" };
+    let held = if law.constrained { ", constrained to be stable" } else { "" };
     format!("{}{held}", law.form.name())
 }
 
@@ -172,7 +172,7 @@ fn held_out(laws: &[FittedLaw], hoop: &str) -> String {
         [title(law)].into_iter().chain(cells).collect()
     };
     format!(
-        "Held out: rms of the differences over the rms of the measured stresses (in brackets: how much too stiff, +, or too soft)\n{}\
+        "Held out: rms of the differences over the rms of the measured stresses (in brackets: bias, + too stiff, − too soft)\n{}\
          in a muscle: held-out points with a hoop stretch of 1 to {hoop} and an axial stretch of 0.6 to 1.1\n\n",
         table(&header, laws.iter().map(row).collect())
     )
@@ -216,12 +216,14 @@ fn closing(answer: &RubberFitAnswer, written: Option<&Path>) -> String {
     match answer.taken() {
         Some(law) => {
             let one = answer.laws.len() == 1;
-            let why =
-                if one { "stable in a muscle" } else { "the lowest AICc of those to be trusted in a muscle" };
+            let why = if one {
+                "stable in a muscle"
+            } else {
+                "the lowest AICc of the laws that are valid in a muscle"
+            };
             out.push_str(&format!("→ {}: {why}.\n", title(law)));
         }
-        None => out
-            .push_str("None of these laws is stable over the stretches of a muscle; --stable holds them.\n"),
+        None => out.push_str("None of these laws is stable over the stretches of a muscle; use --stable.\n"),
     }
     if let Some(path) = written {
         let path = place(path);

@@ -83,7 +83,7 @@ fn bounds_hold_and_are_told() {
 }
 
 #[test]
-fn unknowns_that_act_together_are_not_told() {
+fn unknowns_that_act_together_are_unidentifiable() {
     let data = line(12, 0.01, 5);
     let twice = |x: &[f64]| Some(data.iter().map(|&(t, y)| 2.0 + (x[0] + x[1]) * t - y).collect());
     let unknowns = [Unknown::free(1.0, 1.0), Unknown::free(1.0, 1.0)];

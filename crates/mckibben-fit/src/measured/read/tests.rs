@@ -93,14 +93,14 @@ fn what_is_not_understood_is_named_with_the_way_out() {
         ),
         ("p_bar,strain,F_N\n1,0,9\n1,5,3\n", "", "`columns` contraction=\"strain:%\""),
         ("p_bar,x_mm,contraction,F_N\n1,0,9,3\n", "", "write 0.15 for 15 %"),
-        ("p_bar,stroke [mm],F_N\n1,500,9\n", "", "is not a shortening of this muscle"),
+        ("p_bar,stroke [mm],F_N\n1,500,9\n", "", "is not a valid shortening of this muscle"),
         ("p_bar,length_mm,F_N\n1,200,9\n2,200,8\n", "", "the same in all lines"),
         (
             "Set pressure [bar],Pressure 1,p_bar,Pressure [bar],contraction,force_n\n",
             "",
             "columns p_bar, Pressure [bar] could all be pressure",
         ),
-        ("Absolute pressure [bar],contraction,force_n\n1,0,1\n", "", "holds absolute pressures"),
+        ("Absolute pressure [bar],contraction,force_n\n1,0,1\n", "", "has absolute pressures"),
         (
             "p_bar,contraction,force_n,length_mm\n1,0,9,200\n1,0.1,5,180\n",
             "",
@@ -116,7 +116,7 @@ fn what_is_not_understood_is_named_with_the_way_out() {
         (
             "1,2,3\np_bar,contraction,F_N\n1,0,3\n",
             "",
-            "line 1 holds numbers, but the heading stands in line 2",
+            "line 1 contains numbers, but the heading is in line 2",
         ),
         (
             "p_bar,contraction,F_N\n1,5,0,1,3,5\n",

@@ -65,7 +65,7 @@ pub(super) fn points(
         }
         if let (Some(column), Some(value)) = (differences.0, differences.1[row]) {
             if value.abs() > LARGEST_STRESS_MPA * stretch.max(lambda_2) {
-                let expected = "is not a difference of stresses that a rubber bears; look at its unit";
+                let expected = "is not a difference of stresses that a rubber can bear; check its unit";
                 return Err(table.impossible(row, column, expected));
             }
             out.push(TensionPoint::of_difference(stretch, lambda_2, value));

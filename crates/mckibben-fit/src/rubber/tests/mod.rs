@@ -118,7 +118,7 @@ fn every_law_comes_back_from_its_own_points_in_every_mode() {
         for modes in sets {
             let data = points(&law, modes, (0.8, 4.5), 30, |_| 0.0);
             let found = fit_tension(&data, &only(form)).unwrap();
-            // In planar tension I1 = I2: C10 and C01 cannot be told apart, only their sum.
+            // In planar tension I1 = I2: only the sum of C10 and C01 is identifiable.
             if form == named("mooney-rivlin") && modes == [Mode::Planar] {
                 let fit = &found.laws[0];
                 assert!((fit.law.shear_modulus_mpa() - law.shear_modulus_mpa()).abs() < 1e-8);
@@ -265,7 +265,11 @@ fn fits_that_make_no_sense_are_refused() {
     assert!(
         message(&data, &only(named("yeoh"))).contains("3 points are too few for yeoh: it takes 6 or more")
     );
-    assert_eq!(fit_tension(&data, &FitSettings::default()).unwrap().laws.len(), 1, "all that 3 points carry");
+    assert_eq!(
+        fit_tension(&data, &FitSettings::default()).unwrap().laws.len(),
+        1,
+        "all that 3 points determine"
+    );
     assert!(message(&[], &FitSettings::default()).contains("0 points are too few"));
     let pushed: Vec<_> =
         data.iter().map(|p| TensionPoint { nominal_stress_mpa: -p.nominal_stress_mpa, ..*p }).collect();

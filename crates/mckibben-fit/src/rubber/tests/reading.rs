@@ -72,10 +72,13 @@ fn errors_name_line_and_column_and_what_to_do() {
         ("stretch,stress_mpa\n150,0.3\n", "name the column strain_percent"),
         ("strain,stress_mpa\n150,0.3\n", "name the column strain_percent"),
         ("strain,stress_mpa\n-1.5,0.3\n", "no length left"),
-        ("strain,stress_mpa\n0.5,1e300\n", "line 2, column stress_mpa: 1e300 gives no stress"),
+        (
+            "strain,stress_mpa\n0.5,1e300\n",
+            "line 2, column stress_mpa: 1e300 gives a stress that no rubber can bear",
+        ),
         (
             "strain,stress_mpa\n0,0\n0.5,300\n",
-            "line 3, column stress_mpa: 300 gives no stress that a rubber bears; look at its unit",
+            "line 3, column stress_mpa: 300 gives a stress that no rubber can bear; check its unit",
         ),
         ("strain,stress_mpa\n1e308,0.3\n", "column strain: 1e308"),
         ("strain,stress_mpa,stress_mpa\n0.5,0.3,0.4\n", "could all be nominal_stress"),

@@ -106,7 +106,7 @@ fn rows_of_sheets_that_make_no_sense_are_refused() {
         ("mode,stretch_1,stretch_2,stress_mpa\ngeneral,1.5,,0.3\n", "needs both"),
         ("stretch_1,stretch_2,stress_mpa\n1.5,-1.2,0.3\n", "above 0"),
         ("stretch_1,stretch_2,stress_mpa\n1.5,1.2,\n", "is not a valid stress"),
-        ("stretch_1,stretch_2,stress_mpa\n1.5,1.2,300\n", "gives no stress that a rubber bears"),
+        ("stretch_1,stretch_2,stress_mpa\n1.5,1.2,300\n", "gives a stress that no rubber can bear"),
     ] {
         let message = read(text).unwrap_err().to_string();
         assert!(message.contains(fragment), "{text}: {message}");

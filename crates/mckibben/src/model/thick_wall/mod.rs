@@ -188,7 +188,7 @@ impl ForceModel for ThickWall {
         let bulk = match self.muscle.tube().rubber.bulk {
             Bulk::Incompressible => None,
             Bulk::Modulus(_) => {
-                Some("thick-wall takes the rubber as incompressible; its bulk modulus is not used".into())
+                Some("thick-wall assumes incompressible rubber; its bulk modulus is not used".into())
             }
         };
         bulk.into_iter().chain(super::first_inflation("thick-wall", &self.muscle)).collect()

@@ -204,10 +204,8 @@ impl ForceModel for Universal {
     fn notes(&self, _: &Workspace) -> Vec<String> {
         let mut notes: Vec<String> = self.formula.seal.warning(self.name()).into_iter().collect();
         if let Bulk::Modulus(_) = self.muscle.tube().rubber.bulk {
-            notes.push(format!(
-                "{} takes the rubber as incompressible; its bulk modulus is not used",
-                self.name()
-            ));
+            notes
+                .push(format!("{} assumes incompressible rubber; its bulk modulus is not used", self.name()));
         }
         if self.muscle.terminals().end_factor.is_some() {
             notes.push(format!("{} computes the ends; the end factor is not used", self.name()));

@@ -169,7 +169,7 @@ impl fmt::Display for RubberWarning {
             ),
             RubberWarning::NegativeC01 { c01_mpa } => write!(
                 f,
-                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and misleads in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
+                "C01 is {c01_mpa} MPa: a negative C01 comes from uniaxial tests and is wrong in the two-axis stretch of a muscle; prefer neo-hookean or yeoh"
             ),
         }
     }

@@ -1,6 +1,6 @@
-//! The dossier of a measured muscle: what each fit leaves of its points, of those it was fitted to and of those it predicts blind.
+//! The validation report of a measured muscle: the errors of each fit at the points it was fitted to and at the points it predicts.
 
-use super::case::{Case, Fitted};
+use super::case::{FittedSubset, MuscleCase};
 use super::residual::{Left, Residual, compared, fitted, residuals};
 use super::split::{Training, same, trainings};
 use crate::identify::{Build, Identified, IdentifyError};
@@ -14,9 +14,9 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use thiserror::Error;
 
-/// Why there is no dossier.
+/// Why there is no validation report.
 #[derive(Debug, Clone, PartialEq, Error)]
-pub enum DossierError {
+pub enum ReportError {
     /// The caller wanted it to end.
     #[error("cancelled before every fit was made")]
     Cancelled,
@@ -86,12 +86,12 @@ const BIN: f64 = 0.05;
 /// Every fit of cases by a model, side by side; progress counts fits.
 ///
 /// # Errors
-/// [`DossierError`].
-pub fn dossier<B: Build>(
-    cases: &[&Case],
+/// [`ReportError`].
+pub fn report<B: Build>(
+    cases: &[&MuscleCase],
     build: &B,
     progress: &dyn Progress,
-) -> Result<Vec<FitResult>, DossierError> {
+) -> Result<Vec<FitResult>, ReportError> {
     let means: Vec<Vec<DataPoint>> = cases.iter().map(|case| mean_of_data(&case.points)).collect();
     let mut tasks = vec![];
     for (i, (case, means)) in cases.iter().zip(&means).enumerate() {
@@ -122,14 +122,14 @@ impl Progress for CancelOnly<'_> {
 }
 
 fn run<B: Build>(
-    (case, means): (&Case, &[DataPoint]),
+    (case, means): (&MuscleCase, &[DataPoint]),
     (number, fit_number): (usize, usize),
     training: &Training,
     build: &B,
     progress: &dyn Progress,
-) -> Result<FitResult, DossierError> {
+) -> Result<FitResult, ReportError> {
     if progress.cancelled() {
-        return Err(DossierError::Cancelled);
+        return Err(ReportError::Cancelled);
     }
     let fit = &case.fits[fit_number];
     let source = if fit.both_branches { &case.points } else { means };
@@ -138,8 +138,8 @@ fn run<B: Build>(
     let label = training.label(&training_points, &fit.muscle);
     let (muscle, parameters) =
         fitted(fit, &training_points, build, progress).map_err(|error| match error {
-            IdentifyError::Cancelled => DossierError::Cancelled,
-            error => DossierError::Fit {
+            IdentifyError::Cancelled => ReportError::Cancelled,
+            error => ReportError::Fit {
                 case: case.facts.name.clone(),
                 fit: fit.name.clone(),
                 fitted_to: label.clone(),
@@ -157,7 +157,7 @@ fn run<B: Build>(
     if let Some(by) = training.by {
         let values = by.values(&others, &fit.muscle);
         // One value each, or all that lie outside of a range.
-        let ranged = matches!(fit.split.map(|s| s.fitted), Some(Fitted::Range(..)));
+        let ranged = matches!(fit.split.map(|s| s.fitted), Some(FittedSubset::Range(..)));
         if ranged && !values.is_empty() {
             groups.push(group(by.label(&values), true, &|p| !training.holds(p, &fit.muscle)));
         } else {
@@ -207,7 +207,7 @@ mod tests {
     fn points_that_were_not_fitted_are_blind() {
         let mut case = muscles().unwrap().into_iter().find(|c| c.facts.name == "tondu2012").unwrap().clone();
         case.fits.retain(|fit| fit.split.is_some());
-        let found = dossier(&[&case], &elements, &Silent).unwrap();
+        let found = report(&[&case], &elements, &Silent).unwrap();
         let [plain, gent] = &found[..] else { panic!("{}", found.len()) };
         for r in [plain, gent] {
             assert_eq!(r.fitted_to, "0.1, 0.2, 0.3 MPa");
@@ -229,6 +229,6 @@ mod tests {
                 true
             }
         }
-        assert_eq!(dossier(&muscles().unwrap(), &elements, &Gone).unwrap_err(), DossierError::Cancelled);
+        assert_eq!(report(&muscles().unwrap(), &elements, &Gone).unwrap_err(), ReportError::Cancelled);
     }
 }
