@@ -43,6 +43,7 @@ pub mod budget;
 pub mod compare;
 pub mod curve;
 pub mod design;
+pub mod differences;
 pub mod formula;
 pub mod identify;
 pub mod joint;

@@ -1,12 +1,13 @@
 //! What a model of a muscle leaves of measured pulls.
 
 use super::case::CaseFit;
-use crate::axisymmetric::Axisymmetric;
+use crate::axisymmetric::MeshSpec;
+use crate::elements::section;
 use mckibben::analysis::force_on;
 use mckibben::identify::{Build, Identified, IdentifyError, Request, identify_with};
 use mckibben::least_squares::Loss;
 use mckibben::measured::{DataPoint, Section};
-use mckibben::model::{BlockedAt, ForceModel, ModelError, Reference, Workspace, seated};
+use mckibben::model::{BlockedAt, ForceModel, ModelError, Reference, Workspace, blocked_scale_n};
 use mckibben::muscle::{Direction, Muscle};
 use mckibben::progress::Progress;
 use mckibben::uncertainty::{friction_n, measured_n};
@@ -16,7 +17,7 @@ use mckibben::uncertainty::{friction_n, measured_n};
 /// # Errors
 /// [`ModelError`] of a muscle that they do not have.
 pub fn elements(muscle: &Muscle) -> Result<Box<dyn ForceModel>, ModelError> {
-    Ok(seated(Box::new(Axisymmetric::new(&muscle.between_ends())?), muscle))
+    Ok(section(muscle, &MeshSpec::default())?)
 }
 
 /// One measured point beside what a model says of it.
@@ -53,10 +54,10 @@ impl Residual {
 
 /// The ± of a model at a point, for its blocked force there.
 fn half_width_n(model: &dyn ForceModel, w: &mut Workspace, point: &DataPoint, blocked_n: f64) -> Option<f64> {
-    let (accuracy, muscle) = (model.accuracy(), model.muscle());
+    let (accuracy, muscle) = (model.info().accuracy, model.muscle());
     let scale_n = match accuracy.blocked_at {
         BlockedAt::SamePressure => blocked_n,
-        BlockedAt::Pressure(p) => model.blocked_scale_n(w, p).ok()?,
+        BlockedAt::Pressure(p) => blocked_scale_n(model, w, p).ok()?,
     };
     let own_n = accuracy.share_of_blocked? * scale_n;
     if matches!(accuracy.reference, Reference::ForceMap { .. }) {
