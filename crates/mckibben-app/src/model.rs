@@ -5,7 +5,7 @@ use crate::problem::{Problem, ProblemKind};
 use mckibben::budget::Budget;
 use mckibben::formula::{Document, Formula, UniversalFormula};
 use mckibben::model::{
-    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Universal, UnknownModel, with_ends,
+    ForceModel, FormulaModel, ModelEntry, ModelError, ModelKind, Paper, Universal, UnknownModel, with_ends,
 };
 use mckibben::muscle::Muscle;
 use mckibben_fem::axisymmetric::MeshSpec;
@@ -126,7 +126,7 @@ impl Model {
     pub fn sections(&self) -> Option<((f64, f64), (f64, f64))> {
         match self {
             Self::Formula(f) => Some((f.range.outer_diameter_mm, f.range.wall_mm)),
-            Self::ClosedForm(ModelKind::Paper) => Some(((30.0, 50.0), (1.0, 5.0))),
+            Self::ClosedForm(ModelKind::Paper) => Some((Paper::DIAMETERS_MM, Paper::WALLS_MM)),
             _ => None,
         }
     }

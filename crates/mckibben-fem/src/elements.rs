@@ -6,7 +6,7 @@ use crate::seated::with_ends;
 use crate::simulation::Simulation;
 use crate::three_dimensional::{self, BrickMesh, BrickSpec, ThreeDimensional, estimate};
 use mckibben::budget::Budget;
-use mckibben::model::ModelEntry;
+use mckibben::model::{ModelEntry, UnknownModel};
 use mckibben::muscle::Muscle;
 use std::fmt;
 use std::str::FromStr;
@@ -110,22 +110,14 @@ impl fmt::Display for Elements {
     }
 }
 
-/// A word that names no finite elements.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("\"{word}\" is not a finite-element model; there are {}", Elements::ENTRIES.map(|e| e.name).join(" and "))]
-pub struct UnknownElements {
-    /// The word.
-    pub word: String,
-}
-
 impl FromStr for Elements {
-    type Err = UnknownElements;
+    type Err = UnknownModel;
 
     /// By their name, with the usual mesh.
-    fn from_str(word: &str) -> Result<Self, UnknownElements> {
+    fn from_str(word: &str) -> Result<Self, UnknownModel> {
         let all = [Self::Axisymmetric(MeshSpec::default()), Self::ThreeDimensional(BrickSpec::default())];
         let named = all.into_iter().find(|e| e.name() == word.trim());
-        named.ok_or_else(|| UnknownElements { word: word.into() })
+        named.ok_or_else(|| UnknownModel::new(word, Self::ENTRIES.map(|entry| entry.name).to_vec()))
     }
 }
 

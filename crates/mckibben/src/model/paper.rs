@@ -20,9 +20,7 @@ pub(super) const ENTRY: ModelEntry = ModelEntry {
     source: "formula (11) with Table 2 of M. G. Antonelli, P. Beomonte Zobel, W. D'Ambrogio, F. Durante, T. Raparelli, Int. J. Mech. Eng. Technol. 9 (2018) 320–337 [antonelli2018]",
 };
 
-/// Diameters, walls, pressures and contractions for which (11) was made.
-const DIAMETER: (f64, f64) = (30.0, 50.0);
-const WALL: (f64, f64) = (1.0, 5.0);
+/// Pressures and contractions for which (11) was made.
 const PRESSURE: (f64, f64) = (0.0, 0.25);
 const CONTRACTION: (f64, f64) = (0.0, 0.20);
 const ANGLE_DEG: f64 = 28.0;
@@ -50,8 +48,8 @@ fn range(m: &Muscle) -> ModelRange {
     }
     ModelRange { pressure_mpa: PRESSURE, contraction: CONTRACTION, make, ..ModelRange::open() }.with_measures(
         &[
-            (Interval::new(Quantity::OuterDiameter, DIAMETER), m.outer_diameter_mm()),
-            (Interval::new(Quantity::WallThickness, WALL), m.wall_mm()),
+            (Interval::new(Quantity::OuterDiameter, Paper::DIAMETERS_MM), m.outer_diameter_mm()),
+            (Interval::new(Quantity::WallThickness, Paper::WALLS_MM), m.wall_mm()),
             (Interval::only(Quantity::Length, LENGTH_MM), m.length_mm()),
             (Interval::only(Quantity::BraidAngle, ANGLE_DEG), m.braid().angle_deg),
         ],
@@ -59,6 +57,11 @@ fn range(m: &Muscle) -> ModelRange {
 }
 
 impl Paper {
+    /// Outer diameters in mm for which the formula was made.
+    pub const DIAMETERS_MM: (f64, f64) = (30.0, 50.0);
+    /// Walls in mm for which it was made.
+    pub const WALLS_MM: (f64, f64) = (1.0, 5.0);
+
     /// The formula with the published numbers.
     pub fn new(muscle: &Muscle) -> Self {
         let section = Coefficients::published().section(muscle.outer_diameter_mm(), muscle.wall_mm());
